@@ -1,0 +1,63 @@
+// What is measured on a world. Fractions and numbers are [1], lengths [d], energies [F_g d].
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "core/world.h"
+
+namespace quicksand {
+
+struct Energies {
+  double kinetic = 0;     // of translation
+  double rotational = 0;
+  double potential = 0;   // in gravity, relative to the origin; 0 without gravity
+};
+Energies energies(const World& world);
+
+// Total momentum (p_x, p_y) of the disks [m sqrt(g d)].
+Vec2 momentum(const World& world);
+
+// Counts for each disk (nd): active bonds, broken bonds, initial bonds, touching contacts, loaded
+// contacts (positive normal impulse). Walls count as neighbours.
+struct Neighbours {
+  std::vector<int> active, broken, initial, initial_active, touching, loaded;
+};
+Neighbours neighbours(const World& world);
+
+// Mean contact force pressure on each disk: sum of compressive normal forces over the
+// circumference [F_g/d].
+std::vector<double> contact_pressure(const World& world);
+
+// Area of the disks between two heights over the area of the box there, clipped exactly.
+double volume_fraction(const World& world, double y_low, double y_high);
+// Volume fraction in `bins` equal slices from 0 to `height`.
+std::vector<double> volume_fraction_profile(const World& world, double height, int bins);
+
+// Top of the grains (intruders left out) [d]; 0 if there are none.
+double packing_top(const World& world);
+
+struct Sample {
+  double time = 0;
+  std::int64_t step = 0;
+  std::int64_t grains = 0;
+  Energies energy;
+  double max_speed = 0;               // of any disk's centre [sqrt(g d)]
+  double packing_top = 0;             // [d]
+  double volume_fraction = 0;         // of the lower 70 % of the packing
+  double coordination = 0;            // mean number of touching neighbours of a grain
+  double coordination_loaded = 0;     // ... that carry a compressive force or a bond
+  double active_bond_fraction = 0;    // active bonds over touching contacts; 0 if no contacts
+  double remaining_bond_fraction = 0; // active initial bonds over initial bonds; 1 if none
+  std::int64_t contacts = 0;
+  std::int64_t bonds_active = 0;
+  std::int64_t bonds_formed = 0;
+  std::int64_t bonds_broken = 0;
+  double max_overlap = 0;             // [d]
+  bool has_intruder = false;
+  Vec2 intruder_position{0, 0};       // [d]
+  Vec2 intruder_velocity{0, 0};       // [sqrt(g d)]
+};
+Sample measure(const World& world);
+
+}  // namespace quicksand

@@ -1,0 +1,63 @@
+// Runs the phases of a scene, one after the other, one step at a time.
+#pragma once
+
+#include <string>
+
+#include "core/scenario.h"
+#include "core/step.h"
+#include "core/world.h"
+
+namespace quicksand {
+
+// Where a protocol stands; with the world, all that a restart needs.
+struct ProtocolState {
+  int phase = 0;                  // index of the present phase; number of phases when finished
+  bool entered = false;           // whether the present phase has been set up
+  double phase_start = 0;         // world time at its beginning [sqrt(d/g)]
+  double next_drop = 0;           // deposit: time of the next grain [sqrt(d/g)]
+  std::int64_t dropped = 0;       // deposit: grains so far
+  double rest_since = -1;         // settle, push: at rest since then, -1: not at rest
+  // Counted over the whole run.
+  std::int64_t unconverged_steps = 0;
+  std::int64_t broken_in_unconverged = 0;
+  std::int64_t iterations = 0;
+  double worst_residual = 0;      // Residual::natural
+};
+
+enum class Progress : std::uint8_t {
+  running,       // a step was made
+  phase_ended,   // a step was made (or none was needed) and a phase ended
+  finished,      // nothing left to do
+  failed         // the last step did not converge and the scene says stop, or was not finite
+};
+
+class Protocol {
+ public:
+  // A fresh start on `world` (from make_world or a checkpoint whose protocol is not continued), or
+  // the continuation of `state`.
+  Protocol(const Scenario& scenario, World world, ProtocolState state = {});
+
+  Progress advance();
+
+  const World& world() const { return world_; }
+  const ProtocolState& state() const { return state_; }
+  const StepReport& last_step() const { return report_; }  // of the last step made
+  const Phase* phase() const;                              // null when finished
+  // Share of the present phase that is done, as far as it can be known [0..1].
+  double phase_progress() const;
+  // After `failed`: what went wrong, in a sentence.
+  const std::string& failure() const { return failure_; }
+
+ private:
+  void enter_phase();
+  bool phase_is_over();
+
+  Scenario scenario_;
+  World world_;
+  ProtocolState state_;
+  Stepper stepper_;
+  StepReport report_;
+  std::string failure_;
+};
+
+}  // namespace quicksand

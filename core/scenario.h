@@ -1,0 +1,118 @@
+// What a scene says, in grain units: the physics and the protocol, nothing of pictures or output.
+//
+// Units: length d (mean grain diameter), mass of a grain, g = 1; hence force F_g (the weight of a
+// grain), time sqrt(d/g). A term that is not engaged is not modelled.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/bonds.h"
+#include "core/contact_law.h"
+#include "core/disks.h"
+#include "core/solver.h"
+#include "core/walls.h"
+
+namespace quicksand {
+
+// For reading results in SI units; the computation does not use it.
+struct PhysicalScale {
+  double grain_diameter = 0;  // [m]
+  double grain_density = 0;   // of the solid [kg/m^3]
+  double gravity = 9.81;      // [m/s^2]
+  bool operator==(const PhysicalScale&) const = default;
+};
+
+enum class Sides : std::uint8_t { open, periodic, walls };
+
+struct Box {
+  double width = 0;          // [d]; 0 only with open sides
+  double height = 0;         // for view and default drop height [d]
+  Sides sides = Sides::periodic;
+  bool floor = true;         // a wall at y = 0
+  bool operator==(const Box&) const = default;
+};
+
+enum class BreakRule : std::uint8_t { linearised, geometric };
+
+struct StepSettings {
+  double dt = 1e-2;                               // [sqrt(d/g)]
+  BreakRule break_rule = BreakRule::linearised;
+  bool curvature_term = true;                     // second-order gap of bonded contacts
+  bool stop_if_unconverged = false;
+  bool operator==(const StepSettings&) const = default;
+};
+
+// Ballistic deposition: grains fall straight down at random places and stick where they touch.
+struct DepositPhase {
+  std::int64_t grains = 0;      // number of grains; 0: until the height is reached
+  double height = 0;            // top of the packing that ends the phase [d]; 0: by number only
+  double interval = 1e-2;       // time between grains [sqrt(d/g)]; 0: all at once, no dynamics
+  double drop_velocity = 0;     // downward, at the place of first contact [sqrt(g d)]
+  bool operator==(const DepositPhase&) const = default;
+};
+
+// Nothing is added; ends at rest or at a time.
+struct SettlePhase {
+  double rest_speed = 1e-3;     // rest: no body faster than this ... [sqrt(g d)]
+  double rest_time = 0.5;       // ... for this long [sqrt(d/g)]
+  double max_time = 1000;       // ends the phase in any case [sqrt(d/g)]
+  bool until_rest = true;       // false: exactly max_time
+  bool bonding = false;         // whether first touches form bonds
+  bool operator==(const SettlePhase&) const = default;
+};
+
+// An intruder is placed on the surface and pushed by a constant force.
+struct PushPhase {
+  double diameter = 3;          // [d]
+  double density = 0.5;         // over that of a grain [1]
+  double force = 0;             // downward, besides its weight [F_g]
+  std::optional<double> x;      // place [d]; middle of the box if absent
+  double rest_speed = 1e-3;     // as in SettlePhase
+  double rest_time = 0.5;
+  double max_time = 1000;
+  bool bonding = false;
+  bool operator==(const PushPhase&) const = default;
+};
+
+struct Phase {
+  std::variant<DepositPhase, SettlePhase, PushPhase> kind;
+  std::optional<double> dt;            // overrides StepSettings::dt [sqrt(d/g)]
+  std::optional<double> sample_every;  // time between samples and frames [sqrt(d/g)]
+  bool operator==(const Phase&) const = default;
+};
+std::string_view phase_name(const Phase& phase);  // "deposit", "settle", "push"
+
+enum class InitialBonds : std::uint8_t { none, touching };
+
+struct Scenario {
+  std::string name;
+  std::string description;
+  std::uint64_t seed = 1;
+  std::optional<PhysicalScale> physical;
+  std::optional<Vec2> gravity;          // vector [g]; absent: no gravity
+  Box box;
+  ContactLaw grain_law;                 // grain on grain
+  std::optional<ContactLaw> wall_law;   // grain on wall; as grain_law if absent
+  std::optional<ContactLaw> intruder_law;  // intruder on anything; as grain_law if absent
+  StepSettings step;
+  SolverSettings solver;
+  std::vector<Disk> disks;
+  std::vector<Vec3> disk_forces;        // (disks) applied force [F_g] and torque [F_g d]
+  std::vector<Wall> walls;              // besides floor and sides of the box
+  InitialBonds initial_bonds = InitialBonds::none;
+  std::string start_from;               // checkpoint whose world is taken; empty: none
+  std::vector<Phase> phases;
+};
+
+// Names of the model terms in use ("gravity", "friction", ...), in a fixed order.
+std::vector<std::string> model_terms(const Scenario& scenario);
+
+// Throws InputError for what cannot be simulated: overlapping bodies (worse than 1e-9 d), bodies
+// beyond a wall, phases that need a floor or gravity that is not there.
+void validate(const Scenario& scenario);
+
+}  // namespace quicksand

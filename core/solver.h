@@ -1,0 +1,95 @@
+// What a contact solver reads, writes and reports. A solver is one file behind this interface.
+//
+// Unknowns are, for each contact, the impulse (N, R_t, T) on body b, and for each body the velocity
+//   v = free_velocity + M^-1 H^T impulse,
+// such that with u_n, u_t, w the relative velocity of b to a at the contact
+//   0 <= N      complementary to  gap_rate + u_n >= 0
+//   |R_t| <= friction N,  opposite to u_t where it slides
+//   |T|   <= rolling  N,  opposite to w where it rolls.
+// Cohesion is not a solver's business: it enters free_velocity as a known pair of impulses -F_c dt
+// along the normal, so that N = R_n + F_c dt. [Kadau 2003]
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/types.h"
+
+namespace quicksand {
+
+struct ContactRow {
+  int a = 0;  // body indices into the problem's arrays
+  int b = 0;
+  Vec2 normal{0, 0};      // unit, from a to b
+  double arm_a = 0;       // centre of a to the contact point, along the normal [d]
+  double arm_b = 0;       // centre of b to the contact point, against the normal [d]
+  double gap_rate = 0;    // gap/dt, and the curvature term of bonded contacts [sqrt(g d)]
+  double friction = 0;    // [1]
+  double rolling = 0;     // [d]
+  double gap_tolerance = 0;  // admissible |gap error| where N > 0 [d]
+};
+
+// Relative velocity (u_n, u_t, w) of b to a at the contact.
+inline Vec3 relative_velocity(const ContactRow& c, const Vec3& va, const Vec3& vb) {
+  const Vec2 dv = vb.head<2>() - va.head<2>();
+  return {c.normal.dot(dv), perpendicular(c.normal).dot(dv) - c.arm_b * vb.z() - c.arm_a * va.z(),
+          vb.z() - va.z()};
+}
+
+// Transpose of the above: what an impulse (N, R_t, T) does to the momenta of b and of a.
+inline Vec3 momentum_of_b(const ContactRow& c, const Vec3& p) {
+  const Vec2 f = p.x() * c.normal + p.y() * perpendicular(c.normal);
+  return {f.x(), f.y(), p.z() - c.arm_b * p.y()};
+}
+inline Vec3 momentum_of_a(const ContactRow& c, const Vec3& p) {
+  const Vec2 f = p.x() * c.normal + p.y() * perpendicular(c.normal);
+  return {-f.x(), -f.y(), -p.z() - c.arm_a * p.y()};
+}
+
+// Built once a step, constant while solving.
+struct ContactProblem {
+  double dt = 0;           // [sqrt(d/g)]
+  double force_scale = 1;  // forces are judged relative to this [F_g]
+  int components = 3;      // modelled: 1 normal, 2 with friction, 3 with rolling friction
+  std::vector<Vec3> inverse_mass;   // (nb) (1/m, 1/m, 1/I)
+  std::vector<Vec3> free_velocity;  // (nb) velocity at the end of the step without contacts
+  std::vector<ContactRow> contacts;  // (nc)
+};
+
+struct ContactState {
+  std::vector<Vec3> velocity;  // (nb)
+  std::vector<Vec3> impulse;   // (nc); on entry the warm start
+};
+
+// Distance of a state from the contact laws; see residual.h.
+struct Residual {
+  double natural = 0;    // worst projection residual over force_scale dt [1]
+  double gap = 0;        // worst |gap error| over gap_tolerance where N > 0 [1]
+  double velocity = 0;   // worst |v - v(impulse)| over g dt [1]
+};
+
+// A word in the scene for each method.
+enum class Method : std::uint8_t { gauss_seidel };
+
+struct SolverSettings {
+  Method method = Method::gauss_seidel;
+  double tolerance = 1e-6;     // on Residual::natural [1]; the gap error must stay below 1 as well
+  int max_iterations = 20000;  // sweeps
+
+  bool operator==(const SolverSettings&) const = default;
+};
+
+// Not converging is an answer: the caller decides.
+struct SolveReport {
+  bool converged = false;
+  Residual residual;
+  std::int64_t iterations = 0;
+  std::int64_t factorisations = 0;
+};
+
+SolveReport solve(const ContactProblem& problem, const SolverSettings& settings,
+                  ContactState& state);
+
+}  // namespace quicksand

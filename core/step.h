@@ -1,0 +1,37 @@
+// One time step: implicit Euler (Moreau-Jean with theta = 1), one contact problem. [Jean 1999]
+#pragma once
+
+#include <memory>
+
+#include "core/solver.h"
+#include "core/world.h"
+
+namespace quicksand {
+
+struct StepReport {
+  bool converged = true;
+  bool finite = true;  // false: the world was left as it was before the step
+  int bad_body = -1;   // the first body whose velocity is not finite
+  SolveReport solve;
+  std::int64_t bonds_formed = 0;
+  std::int64_t bonds_broken = 0;     // always 0 if not converged
+  std::int64_t breaks_withheld = 0;  // bonds beyond their range in an unconverged step
+};
+
+// Advances worlds. Holds scratch memory only: two steppers give the same bytes, whatever they did
+// before.
+class Stepper {
+ public:
+  Stepper();
+  ~Stepper();
+  Stepper(const Stepper&) = delete;
+  Stepper& operator=(const Stepper&) = delete;
+
+  StepReport advance(World& world, const StepSettings& step, const SolverSettings& solver);
+
+ private:
+  struct Scratch;
+  std::unique_ptr<Scratch> scratch_;
+};
+
+}  // namespace quicksand

@@ -1,0 +1,51 @@
+// Everything that is simulated, at one moment.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/bonds.h"
+#include "core/contact_law.h"
+#include "core/contacts.h"
+#include "core/disks.h"
+#include "core/random.h"
+#include "core/scenario.h"
+#include "core/walls.h"
+
+namespace quicksand {
+
+struct World {
+  Box box;
+  std::optional<Vec2> gravity;  // [g]
+  ContactLaw grain_law, wall_law, intruder_law;
+  Disks disks;
+  std::vector<Wall> walls;
+  Bonds bonds;
+  bool bonding = false;           // whether first touches form bonds now
+  std::vector<Contact> contacts;  // of the last step, sorted by pair
+  double impulse_dt = 0;          // step that the contacts' impulses belong to [sqrt(d/g)]
+  double time = 0;                // [sqrt(d/g)]
+  std::int64_t step = 0;
+  Random random;
+
+  const ContactLaw& law(Pair pair) const;
+  // Centre of b seen from the centre of a, through the nearest periodic image [d] (disks only).
+  Vec2 separation(int a, int b) const;
+  // x inside [0, width) for periodic sides, otherwise x itself [d].
+  double wrapped_x(double x) const;
+  // Gap and normal of a pair at the present positions.
+  double gap(Pair pair, Vec2* normal = nullptr) const;
+  const Wall& wall(int body) const { return walls[static_cast<std::size_t>(body - kWallBase)]; }
+  // Index of the first intruder, or -1.
+  int intruder() const;
+};
+
+// The world at the start of a scene: its box, walls and listed disks. Does not read start_from.
+World make_world(const Scenario& scenario);
+
+// 64-bit hash of everything that decides the future of the world, bit by bit.
+std::uint64_t world_hash(const World& world);
+
+}  // namespace quicksand
