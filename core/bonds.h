@@ -10,8 +10,8 @@
 
 namespace quicksand {
 
-// Two bodies, a < b. Disks are numbered from 0; wall k is body nd + k... as kWallBase + k, so that
-// disks can be added without renumbering the walls.
+// Two bodies, a < b. Disks are numbered from 0 and wall k is body kWallBase + k, so that disks can be
+// added without renumbering the walls; a is always a disk.
 struct Pair {
   int a = 0;
   int b = 0;

@@ -11,46 +11,61 @@ namespace quicksand {
 
 // Where a protocol stands; with the world, all that a restart needs.
 struct ProtocolState {
-  int phase = 0;                  // index of the present phase; number of phases when finished
-  bool entered = false;           // whether the present phase has been set up
-  double phase_start = 0;         // world time at its beginning [sqrt(d/g)]
-  double next_drop = 0;           // deposit: time of the next grain [sqrt(d/g)]
-  std::int64_t dropped = 0;       // deposit: grains so far
-  double rest_since = -1;         // settle, push: at rest since then, -1: not at rest
+  int phase = 0;             // index of the present phase; number of phases when finished
+  bool entered = false;      // whether the present phase has been set up
+  double phase_start = 0;    // world time at its beginning [sqrt(d/g)]
+  double next_drop = 0;      // deposit: time of the next grain [sqrt(d/g)]
+  std::int64_t dropped = 0;  // deposit: grains so far in this phase
+  bool full = false;         // deposit: no place is left below the height
+  double rest_since = -1;    // settle, push: at rest since then; negative: not at rest
   // Counted over the whole run.
   std::int64_t unconverged_steps = 0;
   std::int64_t broken_in_unconverged = 0;
+  std::int64_t breaks_withheld = 0;
   std::int64_t iterations = 0;
-  double worst_residual = 0;      // Residual::natural
+  std::int64_t factorisations = 0;
+  double worst_residual = 0;  // Residual::natural
 };
 
 enum class Progress : std::uint8_t {
-  running,       // a step was made
-  phase_ended,   // a step was made (or none was needed) and a phase ended
-  finished,      // nothing left to do
-  failed         // the last step did not converge and the scene says stop, or was not finite
+  running,      // a step was made
+  phase_ended,  // a step was made (or none was needed) and a phase ended
+  finished,     // nothing left to do
+  failed        // the last step did not converge and the scene says stop, or was not finite
 };
 
 class Protocol {
  public:
-  // A fresh start on `world` (from make_world or a checkpoint whose protocol is not continued), or
-  // the continuation of `state`.
-  Protocol(const Scenario& scenario, World world, ProtocolState state = {});
+  // Starts on `world` (from make_world, or from a checkpoint whose protocol is not continued), or
+  // continues where `state` stands.
+  Protocol(const Scenario& scenario, World world, const ProtocolState& state = {});
 
+  // At most one time step.
   Progress advance();
 
   const World& world() const { return world_; }
   const ProtocolState& state() const { return state_; }
-  const StepReport& last_step() const { return report_; }  // of the last step made
-  const Phase* phase() const;                              // null when finished
+  const StepReport& last_step() const { return report_; }
+  const Phase* phase() const;  // null when finished
   // Share of the present phase that is done, as far as it can be known [0..1].
   double phase_progress() const;
   // After `failed`: what went wrong, in a sentence.
   const std::string& failure() const { return failure_; }
 
  private:
-  void enter_phase();
-  bool phase_is_over();
+  void enter(const DepositPhase& phase);
+  void enter(const SettlePhase& phase);
+  void enter(const PushPhase& phase);
+  void before_step(const DepositPhase& phase);
+  void before_step(const SettlePhase&) {}
+  void before_step(const PushPhase&) {}
+  bool is_over(const DepositPhase& phase) const;
+  bool is_over(const SettlePhase& phase);
+  bool is_over(const PushPhase& phase);
+  bool drop_grain(const DepositPhase& phase);
+  bool at_rest(double speed, double duration);
+  bool make_step(const Phase& phase);
+  Progress end_phase();
 
   Scenario scenario_;
   World world_;

@@ -1,0 +1,341 @@
+#include "core/checkpoint.h"
+
+#include <bit>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "core/errors.h"
+
+namespace quicksand {
+
+namespace {
+
+using Json = nlohmann::json;
+static_assert(std::endian::native == std::endian::little, "arrays are stored little-endian");
+
+constexpr const char* kFormat = "quicksand checkpoint";
+constexpr int kVersion = 1;
+constexpr std::uintmax_t kLargestFile = std::uintmax_t{4} << 30U;  // [bytes]
+
+// One description of the format for both directions: archive(object, field...) either writes the
+// fields or reads them.
+class Writer {
+ public:
+  explicit Writer(Json& json) : json_(json) {}
+
+  template <class T>
+  void value(const char* key, const T& x) {
+    json_[key] = x;
+  }
+  template <class E>
+  void word(const char* key, const E& x) {
+    json_[key] = static_cast<int>(x);
+  }
+  // Plain arrays of doubles, Vec2, Vec3 or one-byte values, as raw bytes.
+  template <class T>
+  void array(const char* key, const std::vector<T>& items) {
+    std::vector<std::uint8_t> bytes(items.size() * sizeof(T));
+    if (!bytes.empty()) std::memcpy(bytes.data(), static_cast<const void*>(items.data()), bytes.size());
+    json_[key] = Json::binary(std::move(bytes));
+  }
+  template <class F>
+  void object(const char* key, F describe) {
+    Json inner = Json::object();
+    Writer writer(inner);
+    describe(writer);
+    json_[key] = std::move(inner);
+  }
+  template <class T>
+  void optional(const char* key, const std::optional<T>& x) {
+    json_[key] = x ? Json(*x) : Json(nullptr);
+  }
+
+ private:
+  Json& json_;
+};
+
+class Reader {
+ public:
+  explicit Reader(const Json& json) : json_(json) {}
+
+  template <class T>
+  void value(const char* key, T& x) {
+    json_.at(key).get_to(x);
+  }
+  template <class E>
+  void word(const char* key, E& x) {
+    x = static_cast<E>(json_.at(key).get<int>());
+  }
+  template <class T>
+  void array(const char* key, std::vector<T>& items) {
+    const auto& bytes = json_.at(key).get_binary();
+    if (bytes.size() % sizeof(T) != 0) throw std::runtime_error(std::string(key) + " is cut short");
+    items.resize(bytes.size() / sizeof(T));
+    if (!bytes.empty()) std::memcpy(static_cast<void*>(items.data()), bytes.data(), bytes.size());
+  }
+  template <class F>
+  void object(const char* key, F describe) {
+    Reader reader(json_.at(key));
+    describe(reader);
+  }
+  template <class T>
+  void optional(const char* key, std::optional<T>& x) {
+    if (json_.at(key).is_null()) x.reset();
+    else x = json_.at(key).get<T>();
+  }
+
+ private:
+  const Json& json_;
+};
+
+template <class Archive, class Law>
+void describe_law(Archive& archive, Law& law) {
+  archive.optional("friction", law.friction);
+  archive.optional("rolling_friction", law.rolling_friction);
+  archive.optional("cohesion_force", law.cohesion_force);
+  archive.value("cohesion_range", law.cohesion_range);
+}
+
+template <class Archive, class Disks>
+void describe_disks(Archive& archive, Disks& disks) {
+  archive.array("position", disks.position);
+  archive.array("angle", disks.angle);
+  archive.array("velocity", disks.velocity);
+  archive.array("applied", disks.applied);
+  archive.array("radius", disks.radius);
+  archive.array("mass", disks.mass);
+  archive.array("inverse_mass", disks.inverse_mass);
+  archive.array("role", disks.role);
+}
+
+// Lists of structs are stored as one array a field, without padding.
+struct Columns {
+  std::vector<int> a, b;
+  std::vector<std::uint8_t> state, initial, role;
+  std::vector<Vec2> normal, point, velocity;
+  std::vector<Vec3> impulse;
+  std::vector<double> gap, cohesion, mass, force;
+};
+
+template <class Archive>
+void describe_bonds(Archive& archive, Columns& c) {
+  archive.array("a", c.a);
+  archive.array("b", c.b);
+  archive.array("state", c.state);
+  archive.array("initial", c.initial);
+}
+
+template <class Archive>
+void describe_contacts(Archive& archive, Columns& c) {
+  archive.array("a", c.a);
+  archive.array("b", c.b);
+  archive.array("normal", c.normal);
+  archive.array("gap", c.gap);
+  archive.array("impulse", c.impulse);
+  archive.array("cohesion", c.cohesion);
+}
+
+template <class Archive>
+void describe_walls(Archive& archive, Columns& c) {
+  archive.array("point", c.point);
+  archive.array("normal", c.normal);
+  archive.array("velocity", c.velocity);
+  archive.array("mass", c.mass);
+  archive.array("force", c.force);
+  archive.array("role", c.role);
+}
+
+template <class Archive, class World>
+void describe_world(Archive& archive, World& world) {
+  archive.value("width", world.box.width);
+  archive.value("height", world.box.height);
+  archive.word("sides", world.box.sides);
+  archive.value("floor", world.box.floor);
+  archive.object("grain_law", [&](auto& a) { describe_law(a, world.grain_law); });
+  archive.object("wall_law", [&](auto& a) { describe_law(a, world.wall_law); });
+  archive.object("intruder_law", [&](auto& a) { describe_law(a, world.intruder_law); });
+  archive.object("disks", [&](auto& a) { describe_disks(a, world.disks); });
+  archive.value("bonds_formed", world.bonds.formed);
+  archive.value("bonds_broken", world.bonds.broken);
+  archive.value("bonds_initial", world.bonds.initial);
+  archive.value("bonding", world.bonding);
+  archive.value("impulse_dt", world.impulse_dt);
+  archive.value("time", world.time);
+  archive.value("step", world.step);
+  archive.value("random", world.random.state);
+}
+
+template <class Archive, class State>
+void describe_protocol(Archive& archive, State& state) {
+  archive.value("phase", state.phase);
+  archive.value("entered", state.entered);
+  archive.value("phase_start", state.phase_start);
+  archive.value("next_drop", state.next_drop);
+  archive.value("dropped", state.dropped);
+  archive.value("full", state.full);
+  archive.value("rest_since", state.rest_since);
+  archive.value("unconverged_steps", state.unconverged_steps);
+  archive.value("broken_in_unconverged", state.broken_in_unconverged);
+  archive.value("breaks_withheld", state.breaks_withheld);
+  archive.value("iterations", state.iterations);
+  archive.value("factorisations", state.factorisations);
+  archive.value("worst_residual", state.worst_residual);
+}
+
+Json to_json(const Checkpoint& checkpoint) {
+  Json json = {{"format", kFormat}, {"version", kVersion}, {"scene", checkpoint.scene}};
+  Writer writer(json);
+  const World& world = checkpoint.world;
+  writer.object("world", [&](Writer& w) {
+    describe_world(w, world);
+    const std::vector<double> gravity =
+        world.gravity ? std::vector<double>{world.gravity->x(), world.gravity->y()}
+                      : std::vector<double>{};
+    w.array("gravity", gravity);
+    Columns bonds, contacts, walls;
+    for (const Bond& bond : world.bonds.list) {
+      bonds.a.push_back(bond.pair.a), bonds.b.push_back(bond.pair.b);
+      bonds.state.push_back(static_cast<std::uint8_t>(bond.state));
+      bonds.initial.push_back(bond.initial ? 1 : 0);
+    }
+    for (const Contact& contact : world.contacts) {
+      contacts.a.push_back(contact.pair.a), contacts.b.push_back(contact.pair.b);
+      contacts.normal.push_back(contact.normal), contacts.gap.push_back(contact.gap);
+      contacts.impulse.push_back(contact.impulse), contacts.cohesion.push_back(contact.cohesion);
+    }
+    for (const Wall& wall : world.walls) {
+      walls.point.push_back(wall.point), walls.normal.push_back(wall.normal);
+      walls.velocity.push_back(wall.velocity), walls.mass.push_back(wall.mass);
+      walls.force.push_back(wall.force), walls.role.push_back(static_cast<std::uint8_t>(wall.role));
+    }
+    w.object("bonds", [&](Writer& a) { describe_bonds(a, bonds); });
+    w.object("contacts", [&](Writer& a) { describe_contacts(a, contacts); });
+    w.object("walls", [&](Writer& a) { describe_walls(a, walls); });
+  });
+  writer.object("protocol", [&](Writer& w) { describe_protocol(w, checkpoint.protocol); });
+  return json;
+}
+
+void require(bool condition, const char* problem) {
+  if (!condition) throw std::runtime_error(problem);
+}
+
+template <class... Vectors>
+bool same_size(std::size_t size, const Vectors&... vectors) {
+  return ((vectors.size() == size) && ...);
+}
+
+bool finite(const World& world) {
+  const auto all = [](const auto& items) {
+    for (const auto& item : items)
+      if (!item.allFinite()) return false;
+    return true;
+  };
+  const Disks& d = world.disks;
+  for (double r : d.radius)
+    if (!(r > 0 && std::isfinite(r))) return false;
+  return all(d.position) && all(d.velocity) && all(d.applied) && all(d.inverse_mass) &&
+         std::isfinite(world.time) && std::isfinite(world.box.width);
+}
+
+World world_from(const Json& json) {
+  World world;
+  Reader reader(json);
+  describe_world(reader, world);
+  std::vector<double> gravity;
+  reader.array("gravity", gravity);
+  if (gravity.size() == 2) world.gravity = Vec2(gravity[0], gravity[1]);
+
+  Columns bonds, contacts, walls;
+  reader.object("bonds", [&](Reader& a) { describe_bonds(a, bonds); });
+  reader.object("contacts", [&](Reader& a) { describe_contacts(a, contacts); });
+  reader.object("walls", [&](Reader& a) { describe_walls(a, walls); });
+
+  const Disks& d = world.disks;
+  const std::size_t nd = d.position.size();
+  require(same_size(nd, d.angle, d.velocity, d.applied, d.radius, d.mass, d.inverse_mass, d.role),
+          "the arrays of the disks differ in length");
+  require(finite(world), "a number is not finite or a radius not positive");
+  const std::size_t nw = walls.point.size();
+  require(same_size(nw, walls.normal, walls.velocity, walls.mass, walls.force, walls.role),
+          "the arrays of the walls differ in length");
+  for (std::size_t k = 0; k < nw; ++k)
+    world.walls.push_back({walls.point[k], walls.normal[k], walls.velocity[k], walls.mass[k],
+                           walls.force[k], static_cast<WallRole>(walls.role[k])});
+
+  const auto pairs_of = [&](const Columns& c) {
+    std::vector<Pair> pairs;
+    for (std::size_t k = 0; k < c.a.size(); ++k) {
+      const Pair pair{c.a[k], c.b[k]};
+      const bool known = pair.a >= 0 && static_cast<std::size_t>(pair.a) < nd &&
+                         (is_wall(pair.b) ? static_cast<std::size_t>(pair.b - kWallBase) < nw
+                                          : pair.b > pair.a && static_cast<std::size_t>(pair.b) < nd);
+      require(known, "a pair names a body that is not there");
+      require(k == 0 || pairs.back() < pair, "the pairs are not sorted");
+      pairs.push_back(pair);
+    }
+    return pairs;
+  };
+  require(same_size(bonds.a.size(), bonds.b, bonds.state, bonds.initial),
+          "the arrays of the bonds differ in length");
+  const std::vector<Pair> bonded = pairs_of(bonds);
+  for (std::size_t k = 0; k < bonded.size(); ++k)
+    world.bonds.list.push_back({bonded[k], static_cast<BondState>(bonds.state[k]),
+                                bonds.initial[k] != 0});
+  require(same_size(contacts.a.size(), contacts.b, contacts.normal, contacts.gap, contacts.impulse,
+                    contacts.cohesion),
+          "the arrays of the contacts differ in length");
+  const std::vector<Pair> touching = pairs_of(contacts);
+  for (std::size_t k = 0; k < touching.size(); ++k)
+    world.contacts.push_back({touching[k], contacts.normal[k], contacts.gap[k], contacts.impulse[k],
+                              contacts.cohesion[k]});
+  return world;
+}
+
+}  // namespace
+
+void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
+  const std::vector<std::uint8_t> bytes = Json::to_cbor(to_json(checkpoint));
+  std::filesystem::path temporary = path;
+  temporary += ".part";
+  std::ofstream file(temporary, std::ios::binary);
+  file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  file.close();
+  if (!file) throw InputError(path.string(), "cannot be written");
+  std::error_code error;
+  std::filesystem::rename(temporary, path, error);
+  if (error) throw InputError(path.string(), "cannot be written: " + error.message());
+}
+
+Checkpoint read_checkpoint(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (error) throw InputError(path.string(), "cannot be read: " + error.message());
+  if (size > kLargestFile) throw InputError(path.string(), "is larger than 4 GiB");
+  std::ifstream file(path, std::ios::binary);
+  std::vector<std::uint8_t> bytes(size);
+  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+  if (!file) throw InputError(path.string(), "cannot be read");
+  try {
+    const Json json = Json::from_cbor(bytes);
+    require(json.is_object() && json.value("format", "") == kFormat, "this is no checkpoint");
+    const int version = json.at("version").get<int>();
+    if (version != kVersion)
+      throw std::runtime_error("its format version is " + std::to_string(version) +
+                               ", this program reads version " + std::to_string(kVersion));
+    Checkpoint checkpoint;
+    checkpoint.scene = json.at("scene").get<std::string>();
+    checkpoint.world = world_from(json.at("world"));
+    Reader reader(json.at("protocol"));
+    describe_protocol(reader, checkpoint.protocol);
+    return checkpoint;
+  } catch (const std::exception& problem) {
+    throw InputError(path.string(), std::string("is not a whole checkpoint of quicksand: ") + problem.what());
+  }
+}
+
+}  // namespace quicksand

@@ -1,0 +1,165 @@
+#include "core/contact_problem.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quicksand {
+
+namespace {
+
+// Pairs farther apart than this are contacts only if their free velocities close the gap. [d]
+constexpr double kAlwaysWithin = 5e-3;
+// Admissible gap error of a loaded contact: a tenth of the cohesion range where there is one.
+constexpr double kPlainGapTolerance = 1e-3;  // [d]
+
+bool movable(const World& world, Pair pair) {
+  const auto free = [&](int body) {
+    return is_wall(body) ? world.wall(body).mass > 0 : !world.disks.fixed(body);
+  };
+  return free(pair.a) || free(pair.b);
+}
+
+}  // namespace
+
+void free_velocities(const World& world, double dt, std::vector<Vec3>& velocity) {
+  const Disks& disks = world.disks;
+  velocity.resize(disks.position.size() + world.walls.size());
+  const Vec2 g = world.gravity.value_or(Vec2(0, 0));
+  for (int i = 0; i < disks.size(); ++i) {
+    velocity[i] = disks.velocity[i];
+    if (disks.fixed(i)) continue;
+    velocity[i] += dt * (Vec3(g.x(), g.y(), 0) + disks.inverse_mass[i].cwiseProduct(disks.applied[i]));
+  }
+  for (std::size_t k = 0; k < world.walls.size(); ++k) {
+    const Wall& wall = world.walls[k];
+    Vec3& v = velocity[disks.position.size() + k];
+    v = {wall.velocity.x(), wall.velocity.y(), 0};
+    if (wall.mass == 0) continue;
+    const Vec2 push = wall.force * wall.normal + wall.mass * g;
+    v += dt * wall.inverse_mass().cwiseProduct(Vec3(push.x(), push.y(), 0));
+  }
+}
+
+void find_contacts(const World& world, const std::vector<Pair>& candidates,
+                   const std::vector<Vec3>& free_velocity, double dt,
+                   std::vector<Contact>& contacts) {
+  contacts.clear();
+  const double scale = world.impulse_dt > 0 ? dt / world.impulse_dt : 0;
+  auto old = world.contacts.begin();
+  auto bond = world.bonds.list.begin();
+  for (const Pair& pair : candidates) {
+    while (bond != world.bonds.list.end() && bond->pair < pair) ++bond;
+    while (old != world.contacts.end() && old->pair < pair) ++old;
+    const bool bonded = bond != world.bonds.list.end() && bond->pair == pair &&
+                        bond->state == BondState::active;
+    Vec2 normal;
+    const double gap = world.gap(pair, &normal);
+    if (!bonded && gap > kAlwaysWithin) {
+      const Vec3 u = free_velocity[problem_body(world, pair.b)] - free_velocity[pair.a];
+      // The normal turns while bodies pass each other, hence their whole relative speed.
+      if (gap > dt * u.head<2>().norm()) continue;
+    }
+    if (!movable(world, pair)) continue;
+    Contact& contact = contacts.emplace_back();
+    contact.pair = pair;
+    contact.normal = normal;
+    contact.gap = gap;
+    if (bonded) contact.cohesion = world.law(pair).cohesion_force.value_or(0);
+    if (old == world.contacts.end() || old->pair != pair) continue;
+    contact.impulse = scale * old->impulse;
+    // N includes the cohesion: a bond that came or went since takes its part along.
+    contact.impulse.x() += dt * (contact.cohesion - old->cohesion);
+    contact.impulse.x() = std::max(0.0, contact.impulse.x());
+  }
+}
+
+int add_missed_contacts(const World& world, const std::vector<Pair>& candidates,
+                        const std::vector<Vec3>& velocity, double dt, double tolerance,
+                        std::vector<Contact>& contacts) {
+  const auto known = static_cast<std::ptrdiff_t>(contacts.size());
+  std::ptrdiff_t next = 0;
+  for (const Pair& pair : candidates) {
+    while (next < known && contacts[static_cast<std::size_t>(next)].pair < pair) ++next;
+    if (next < known && contacts[static_cast<std::size_t>(next)].pair == pair) continue;
+    Contact contact{.pair = pair};
+    contact.gap = world.gap(pair, &contact.normal);
+    const Vec3 u = velocity[problem_body(world, pair.b)] - velocity[pair.a];
+    if (contact.gap + tolerance > dt * u.head<2>().norm()) continue;
+    double after = 0;
+    if (is_wall(pair.b)) {
+      after = contact.gap + dt * contact.normal.dot(u.head<2>());
+    } else {
+      const Vec2 s = world.separation(pair.a, pair.b);
+      after = (s + dt * u.head<2>()).norm() - (s.norm() - contact.gap);
+    }
+    if (after < -tolerance && movable(world, pair)) contacts.push_back(contact);
+  }
+  std::inplace_merge(contacts.begin(), contacts.begin() + known, contacts.end(),
+                     [](const Contact& p, const Contact& q) { return p.pair < q.pair; });
+  return static_cast<int>(static_cast<std::ptrdiff_t>(contacts.size()) - known);
+}
+
+void build_problem(const World& world, const std::vector<Contact>& contacts,
+                   const std::vector<Vec3>& free_velocity, const StepSettings& step,
+                   ContactProblem& problem) {
+  const Disks& disks = world.disks;
+  const double dt = step.dt;
+  problem.dt = dt;
+  problem.inverse_mass.assign(disks.inverse_mass.begin(), disks.inverse_mass.end());
+  for (const Wall& wall : world.walls) problem.inverse_mass.push_back(wall.inverse_mass());
+  problem.free_velocity = free_velocity;
+
+  const auto has = [&](auto term) {
+    return world.grain_law.*term || world.wall_law.*term || world.intruder_law.*term;
+  };
+  problem.components = has(&ContactLaw::rolling_friction) ? 3 : has(&ContactLaw::friction) ? 2 : 1;
+
+  double strongest_bond = 0;
+  problem.contacts.resize(contacts.size());
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const Contact& contact = contacts[c];
+    const Pair pair = contact.pair;
+    const ContactLaw& law = world.law(pair);
+    ContactRow& row = problem.contacts[c];
+    row = {.a = pair.a, .b = problem_body(world, pair.b), .normal = contact.normal};
+    row.arm_a = disks.radius[pair.a];
+    row.gap_rate = contact.gap / dt;
+    row.friction = law.friction.value_or(0);
+    if (is_wall(pair.b)) {
+      row.rolling = rolling_length_on_wall(law.rolling_friction.value_or(0), row.arm_a);
+    } else {
+      row.arm_b = disks.radius[pair.b];
+      row.rolling = rolling_length(law.rolling_friction.value_or(0), row.arm_a, row.arm_b);
+    }
+    row.gap_tolerance = kPlainGapTolerance;
+    if (contact.cohesion == 0) continue;
+
+    row.gap_tolerance = 0.1 * law.cohesion_range;
+    strongest_bond = std::max(strongest_bond, contact.cohesion);
+    if (step.curvature_term && !is_wall(pair.b)) {
+      const Vec3 u = disks.velocity[pair.b] - disks.velocity[pair.a];
+      const double u_ct = perpendicular(contact.normal).dot(u.head<2>());
+      row.gap_rate += dt * u_ct * u_ct / (2 * (row.arm_a + row.arm_b + contact.gap));
+    }
+    const Vec3 attraction(dt * contact.cohesion, 0, 0);
+    problem.free_velocity[row.a] -=
+        problem.inverse_mass[row.a].cwiseProduct(momentum_of_a(row, attraction));
+    problem.free_velocity[row.b] -=
+        problem.inverse_mass[row.b].cwiseProduct(momentum_of_b(row, attraction));
+  }
+
+  // Forces are judged relative to the strongest bond, or the mean force or momentum of a body.
+  double force = 0;
+  int mobile = 0;
+  for (int i = 0; i < disks.size(); ++i) {
+    if (disks.fixed(i)) continue;
+    ++mobile;
+    force += disks.mass[i] * std::max((free_velocity[i] - disks.velocity[i]).head<2>().norm(),
+                                      disks.velocity[i].head<2>().norm()) / dt;
+  }
+  if (mobile > 0) force /= mobile;
+  problem.force_scale = std::max(strongest_bond, force);
+  if (problem.force_scale == 0) problem.force_scale = 1;
+}
+
+}  // namespace quicksand

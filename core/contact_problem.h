@@ -1,0 +1,40 @@
+// From a world to the contact problem of one step: which pairs are contacts, what they inherit from
+// the last step, and the rows that a solver reads.
+#pragma once
+
+#include <vector>
+
+#include "core/scenario.h"
+#include "core/solver.h"
+#include "core/world.h"
+
+namespace quicksand {
+
+// Velocities at the end of the step without contacts: gravity, applied and wall forces, cohesion not
+// included. Disks first, then walls (nd + nw).
+void free_velocities(const World& world, double dt, std::vector<Vec3>& velocity);
+
+// The contacts of the step among sorted `candidates`: bonded pairs, and those that may touch within
+// the step (judged by the free velocities). Impulses are inherited from world.contacts by pair and
+// scaled to the new step. Sorted by pair.
+void find_contacts(const World& world, const std::vector<Pair>& candidates,
+                   const std::vector<Vec3>& free_velocity, double dt,
+                   std::vector<Contact>& contacts);
+
+// Adds to `contacts` the candidates that are not contacts but would overlap by more than `tolerance`
+// [d] after moving with `velocity` (nd + nw). Returns how many were added.
+int add_missed_contacts(const World& world, const std::vector<Pair>& candidates,
+                        const std::vector<Vec3>& velocity, double dt, double tolerance,
+                        std::vector<Contact>& contacts);
+
+// The rows of the contacts, and free velocities that include the cohesion of active bonds.
+void build_problem(const World& world, const std::vector<Contact>& contacts,
+                   const std::vector<Vec3>& free_velocity, const StepSettings& step,
+                   ContactProblem& problem);
+
+// Number of a body in the problem's arrays.
+inline int problem_body(const World& world, int body) {
+  return is_wall(body) ? world.disks.size() + (body - kWallBase) : body;
+}
+
+}  // namespace quicksand

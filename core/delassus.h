@@ -1,0 +1,24 @@
+// The diagonal of a contact's own Delassus block W = H M^-1 H^T: how the relative velocity (u_n, u_t,
+// w) of the contact answers to its own impulse (N, R_t, T).
+#pragma once
+
+#include "core/solver.h"
+
+namespace quicksand {
+
+inline Vec3 delassus_diagonal(const ContactRow& c, const Vec3& ima, const Vec3& imb) {
+  const auto along = [](const Vec3& im, const Vec2& n) {
+    return im.x() * n.x() * n.x() + im.y() * n.y() * n.y();
+  };
+  const Vec2 t = perpendicular(c.normal);
+  return {along(ima, c.normal) + along(imb, c.normal),
+          along(ima, t) + along(imb, t) + c.arm_a * c.arm_a * ima.z() + c.arm_b * c.arm_b * imb.z(),
+          ima.z() + imb.z()};
+}
+
+// Component-wise 1/w, and 0 where a component cannot move.
+inline Vec3 inverse_or_zero(const Vec3& w) {
+  return {w.x() > 0 ? 1 / w.x() : 0, w.y() > 0 ? 1 / w.y() : 0, w.z() > 0 ? 1 / w.z() : 0};
+}
+
+}  // namespace quicksand

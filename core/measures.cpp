@@ -1,0 +1,167 @@
+#include "core/measures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/neighbors.h"
+
+namespace quicksand {
+
+namespace {
+
+// Gap up to which two bodies count as touching, where no cohesion range says so. [d]
+constexpr double kTouching = 5e-5;
+
+double touching_gap(const ContactLaw& law) {
+  return law.cohesion_force ? law.cohesion_range : kTouching;
+}
+
+// Area of the part of a disk below the height y above its centre.
+double area_below(double radius, double y) {
+  const double h = std::clamp(y / radius, -1.0, 1.0);
+  return radius * radius * (std::numbers::pi / 2 + std::asin(h) + h * std::sqrt(1 - h * h));
+}
+
+// Pairs that touch at the present positions, whether a step was made or not.
+std::vector<Pair> touching_pairs(const World& world) {
+  const double widest = std::max({touching_gap(world.grain_law), touching_gap(world.wall_law),
+                                  touching_gap(world.intruder_law)});
+  std::vector<Pair> pairs = pairs_within(world, widest);
+  std::erase_if(pairs, [&](Pair p) { return world.gap(p) > touching_gap(world.law(p)); });
+  return pairs;
+}
+
+}  // namespace
+
+Energies energies(const World& world) {
+  Energies sum;
+  const Disks& disks = world.disks;
+  for (int i = 0; i < disks.size(); ++i) {
+    if (disks.fixed(i)) continue;
+    sum.kinetic += disks.mass[i] * disks.velocity[i].head<2>().squaredNorm() / 2;
+    sum.rotational += disks.inertia(i) * disks.velocity[i].z() * disks.velocity[i].z() / 2;
+    if (world.gravity) sum.potential -= disks.mass[i] * world.gravity->dot(disks.position[i]);
+  }
+  return sum;
+}
+
+Vec2 momentum(const World& world) {
+  Vec2 sum(0, 0);
+  for (int i = 0; i < world.disks.size(); ++i)
+    if (!world.disks.fixed(i)) sum += world.disks.mass[i] * world.disks.velocity[i].head<2>();
+  return sum;
+}
+
+Neighbours neighbours(const World& world) {
+  const auto nd = static_cast<std::size_t>(world.disks.size());
+  Neighbours n;
+  for (auto* counts :
+       {&n.active, &n.broken, &n.initial, &n.initial_active, &n.touching, &n.loaded})
+    counts->assign(nd, 0);
+  const auto count = [&](std::vector<int>& counts, Pair pair) {
+    ++counts[static_cast<std::size_t>(pair.a)];
+    if (!is_wall(pair.b)) ++counts[static_cast<std::size_t>(pair.b)];
+  };
+  for (const Bond& bond : world.bonds.list) {
+    const bool active = bond.state == BondState::active;
+    count(active ? n.active : n.broken, bond.pair);
+    if (bond.initial) count(n.initial, bond.pair);
+    if (bond.initial && active) count(n.initial_active, bond.pair);
+  }
+  for (const Pair& pair : touching_pairs(world)) count(n.touching, pair);
+  for (const Contact& contact : world.contacts)
+    if (contact.cohesion > 0 || contact.impulse.x() > 0) count(n.loaded, contact.pair);
+  return n;
+}
+
+std::vector<double> contact_pressure(const World& world) {
+  std::vector<double> pressure(static_cast<std::size_t>(world.disks.size()), 0.0);
+  if (world.impulse_dt == 0) return pressure;
+  const auto add = [&](int body, double force) {
+    pressure[static_cast<std::size_t>(body)] +=
+        force / (2 * std::numbers::pi * world.disks.radius[body]);
+  };
+  for (const Contact& contact : world.contacts) {
+    const double force = contact.impulse.x() / world.impulse_dt - contact.cohesion;
+    if (force <= 0) continue;
+    add(contact.pair.a, force);
+    if (!is_wall(contact.pair.b)) add(contact.pair.b, force);
+  }
+  return pressure;
+}
+
+double volume_fraction(const World& world, double y_low, double y_high) {
+  if (world.box.width <= 0 || y_high <= y_low) return 0;
+  double area = 0;
+  for (int i = 0; i < world.disks.size(); ++i) {
+    const double y = world.disks.position[i].y();
+    const double r = world.disks.radius[i];
+    area += area_below(r, y_high - y) - area_below(r, y_low - y);
+  }
+  return area / (world.box.width * (y_high - y_low));
+}
+
+std::vector<double> volume_fraction_profile(const World& world, double height, int bins) {
+  std::vector<double> profile;
+  for (int k = 0; k < bins; ++k)
+    profile.push_back(volume_fraction(world, height * k / bins, height * (k + 1) / bins));
+  return profile;
+}
+
+double packing_top(const World& world) {
+  double top = 0;
+  for (int i = 0; i < world.disks.size(); ++i)
+    if (world.disks.role[i] == Role::grain)
+      top = std::max(top, world.disks.position[i].y() + world.disks.radius[i]);
+  return top;
+}
+
+Sample measure(const World& world) {
+  Sample s;
+  s.time = world.time;
+  s.step = world.step;
+  s.energy = energies(world);
+  s.grains = std::ranges::count(world.disks.role, Role::grain);
+  for (const Vec3& v : world.disks.velocity) s.max_speed = std::max(s.max_speed, v.head<2>().norm());
+  s.packing_top = packing_top(world);
+  s.volume_fraction = volume_fraction(world, 0, 0.7 * s.packing_top);
+
+  const Neighbours n = neighbours(world);
+  for (int i = 0; i < world.disks.size(); ++i) {
+    if (world.disks.role[i] != Role::grain) continue;
+    s.coordination += n.touching[static_cast<std::size_t>(i)];
+    s.coordination_loaded += n.loaded[static_cast<std::size_t>(i)];
+  }
+  if (s.grains > 0) {
+    s.coordination /= static_cast<double>(s.grains);
+    s.coordination_loaded /= static_cast<double>(s.grains);
+  }
+
+  std::int64_t initial_active = 0;
+  for (const Bond& bond : world.bonds.list) {
+    if (bond.state != BondState::active) continue;
+    ++s.bonds_active;
+    initial_active += bond.initial ? 1 : 0;
+  }
+  for (const Pair& pair : touching_pairs(world)) {
+    ++s.contacts;
+    s.max_overlap = std::max(s.max_overlap, -world.gap(pair));
+  }
+  if (s.contacts > 0)
+    s.active_bond_fraction = static_cast<double>(s.bonds_active) / static_cast<double>(s.contacts);
+  s.remaining_bond_fraction =
+      world.bonds.initial > 0
+          ? static_cast<double>(initial_active) / static_cast<double>(world.bonds.initial)
+          : 1;
+  s.bonds_formed = world.bonds.formed;
+  s.bonds_broken = world.bonds.broken;
+  if (const int intruder = world.intruder(); intruder >= 0) {
+    s.has_intruder = true;
+    s.intruder_position = world.disks.position[intruder];
+    s.intruder_velocity = world.disks.velocity[intruder].head<2>();
+  }
+  return s;
+}
+
+}  // namespace quicksand

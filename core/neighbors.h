@@ -1,0 +1,31 @@
+// Pairs of bodies that are close: a hashed cell grid with periodic sides, and a list with a skin
+// that is kept while nothing moved far. Memory is proportional to the number of disks, however far
+// they fly apart. Lists are sorted by pair, so that nothing depends on the search.
+#pragma once
+
+#include <vector>
+
+#include "core/world.h"
+
+namespace quicksand {
+
+// All pairs (disk-disk and disk-wall) whose gap is at most `distance` [d], sorted.
+std::vector<Pair> pairs_within(const World& world, double distance);
+
+// A list of all pairs with gaps up to a skin, rebuilt when bodies have moved too far for it.
+class NeighborList {
+ public:
+  // Sorted pairs that contain all those with a gap up to `distance` [d].
+  const std::vector<Pair>& pairs(const World& world, double distance);
+
+ private:
+  bool covers(const World& world, double distance) const;
+  void append_new_disks(const World& world);
+
+  std::vector<Pair> pairs_;
+  std::vector<Vec2> built_at_;        // (nd) positions when built
+  std::vector<Vec2> walls_built_at_;  // (nw)
+  double skin_ = -1;
+};
+
+}  // namespace quicksand

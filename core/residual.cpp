@@ -1,0 +1,61 @@
+#include "core/residual.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/delassus.h"
+
+namespace quicksand {
+
+void velocity_from_impulses(const ContactProblem& problem, const std::vector<Vec3>& impulse,
+                            std::vector<Vec3>& velocity) {
+  velocity = problem.free_velocity;
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+    const ContactRow& row = problem.contacts[c];
+    velocity[row.a] += problem.inverse_mass[row.a].cwiseProduct(momentum_of_a(row, impulse[c]));
+    velocity[row.b] += problem.inverse_mass[row.b].cwiseProduct(momentum_of_b(row, impulse[c]));
+  }
+}
+
+Residual residual(const ContactProblem& problem, const ContactState& state) {
+  std::vector<Vec3> velocity;
+  velocity_from_impulses(problem, state.impulse, velocity);
+  Residual worst;
+  bool finite = true;
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+    const ContactRow& row = problem.contacts[c];
+    const Vec3& p = state.impulse[c];
+    const Vec3 u = relative_velocity(row, velocity[row.a], velocity[row.b]);
+    const Vec3 step = inverse_or_zero(
+        delassus_diagonal(row, problem.inverse_mass[row.a], problem.inverse_mass[row.b]));
+    const double opening = row.gap_rate + u.x();
+    double r = std::abs(p.x() - std::max(0.0, p.x() - opening * step.x()));
+    const double n = std::max(0.0, p.x());
+    if (problem.components >= 2) {
+      const double bound = row.friction * n;
+      r = std::max(r, std::abs(p.y() - std::clamp(p.y() - u.y() * step.y(), -bound, bound)));
+    }
+    if (problem.components >= 3) {
+      const double bound = row.rolling * n;
+      const double arm = (row.arm_a + row.arm_b) / (row.arm_b > 0 ? 2 : 1);
+      r = std::max(r, std::abs(p.z() - std::clamp(p.z() - u.z() * step.z(), -bound, bound)) / arm);
+    }
+    finite = finite && std::isfinite(r);
+    worst.natural = std::max(worst.natural, r);
+    if (p.x() > 0)
+      worst.gap = std::max(worst.gap, std::abs(opening) * problem.dt / row.gap_tolerance);
+  }
+  for (std::size_t i = 0; i < velocity.size(); ++i) {
+    const double difference = (state.velocity[i] - velocity[i]).cwiseAbs().maxCoeff();
+    finite = finite && std::isfinite(difference);
+    worst.velocity = std::max(worst.velocity, difference);
+  }
+  worst.natural /= problem.force_scale * problem.dt;
+  worst.velocity /= problem.dt;
+  // NaN compares false with everything and must not pass as a small residual.
+  if (!finite) worst.natural = worst.gap = worst.velocity = std::numeric_limits<double>::infinity();
+  return worst;
+}
+
+}  // namespace quicksand

@@ -1,0 +1,99 @@
+#include "core/scenario.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "core/errors.h"
+#include "core/neighbors.h"
+#include "core/world.h"
+
+namespace quicksand {
+
+std::string_view phase_name(const Phase& phase) {
+  struct Name {
+    std::string_view operator()(const DepositPhase&) const { return "deposit"; }
+    std::string_view operator()(const SettlePhase&) const { return "settle"; }
+    std::string_view operator()(const PushPhase&) const { return "push"; }
+  };
+  return std::visit(Name{}, phase.kind);
+}
+
+std::vector<std::string> model_terms(const Scenario& scenario) {
+  const auto named = [&](auto term) {
+    const auto in = [&](const std::optional<ContactLaw>& law) { return law && (*law).*term; };
+    return in(scenario.grain_law) || in(scenario.wall_law) || in(scenario.intruder_law);
+  };
+  std::vector<std::string> terms{"volume exclusion"};
+  if (scenario.gravity) terms.emplace_back("gravity");
+  if (named(&ContactLaw::friction)) terms.emplace_back("friction");
+  if (named(&ContactLaw::rolling_friction)) terms.emplace_back("rolling friction");
+  if (named(&ContactLaw::cohesion_force)) terms.emplace_back("cohesion");
+  if (scenario.box.sides == Sides::periodic) terms.emplace_back("periodic sides");
+  if (scenario.box.floor || scenario.box.sides == Sides::walls || !scenario.walls.empty())
+    terms.emplace_back("walls");
+  return terms;
+}
+
+namespace {
+
+// Overlaps up to this are rounding of touching bodies. [d]
+constexpr double kOverlapTolerance = 1e-9;
+
+std::string number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", x);
+  return text;
+}
+
+std::string place(int disk) { return "bodies[" + std::to_string(disk) + "]"; }
+
+void check_overlaps(const Scenario& scenario) {
+  Scenario unbonded = scenario;
+  unbonded.initial_bonds = InitialBonds::none;
+  const World world = make_world(unbonded);
+  for (const Pair& pair : pairs_within(world, 0)) {
+    const double gap = world.gap(pair);
+    if (gap >= -kOverlapTolerance) continue;
+    const std::string other =
+        is_wall(pair.b) ? "wall " + std::to_string(pair.b - kWallBase) : place(pair.b);
+    throw InputError(place(pair.a), "overlaps " + other + " by " + number(-gap) +
+                                        " d; bodies must not overlap by more than 1e-9 d");
+  }
+}
+
+void check_phases(const Scenario& scenario) {
+  for (std::size_t k = 0; k < scenario.phases.size(); ++k) {
+    const std::string where = "phases[" + std::to_string(k) + "]";
+    const auto* deposit = std::get_if<DepositPhase>(&scenario.phases[k].kind);
+    if (!deposit) continue;
+    if (!scenario.box.floor || scenario.box.sides == Sides::open)
+      throw InputError(where, "a deposit needs a floor and sides that are periodic or walls");
+    if (deposit->grains == 0 && deposit->height == 0)
+      throw InputError(where, "a deposit needs a number of grains or a height");
+    if (!scenario.gravity && deposit->interval > 0)
+      throw InputError(where, "a deposit needs gravity, or an interval of 0");
+  }
+}
+
+}  // namespace
+
+void validate(const Scenario& scenario) {
+  double largest = 1;
+  for (const Disk& disk : scenario.disks) largest = std::max(largest, 2 * disk.radius);
+  for (const Phase& phase : scenario.phases)
+    if (const auto* push = std::get_if<PushPhase>(&phase.kind))
+      largest = std::max(largest, push->diameter);
+  // Two bodies must never touch both directly and through the periodic image.
+  if (scenario.box.sides == Sides::periodic && scenario.box.width < 3 * largest)
+    throw InputError("box.width", "is " + number(scenario.box.width) +
+                                      " d; periodic sides need at least three times the largest "
+                                      "diameter, " + number(3 * largest) + " d");
+  if (scenario.box.sides == Sides::walls && scenario.box.width < largest)
+    throw InputError("box.width", "is " + number(scenario.box.width) +
+                                      " d; the largest body has a diameter of " +
+                                      number(largest) + " d");
+  check_overlaps(scenario);
+  check_phases(scenario);
+}
+
+}  // namespace quicksand

@@ -1,0 +1,141 @@
+#include "core/world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "core/neighbors.h"
+
+namespace quicksand {
+
+const ContactLaw& World::law(Pair pair) const {
+  if (disks.role[pair.a] == Role::intruder) return intruder_law;
+  if (is_wall(pair.b)) return wall_law;
+  return disks.role[pair.b] == Role::intruder ? intruder_law : grain_law;
+}
+
+Vec2 World::separation(int a, int b) const {
+  Vec2 s = disks.position[b] - disks.position[a];
+  if (box.sides == Sides::periodic) s.x() -= box.width * std::nearbyint(s.x() / box.width);
+  return s;
+}
+
+double World::wrapped_x(double x) const {
+  if (box.sides != Sides::periodic) return x;
+  const double inside = x - box.width * std::floor(x / box.width);
+  return inside < box.width ? inside : 0;
+}
+
+double World::gap(Pair pair, Vec2* normal) const {
+  if (is_wall(pair.b)) {
+    const Wall& w = wall(pair.b);
+    if (normal) *normal = -w.normal;
+    return w.normal.dot(disks.position[pair.a] - w.point) - disks.radius[pair.a];
+  }
+  const Vec2 s = separation(pair.a, pair.b);
+  const double distance = s.norm();
+  if (normal) *normal = distance > 0 ? Vec2(s / distance) : Vec2(0, 1);
+  return distance - disks.radius[pair.a] - disks.radius[pair.b];
+}
+
+int World::intruder() const {
+  const auto at = std::ranges::find(disks.role, Role::intruder);
+  return at == disks.role.end() ? -1 : static_cast<int>(at - disks.role.begin());
+}
+
+World make_world(const Scenario& scenario) {
+  World world;
+  world.box = scenario.box;
+  world.gravity = scenario.gravity;
+  world.grain_law = scenario.grain_law;
+  world.wall_law = scenario.wall_law.value_or(scenario.grain_law);
+  world.intruder_law = scenario.intruder_law.value_or(scenario.grain_law);
+  world.random.state = scenario.seed;
+  if (scenario.box.floor) world.walls.push_back({.role = WallRole::floor});
+  if (scenario.box.sides == Sides::walls) {
+    world.walls.push_back({.normal = {1, 0}, .role = WallRole::side});
+    world.walls.push_back(
+        {.point = {scenario.box.width, 0}, .normal = {-1, 0}, .role = WallRole::side});
+  }
+  world.walls.insert(world.walls.end(), scenario.walls.begin(), scenario.walls.end());
+  for (std::size_t i = 0; i < scenario.disks.size(); ++i) {
+    const int body = world.disks.add(scenario.disks[i]);
+    if (i < scenario.disk_forces.size()) world.disks.applied[body] = scenario.disk_forces[i];
+  }
+  if (scenario.initial_bonds == InitialBonds::touching) {
+    std::vector<Pair> bonded;
+    for (const Pair& pair : pairs_within(world, scenario.grain_law.cohesion_range)) {
+      const ContactLaw& law = world.law(pair);
+      const bool movable = !world.disks.fixed(pair.a) ||
+                           (is_wall(pair.b) ? world.wall(pair.b).mass > 0
+                                            : !world.disks.fixed(pair.b));
+      if (law.cohesion_force && movable && world.gap(pair) <= law.cohesion_range)
+        bonded.push_back(pair);
+    }
+    world.bonds.form(bonded);
+    world.bonds.mark_initial();
+  }
+  return world;
+}
+
+namespace {
+
+// FNV-1a over 64-bit words, with a final mix. Plain values only: padding must not be hashed.
+class Hash {
+ public:
+  void add(std::uint64_t word) {
+    value_ = (value_ ^ word) * 0x100000001B3ULL;
+    value_ ^= value_ >> 29U;
+  }
+  void add(double x) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, &x, sizeof word);
+    add(word);
+  }
+  void add(const Vec2& v) { add(v.x()), add(v.y()); }
+  void add(const Vec3& v) { add(v.x()), add(v.y()), add(v.z()); }
+  void add(int i) { add(static_cast<std::uint64_t>(i)); }
+  void add(std::int64_t i) { add(static_cast<std::uint64_t>(i)); }
+  template <class T>
+  void add_all(const std::vector<T>& items) {
+    add(static_cast<std::uint64_t>(items.size()));
+    for (const T& item : items) add(item);
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xCBF29CE484222325ULL;
+};
+
+}  // namespace
+
+std::uint64_t world_hash(const World& world) {
+  Hash hash;
+  hash.add(world.time);
+  hash.add(world.step);
+  hash.add(world.random.state);
+  hash.add(static_cast<int>(world.bonding));
+  hash.add(world.impulse_dt);
+  hash.add_all(world.disks.position);
+  hash.add_all(world.disks.angle);
+  hash.add_all(world.disks.velocity);
+  hash.add_all(world.disks.applied);
+  hash.add_all(world.disks.radius);
+  hash.add_all(world.disks.mass);
+  hash.add_all(world.disks.inverse_mass);
+  for (const Wall& wall : world.walls) {
+    hash.add(wall.point), hash.add(wall.normal), hash.add(wall.velocity);
+    hash.add(wall.mass), hash.add(wall.force);
+  }
+  for (const Bond& bond : world.bonds.list) {
+    hash.add(bond.pair.a), hash.add(bond.pair.b);
+    hash.add(static_cast<int>(bond.state)), hash.add(static_cast<int>(bond.initial));
+  }
+  for (const Contact& contact : world.contacts) {
+    hash.add(contact.pair.a), hash.add(contact.pair.b);
+    hash.add(contact.impulse), hash.add(contact.cohesion);
+  }
+  return hash.value();
+}
+
+}  // namespace quicksand
