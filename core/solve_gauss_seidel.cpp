@@ -72,7 +72,7 @@ SolveReport solve_gauss_seidel(const ContactProblem& problem, const SolverSettin
   SolveReport report;
   const auto judge = [&] {
     report.residual = residual(problem, state);
-    report.converged = report.residual.natural <= settings.tolerance && report.residual.gap <= 1;
+    report.converged = settings.accepts(report.residual);
     return report.converged;
   };
   judge();

@@ -1,13 +1,63 @@
 #include "core/solver.h"
 
+#include "core/residual.h"
 #include "core/solve_gauss_seidel.h"
+#include "core/solve_interior_point.h"
 
 namespace quicksand {
 
-SolveReport solve(const ContactProblem& problem, const SolverSettings& settings,
-                  ContactState& state) {
+struct ContactSolver::Methods {
+  InteriorPoint interior_point;
+};
+
+ContactSolver::ContactSolver() : methods_(std::make_unique<Methods>()) {}
+ContactSolver::~ContactSolver() = default;
+
+namespace {
+
+void count(SolveReport& total, const SolveReport& attempt) {
+  total.converged = attempt.converged;
+  total.residual = attempt.residual;
+  total.iterations += attempt.iterations;
+  total.factorisations += attempt.factorisations;
+}
+
+// The ladder, each rung from the best state of the one before:
+//   1. nothing, if the inherited impulses already solve the problem (a packing at rest);
+//   2. interior point from the inherited impulses;
+//   3. interior point from far inside, which forgets a bad start;
+//   4. Gauss-Seidel sweeps as polish, in moderate number.
+// If all fall short, the step is repeated with half the time step (see protocols.h).
+SolveReport climb(const ContactProblem& problem, const SolverSettings& settings,
+                  InteriorPoint& interior_point, ContactState& state) {
+  constexpr double kNearShift = 1, kFarShift = 100;
+  constexpr int kPolishSweeps = 500;
+  SolveReport report;
+  velocity_from_impulses(problem, state.impulse, state.velocity);
+  report.residual = residual(problem, state);
+  report.converged = settings.accepts(report.residual);
+  for (const double shift : {kNearShift, kFarShift}) {
+    if (report.converged) return report;
+    count(report, interior_point.solve(problem, settings, shift, state));
+  }
+  if (report.converged) return report;
+  SolverSettings polish = settings;
+  polish.max_iterations = kPolishSweeps;
+  count(report, solve_gauss_seidel(problem, polish, state));
+  return report;
+}
+
+}  // namespace
+
+SolveReport ContactSolver::solve(const ContactProblem& problem, const SolverSettings& settings,
+                                 ContactState& state) {
   switch (settings.method) {
-    case Method::gauss_seidel: return solve_gauss_seidel(problem, settings, state);
+    case Method::automatic:
+      return climb(problem, settings, methods_->interior_point, state);
+    case Method::interior_point:
+      return methods_->interior_point.solve(problem, settings, 1, state);
+    case Method::gauss_seidel:
+      return solve_gauss_seidel(problem, settings, state);
   }
   return {};
 }

@@ -10,9 +10,9 @@
 // along the normal, so that N = R_n + F_c dt. [Kadau 2003]
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
-#include <span>
-#include <string>
+#include <memory>
 #include <vector>
 
 #include "core/types.h"
@@ -70,15 +70,20 @@ struct Residual {
   double velocity = 0;   // worst |v - v(impulse)| over g dt [1]
 };
 
-// A word in the scene for each method.
-enum class Method : std::uint8_t { gauss_seidel };
+// A word in the scene for each method; `automatic` ("auto") is the ladder described in solver.cpp.
+enum class Method : std::uint8_t { automatic, interior_point, gauss_seidel };
 
 struct SolverSettings {
-  Method method = Method::gauss_seidel;
-  double tolerance = 1e-6;     // on Residual::natural [1]; the gap error must stay below 1 as well
-  int max_iterations = 20000;  // sweeps
+  Method method = Method::automatic;
+  double tolerance = 1e-6;         // on Residual::natural [1]
+  int max_iterations = 20000;      // sweeps of Gauss-Seidel
+  int max_factorisations = 40;     // of one interior-point attempt
 
   bool operator==(const SolverSettings&) const = default;
+
+  // At most 1 where a solution is accepted: both the residual and the gap error count.
+  double distance(const Residual& r) const { return std::max(r.natural / tolerance, r.gap); }
+  bool accepts(const Residual& r) const { return distance(r) <= 1; }
 };
 
 // Not converging is an answer: the caller decides.
@@ -89,7 +94,27 @@ struct SolveReport {
   std::int64_t factorisations = 0;
 };
 
-SolveReport solve(const ContactProblem& problem, const SolverSettings& settings,
-                  ContactState& state);
+// Keeps scratch memory and what can be reused between problems with the same contacts; the answer
+// depends on the problem, the settings and the warm start only.
+class ContactSolver {
+ public:
+  ContactSolver();
+  ~ContactSolver();
+  ContactSolver(const ContactSolver&) = delete;
+  ContactSolver& operator=(const ContactSolver&) = delete;
+
+  SolveReport solve(const ContactProblem& problem, const SolverSettings& settings,
+                    ContactState& state);
+
+ private:
+  struct Methods;
+  std::unique_ptr<Methods> methods_;
+};
+
+// A single problem.
+inline SolveReport solve(const ContactProblem& problem, const SolverSettings& settings,
+                         ContactState& state) {
+  return ContactSolver().solve(problem, settings, state);
+}
 
 }  // namespace quicksand

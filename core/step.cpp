@@ -32,6 +32,7 @@ struct Stepper::Scratch {
   std::vector<Vec3> free_velocity;
   std::vector<Contact> contacts;
   ContactProblem problem;
+  ContactSolver solver;
   ContactState state;
   std::vector<Pair> formed;
 };
@@ -71,7 +72,7 @@ StepReport Stepper::advance(World& world, const StepSettings& step, const Solver
     build_problem(world, s.contacts, s.free_velocity, step, s.problem);
     s.state.impulse.resize(s.contacts.size());
     for (std::size_t c = 0; c < s.contacts.size(); ++c) s.state.impulse[c] = s.contacts[c].impulse;
-    const SolveReport solve_report = solve(s.problem, solver, s.state);
+    const SolveReport solve_report = s.solver.solve(s.problem, solver, s.state);
     report.solve.converged = solve_report.converged;
     report.solve.residual = solve_report.residual;
     report.solve.iterations += solve_report.iterations;

@@ -1,0 +1,137 @@
+#include "core/block_lu.h"
+
+#include <Eigen/LU>
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCore>
+#include <algorithm>
+
+namespace quicksand {
+
+void BlockLu::analyse(int n, const std::vector<Edge>& edges) {
+  if (n == n_ && edges == edges_) return;
+  n_ = n;
+  edges_ = edges;
+  order(edges);
+  find_structure(edges);
+  const auto size = static_cast<std::size_t>(n);
+  pivot_.resize(size);
+  lower_.resize(row_.size());
+  upper_.resize(row_.size());
+  cursor_.resize(size);
+  next_.resize(size);
+  head_.resize(size);
+  place_.resize(size);
+  work_.resize(size);
+}
+
+void BlockLu::order(const std::vector<Edge>& edges) {
+  using Pattern = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(2 * edges.size() + static_cast<std::size_t>(n_));
+  for (int i = 0; i < n_; ++i) entries.emplace_back(i, i, 1.0);
+  for (const Edge& e : edges) {
+    entries.emplace_back(e.i, e.j, 1.0);
+    entries.emplace_back(e.j, e.i, 1.0);
+  }
+  Pattern pattern(n_, n_);
+  pattern.setFromTriplets(entries.begin(), entries.end());
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
+  Eigen::AMDOrdering<int>()(pattern, permutation);
+  // AMDOrdering gives the row that comes k-th.
+  position_.resize(static_cast<std::size_t>(n_));
+  for (int k = 0; k < n_; ++k) position_[permutation.indices()[k]] = k;
+}
+
+void BlockLu::find_structure(const std::vector<Edge>& edges) {
+  const auto size = static_cast<std::size_t>(n_);
+  std::vector<std::vector<int>> below(size);
+  for (const Edge& e : edges) {
+    const int p = position_[e.i], q = position_[e.j];
+    below[std::min(p, q)].push_back(std::max(p, q));
+  }
+  // A column passes its rows on to its parent, the first of them.
+  std::vector<int> mark(size, -1);
+  std::vector<std::vector<int>> children(size);
+  start_.assign(size + 1, 0);
+  row_.clear();
+  std::vector<int> column;
+  for (int k = 0; k < n_; ++k) {
+    column.clear();
+    mark[k] = k;
+    const auto add = [&](int i) {
+      if (mark[i] == k) return;
+      mark[i] = k;
+      column.push_back(i);
+    };
+    for (int i : below[k]) add(i);
+    for (int j : children[k])
+      for (int q = start_[j]; q < start_[j + 1]; ++q)
+        if (row_[q] > k) add(row_[q]);
+    std::ranges::sort(column);
+    row_.insert(row_.end(), column.begin(), column.end());
+    start_[k + 1] = static_cast<int>(row_.size());
+    if (!column.empty()) children[column.front()].push_back(k);
+  }
+  edge_slot_.resize(edges.size());
+  edge_flipped_.resize(edges.size());
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const int p = position_[edges[e].i], q = position_[edges[e].j];
+    const auto first = row_.begin() + start_[std::min(p, q)];
+    const auto last = row_.begin() + start_[std::min(p, q) + 1];
+    edge_slot_[e] = static_cast<int>(std::lower_bound(first, last, std::max(p, q)) - row_.begin());
+    edge_flipped_[e] = p > q ? 1 : 0;
+  }
+}
+
+void BlockLu::clear() {
+  std::ranges::fill(pivot_, Mat3::Zero());
+  std::ranges::fill(lower_, Mat3::Zero());
+  std::ranges::fill(upper_, Mat3::Zero());
+}
+
+void BlockLu::factorise() {
+  std::ranges::fill(head_, -1);
+  for (int k = 0; k < n_; ++k) {
+    for (int q = start_[k]; q < start_[k + 1]; ++q) place_[row_[q]] = q;
+    Mat3 pivot = pivot_[k];
+    // head_[k] lists the earlier columns whose next row is k.
+    for (int j = head_[k]; j >= 0;) {
+      const int following = next_[j];
+      const int at = cursor_[j]++;
+      const Mat3 l = lower_[at];
+      const Mat3 u = upper_[at];
+      pivot.noalias() -= l * u;
+      for (int q = at + 1; q < start_[j + 1]; ++q) {
+        const int t = place_[row_[q]];
+        lower_[t].noalias() -= lower_[q] * u;
+        upper_[t].noalias() -= l * upper_[q];
+      }
+      if (cursor_[j] < start_[j + 1]) {
+        next_[j] = head_[row_[cursor_[j]]];
+        head_[row_[cursor_[j]]] = j;
+      }
+      j = following;
+    }
+    pivot_[k] = pivot.partialPivLu().inverse();
+    for (int q = start_[k]; q < start_[k + 1]; ++q) lower_[q] = lower_[q] * pivot_[k];
+    cursor_[k] = start_[k];
+    if (start_[k] < start_[k + 1]) {
+      next_[k] = head_[row_[start_[k]]];
+      head_[row_[start_[k]]] = k;
+    }
+  }
+}
+
+void BlockLu::solve(std::vector<Vec3>& x) {
+  for (int i = 0; i < n_; ++i) work_[position_[i]] = x[i];
+  for (int k = 0; k < n_; ++k)
+    for (int q = start_[k]; q < start_[k + 1]; ++q) work_[row_[q]].noalias() -= lower_[q] * work_[k];
+  for (int k = n_ - 1; k >= 0; --k) {
+    Vec3 sum = work_[k];
+    for (int q = start_[k]; q < start_[k + 1]; ++q) sum.noalias() -= upper_[q] * work_[row_[q]];
+    work_[k].noalias() = pivot_[k] * sum;
+  }
+  for (int i = 0; i < n_; ++i) x[i] = work_[position_[i]];
+}
+
+}  // namespace quicksand

@@ -1,0 +1,91 @@
+#include "core/contact_matrix.h"
+
+namespace quicksand {
+
+namespace {
+
+// Rows n, t, r of H for the two bodies: u = of_a v_a + of_b v_b. Directions in which a body cannot
+// move are left out.
+struct Jacobian {
+  Mat3 of_a, of_b;
+};
+
+Jacobian jacobian(const ContactRow& c, const Vec3& ima, const Vec3& imb) {
+  const Vec2 n = c.normal, t = perpendicular(c.normal);
+  Jacobian h;
+  h.of_a << -n.x(), -n.y(), 0, -t.x(), -t.y(), -c.arm_a, 0, 0, -1;
+  h.of_b << n.x(), n.y(), 0, t.x(), t.y(), -c.arm_b, 0, 0, 1;
+  for (int k = 0; k < 3; ++k) {
+    if (ima[k] == 0) h.of_a.col(k).setZero();
+    if (imb[k] == 0) h.of_b.col(k).setZero();
+  }
+  return h;
+}
+
+}  // namespace
+
+void ContactMatrix::attach(const ContactProblem& problem) {
+  problem_ = &problem;
+  body_of_row_.clear();
+  row_of_body_.assign(problem.inverse_mass.size(), -1);
+  for (std::size_t i = 0; i < problem.inverse_mass.size(); ++i) {
+    if (problem.inverse_mass[i].isZero(0)) continue;
+    row_of_body_[i] = static_cast<int>(body_of_row_.size());
+    body_of_row_.push_back(static_cast<int>(i));
+  }
+  edges_.clear();
+  edge_of_contact_.assign(problem.contacts.size(), -1);
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+    const int i = row_of_body_[problem.contacts[c].a], j = row_of_body_[problem.contacts[c].b];
+    if (i < 0 || j < 0) continue;
+    edge_of_contact_[c] = static_cast<int>(edges_.size());
+    edges_.push_back({i, j});
+  }
+  lu_.analyse(static_cast<int>(body_of_row_.size()), edges_);
+}
+
+void ContactMatrix::factorise(const std::vector<Mat3>& stiffness) {
+  const ContactProblem& problem = *problem_;
+  lu_.clear();
+  for (std::size_t k = 0; k < body_of_row_.size(); ++k) {
+    const Vec3& im = problem.inverse_mass[body_of_row_[k]];
+    for (int d = 0; d < 3; ++d) lu_.diagonal(static_cast<int>(k))(d, d) = im[d] > 0 ? 1 / im[d] : 1;
+  }
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+    const ContactRow& row = problem.contacts[c];
+    const Jacobian h =
+        jacobian(row, problem.inverse_mass[row.a], problem.inverse_mass[row.b]);
+    const int i = row_of_body_[row.a], j = row_of_body_[row.b];
+    const Mat3 da = stiffness[c] * h.of_a, db = stiffness[c] * h.of_b;
+    if (i >= 0) lu_.diagonal(i).noalias() += h.of_a.transpose() * da;
+    if (j >= 0) lu_.diagonal(j).noalias() += h.of_b.transpose() * db;
+    if (const int e = edge_of_contact_[c]; e >= 0) {
+      lu_.upper(e).noalias() += h.of_a.transpose() * db;
+      lu_.lower(e).noalias() += h.of_b.transpose() * da;
+    }
+  }
+  lu_.factorise();
+}
+
+void ContactMatrix::velocity_change(const std::vector<Vec3>& impulse, std::vector<Vec3>& dv) {
+  const ContactProblem& problem = *problem_;
+  dv.assign(problem.inverse_mass.size(), Vec3::Zero());
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+    const ContactRow& row = problem.contacts[c];
+    dv[row.a] += momentum_of_a(row, impulse[c]);
+    dv[row.b] += momentum_of_b(row, impulse[c]);
+  }
+  right_hand_side_.resize(body_of_row_.size());
+  for (std::size_t k = 0; k < body_of_row_.size(); ++k) {
+    const int i = body_of_row_[k];
+    for (int d = 0; d < 3; ++d)
+      right_hand_side_[k][d] = problem.inverse_mass[i][d] > 0 ? dv[i][d] : 0;
+  }
+  lu_.solve(right_hand_side_);
+  for (std::size_t i = 0; i < dv.size(); ++i) {
+    const int k = row_of_body_[i];
+    dv[i] = k < 0 ? Vec3(0, 0, 0) : right_hand_side_[static_cast<std::size_t>(k)];
+  }
+}
+
+}  // namespace quicksand

@@ -1,0 +1,46 @@
+// Primal-dual interior point on the exact, non-associated problem, with Mehrotra's predictor and
+// corrector [Mehrotra 1992], in velocity space.
+//
+// In two dimensions the laws are products of non-negative pairs: with s = gap_rate + u_n,
+//   N s = 0
+//   (mu N + R_t) a = 0,  (mu N - R_t) b = 0,   u_t = a - b
+//   (mu_r N + T) a' = 0, (mu_r N - T) b' = 0,  w = a' - b'.
+// All products are driven together to zero. The variables of a contact are eliminated by hand (see
+// interior_point_cone.h), which leaves (M + H^T D H) dv = H^T dp with one 3x3 block D a contact; it is
+// not symmetric where a contact slides.
+#pragma once
+
+#include <vector>
+
+#include "core/contact_matrix.h"
+#include "core/interior_point_cone.h"
+#include "core/solver.h"
+
+namespace quicksand {
+
+// Keeps the order of elimination while the contacts stay the same, and its scratch memory.
+class InteriorPoint {
+ public:
+  // Starts from state.impulse, at a distance from the boundary of `shift` times the violation found
+  // there, and leaves the best state that it met.
+  SolveReport solve(const ContactProblem& problem, const SolverSettings& settings, double shift,
+                    ContactState& state);
+
+ private:
+  void start(const ContactProblem& problem, double shift, const ContactState& state);
+  void linearise(const ContactProblem& problem);
+  void find_direction(const ContactProblem& problem, double tau, bool correct);
+  double mean_product(double alpha) const;
+  double longest_step() const;
+
+  ContactMatrix matrix_;
+  std::vector<Vec3> delassus_;     // (nc) diagonal of each contact's own block
+  std::vector<ContactCone> cone_;  // (nc)
+  std::vector<Mat3> stiffness_;    // (nc)
+  std::vector<Vec3> impulse_;      // (nc)
+  std::vector<Vec3> velocity_;     // (nb) that the impulses of the cones give
+  std::vector<Vec3> change_;       // (nb)
+  std::vector<Vec3> best_;         // (nc)
+};
+
+}  // namespace quicksand
