@@ -1,11 +1,40 @@
 #include "core/block_lu.h"
 
-#include <Eigen/LU>
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 #include <algorithm>
+#include <cmath>
 
 namespace quicksand {
+
+namespace {
+
+// Inverse by elimination with row pivoting. A pivot block holds stiffnesses from 1 to 1e7: cofactors
+// would lose the soft directions.
+Mat3 inverse(Mat3 a) {
+  Mat3 b = Mat3::Identity();
+  for (int k = 0; k < 3; ++k) {
+    int best = k;
+    for (int i = k + 1; i < 3; ++i)
+      if (std::abs(a(i, k)) > std::abs(a(best, k))) best = i;
+    if (best != k) {
+      a.row(k).swap(a.row(best));
+      b.row(k).swap(b.row(best));
+    }
+    const double pivot = 1 / a(k, k);
+    a.row(k) *= pivot;
+    b.row(k) *= pivot;
+    for (int i = 0; i < 3; ++i) {
+      if (i == k) continue;
+      const double factor = a(i, k);
+      a.row(i) -= factor * a.row(k);
+      b.row(i) -= factor * b.row(k);
+    }
+  }
+  return b;
+}
+
+}  // namespace
 
 void BlockLu::analyse(int n, const std::vector<Edge>& edges) {
   if (n == n_ && edges == edges_) return;
@@ -112,7 +141,7 @@ void BlockLu::factorise() {
       }
       j = following;
     }
-    pivot_[k] = pivot.partialPivLu().inverse();
+    pivot_[k] = inverse(pivot);
     for (int q = start_[k]; q < start_[k + 1]; ++q) lower_[q] = lower_[q] * pivot_[k];
     cursor_[k] = start_[k];
     if (start_[k] < start_[k + 1]) {

@@ -179,6 +179,7 @@ void describe_protocol(Archive& archive, State& state) {
   archive.value("full", state.full);
   archive.value("rest_since", state.rest_since);
   archive.value("unconverged_steps", state.unconverged_steps);
+  archive.value("halved_steps", state.halved_steps);
   archive.value("broken_in_unconverged", state.broken_in_unconverged);
   archive.value("breaks_withheld", state.breaks_withheld);
   archive.value("iterations", state.iterations);

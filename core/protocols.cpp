@@ -52,22 +52,35 @@ Progress Protocol::end_phase() {
 bool Protocol::make_step(const Phase& phase) {
   StepSettings step = scenario_.step;
   step.dt = phase.dt.value_or(step.dt);
+  return try_step(step, step.max_halvings);
+}
+
+bool Protocol::try_step(const StepSettings& step, int halvings_left) {
   report_ = stepper_.advance(world_, step, scenario_.solver);
+  state_.iterations += report_.solve.iterations;
+  state_.factorisations += report_.solve.factorisations;
   if (!report_.finite) {
     failure_ = "the velocity of body " + std::to_string(report_.bad_body) +
                " is not a finite number in step " + std::to_string(world_.step + 1);
     return false;
   }
-  state_.iterations += report_.solve.iterations;
-  state_.factorisations += report_.solve.factorisations;
+  if (!report_.taken) {
+    if (halvings_left == 0) {
+      failure_ = "the solver did not converge in step " + std::to_string(world_.step + 1) +
+                 ", even with a time step of " + std::to_string(step.dt);
+      return false;
+    }
+    ++state_.halved_steps;
+    StepSettings half = step;
+    half.dt = step.dt / 2;
+    return try_step(half, halvings_left - 1) && try_step(half, halvings_left - 1);
+  }
   state_.worst_residual = std::max(state_.worst_residual, report_.solve.residual.natural);
   if (report_.converged) return true;
   ++state_.unconverged_steps;
   state_.broken_in_unconverged += report_.bonds_broken;
   state_.breaks_withheld += report_.breaks_withheld;
-  if (!scenario_.step.stop_if_unconverged) return true;
-  failure_ = "the solver did not converge in step " + std::to_string(world_.step);
-  return false;
+  return true;
 }
 
 void Protocol::enter(const DepositPhase&) {

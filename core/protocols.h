@@ -19,7 +19,8 @@ struct ProtocolState {
   bool full = false;         // deposit: no place is left below the height
   double rest_since = -1;    // settle, push: at rest since then; negative: not at rest
   // Counted over the whole run.
-  std::int64_t unconverged_steps = 0;
+  std::int64_t unconverged_steps = 0;  // taken although they did not converge
+  std::int64_t halved_steps = 0;       // not taken but tried again as two halves
   std::int64_t broken_in_unconverged = 0;
   std::int64_t breaks_withheld = 0;
   std::int64_t iterations = 0;
@@ -65,6 +66,7 @@ class Protocol {
   bool drop_grain(const DepositPhase& phase);
   bool at_rest(double speed, double duration);
   bool make_step(const Phase& phase);
+  bool try_step(const StepSettings& step, int halvings_left);
   Progress end_phase();
 
   Scenario scenario_;

@@ -42,7 +42,10 @@ struct StepSettings {
   double dt = 1e-2;                               // [sqrt(d/g)]
   BreakRule break_rule = BreakRule::linearised;
   bool curvature_term = true;                     // second-order gap of bonded contacts
-  bool stop_if_unconverged = false;
+  // An unconverged step is not taken but tried again as two of half the length, and so on up to
+  // max_halvings times; then the run stops. false: it is taken and counted, and breaks no bond.
+  bool stop_if_unconverged = true;
+  int max_halvings = 8;
   bool operator==(const StepSettings&) const = default;
 };
 

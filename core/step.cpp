@@ -63,7 +63,7 @@ StepReport Stepper::advance(World& world, const StepSettings& step, const Solver
   StepReport report;
   free_velocities(world, dt, s.free_velocity);
   report.bad_body = first_not_finite(s.free_velocity);
-  report.finite = report.bad_body < 0;
+  report.finite = report.taken = report.bad_body < 0;
   if (!report.finite) return report;
 
   double reach = 2 * dt * fastest(s.free_velocity) + kMissTolerance;
@@ -78,7 +78,7 @@ StepReport Stepper::advance(World& world, const StepSettings& step, const Solver
     report.solve.iterations += solve_report.iterations;
     report.solve.factorisations += solve_report.factorisations;
     report.bad_body = first_not_finite(s.state.velocity);
-    report.finite = report.bad_body < 0;
+    report.finite = report.taken = report.bad_body < 0;
     if (!report.finite) return report;
     for (std::size_t c = 0; c < s.contacts.size(); ++c) s.contacts[c].impulse = s.state.impulse[c];
 
@@ -93,6 +93,8 @@ StepReport Stepper::advance(World& world, const StepSettings& step, const Solver
     if (missed == 0) break;
   }
   report.converged = report.solve.converged;
+  report.taken = report.converged || !step.stop_if_unconverged;
+  if (!report.taken) return report;
 
   // Bonds, by the gap at the end of the step.
   auto bond = world.bonds.list.begin();

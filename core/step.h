@@ -10,7 +10,8 @@ namespace quicksand {
 
 struct StepReport {
   bool converged = true;
-  bool finite = true;  // false: the world was left as it was before the step
+  bool taken = true;   // false: the world was left as it was before the step
+  bool finite = true;  // false: not taken
   int bad_body = -1;   // the first body whose velocity is not finite
   SolveReport solve;
   std::int64_t bonds_formed = 0;
