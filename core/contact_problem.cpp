@@ -21,20 +21,31 @@ bool movable(const World& world, Pair pair) {
 
 }  // namespace
 
+void start_velocities(const World& world, std::vector<Vec3>& velocity) {
+  velocity.assign(world.disks.velocity.begin(), world.disks.velocity.end());
+  for (const Wall& wall : world.walls) velocity.emplace_back(wall.velocity.x(), wall.velocity.y(), 0);
+}
+
+double turning_rate(const World& world, const Contact& contact) {
+  const auto [a, b] = contact.pair;
+  if (is_wall(b)) return 0;
+  const Vec3 u = world.disks.velocity[b] - world.disks.velocity[a];
+  const double u_ct = perpendicular(contact.normal).dot(u.head<2>());
+  return u_ct * u_ct / (world.disks.radius[a] + world.disks.radius[b] + contact.gap);
+}
+
 void free_velocities(const World& world, double dt, std::vector<Vec3>& velocity) {
   const Disks& disks = world.disks;
-  velocity.resize(disks.position.size() + world.walls.size());
+  start_velocities(world, velocity);
   const Vec2 g = world.gravity.value_or(Vec2(0, 0));
   for (int i = 0; i < disks.size(); ++i) {
-    velocity[i] = disks.velocity[i];
     if (disks.fixed(i)) continue;
     velocity[i] += dt * (Vec3(g.x(), g.y(), 0) + disks.inverse_mass[i].cwiseProduct(disks.applied[i]));
   }
   for (std::size_t k = 0; k < world.walls.size(); ++k) {
     const Wall& wall = world.walls[k];
-    Vec3& v = velocity[disks.position.size() + k];
-    v = {wall.velocity.x(), wall.velocity.y(), 0};
     if (wall.mass == 0) continue;
+    Vec3& v = velocity[disks.position.size() + k];
     const Vec2 push = wall.force * wall.normal + wall.mass * g;
     v += dt * wall.inverse_mass().cwiseProduct(Vec3(push.x(), push.y(), 0));
   }
@@ -136,11 +147,7 @@ void build_problem(const World& world, const std::vector<Contact>& contacts,
 
     row.gap_tolerance = 0.1 * law.cohesion_range;
     strongest_bond = std::max(strongest_bond, contact.cohesion);
-    if (step.curvature_term && !is_wall(pair.b)) {
-      const Vec3 u = disks.velocity[pair.b] - disks.velocity[pair.a];
-      const double u_ct = perpendicular(contact.normal).dot(u.head<2>());
-      row.gap_rate += dt * u_ct * u_ct / (2 * (row.arm_a + row.arm_b + contact.gap));
-    }
+    if (step.curvature_term) row.gap_rate += dt * turning_rate(world, contact) / 2;
     const Vec3 attraction(dt * contact.cohesion, 0, 0);
     problem.free_velocity[row.a] -=
         problem.inverse_mass[row.a].cwiseProduct(momentum_of_a(row, attraction));

@@ -10,6 +10,13 @@
 
 namespace quicksand {
 
+// Velocities at the start of the step. Disks first, then walls (nd + nw).
+void start_velocities(const World& world, std::vector<Vec3>& velocity);
+
+// How fast the line of centres of two disks turns: u_ct^2/D with u_ct the tangential relative velocity
+// of the centres at the start of the step and D their distance; 0 at walls. [g]
+double turning_rate(const World& world, const Contact& contact);
+
 // Velocities at the end of the step without contacts: gravity, applied and wall forces, cohesion not
 // included. Disks first, then walls (nd + nw).
 void free_velocities(const World& world, double dt, std::vector<Vec3>& velocity);

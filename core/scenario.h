@@ -36,11 +36,15 @@ struct Box {
   bool operator==(const Box&) const = default;
 };
 
-enum class BreakRule : std::uint8_t { linearised, geometric };
+// When a bond breaks: `energy` see break_rule.h, and whenever the gap at the end of the step passes the
+// range. `linearised`: only the latter, the gap taken along the normal at the start of the step (with
+// the curvature term). `geometric`: the same with the distance after the straight move; it breaks
+// bonds that merely turn, and is there to show it.
+enum class BreakRule : std::uint8_t { energy, linearised, geometric };
 
 struct StepSettings {
   double dt = 1e-2;                               // [sqrt(d/g)]
-  BreakRule break_rule = BreakRule::linearised;
+  BreakRule break_rule = BreakRule::energy;
   bool curvature_term = true;                     // second-order gap of bonded contacts
   // An unconverged step is not taken but tried again as two of half the length, and so on up to
   // max_halvings times; then the run stops. false: it is taken and counted, and breaks no bond.

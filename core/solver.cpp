@@ -15,13 +15,6 @@ ContactSolver::~ContactSolver() = default;
 
 namespace {
 
-void count(SolveReport& total, const SolveReport& attempt) {
-  total.converged = attempt.converged;
-  total.residual = attempt.residual;
-  total.iterations += attempt.iterations;
-  total.factorisations += attempt.factorisations;
-}
-
 // The ladder, each rung from the best state of the one before:
 //   1. nothing, if the inherited impulses already solve the problem (a packing at rest);
 //   2. interior point from the inherited impulses;
@@ -39,12 +32,12 @@ SolveReport climb(const ContactProblem& problem, const SolverSettings& settings,
   report.converged = settings.accepts(report.residual);
   for (const double shift : {kNearShift, kFarShift}) {
     if (report.converged) return report;
-    count(report, interior_point.solve(problem, settings, shift, state));
+    report.add(interior_point.solve(problem, settings, shift, state));
   }
   if (report.converged) return report;
   SolverSettings polish = settings;
   polish.max_iterations = kPolishSweeps;
-  count(report, solve_gauss_seidel(problem, polish, state));
+  report.add(solve_gauss_seidel(problem, polish, state));
   return report;
 }
 

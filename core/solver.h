@@ -92,6 +92,14 @@ struct SolveReport {
   Residual residual;
   std::int64_t iterations = 0;
   std::int64_t factorisations = 0;
+
+  // Takes over the outcome of a further solution and sums up the work.
+  void add(const SolveReport& further) {
+    converged = further.converged;
+    residual = further.residual;
+    iterations += further.iterations;
+    factorisations += further.factorisations;
+  }
 };
 
 // Keeps scratch memory and what can be reused between problems with the same contacts; the answer

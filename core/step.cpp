@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/break_rule.h"
 #include "core/contact_problem.h"
 #include "core/neighbors.h"
 
@@ -34,6 +35,8 @@ struct Stepper::Scratch {
   ContactProblem problem;
   ContactSolver solver;
   ContactState state;
+  EnergyRule energy_rule;
+  std::vector<BondBreak> breaks;
   std::vector<Pair> formed;
 };
 
@@ -57,81 +60,96 @@ void move(World& world, const std::vector<Vec3>& velocity, double dt) {
 
 }  // namespace
 
-StepReport Stepper::advance(World& world, const StepSettings& step, const SolverSettings& solver) {
+// Solves the contacts of the step, again with those that the prediction had missed.
+void Stepper::solve_contacts(const World& world, const StepSettings& step,
+                             const SolverSettings& settings, StepReport& report) {
   Scratch& s = *scratch_;
-  const double dt = step.dt;
-  StepReport report;
-  free_velocities(world, dt, s.free_velocity);
-  report.bad_body = first_not_finite(s.free_velocity);
-  report.finite = report.taken = report.bad_body < 0;
-  if (!report.finite) return report;
-
-  double reach = 2 * dt * fastest(s.free_velocity) + kMissTolerance;
-  find_contacts(world, s.neighbors.pairs(world, reach), s.free_velocity, dt, s.contacts);
-  for (int repeat = 0;; ++repeat) {
+  for (int repeat = 0; repeat <= kMaxRepeats; ++repeat) {
     build_problem(world, s.contacts, s.free_velocity, step, s.problem);
     s.state.impulse.resize(s.contacts.size());
     for (std::size_t c = 0; c < s.contacts.size(); ++c) s.state.impulse[c] = s.contacts[c].impulse;
-    const SolveReport solve_report = s.solver.solve(s.problem, solver, s.state);
-    report.solve.converged = solve_report.converged;
-    report.solve.residual = solve_report.residual;
-    report.solve.iterations += solve_report.iterations;
-    report.solve.factorisations += solve_report.factorisations;
+    report.solve.add(s.solver.solve(s.problem, settings, s.state));
     report.bad_body = first_not_finite(s.state.velocity);
-    report.finite = report.taken = report.bad_body < 0;
-    if (!report.finite) return report;
+    report.finite = report.bad_body < 0;
+    if (!report.finite) return;
     for (std::size_t c = 0; c < s.contacts.size(); ++c) s.contacts[c].impulse = s.state.impulse[c];
 
-    if (repeat == kMaxRepeats) {
-      report.solve.converged = false;
-      break;
-    }
-    // Contacts may make bodies faster than they were: look again at the pairs left out.
-    reach = std::max(reach, 2 * dt * fastest(s.state.velocity) + kMissTolerance);
-    const int missed = add_missed_contacts(world, s.neighbors.pairs(world, reach),
-                                           s.state.velocity, dt, kMissTolerance, s.contacts);
-    if (missed == 0) break;
+    const double reach = 2 * step.dt * fastest(s.state.velocity) + kMissTolerance;
+    if (add_missed_contacts(world, s.neighbors.pairs(world, reach), s.state.velocity, step.dt,
+                            kMissTolerance, s.contacts) == 0)
+      return;
   }
-  report.converged = report.solve.converged;
-  report.taken = report.converged || !step.stop_if_unconverged;
-  if (!report.taken) return report;
+  report.solve.converged = false;
+}
 
-  // Bonds, by the gap at the end of the step.
+// Breaks and forms bonds by the solved step.
+void Stepper::update_bonds(World& world, const StepSettings& step, StepReport& report) {
+  Scratch& s = *scratch_;
   auto bond = world.bonds.list.begin();
   s.formed.clear();
-  for (std::size_t c = 0; c < s.problem.contacts.size(); ++c) {
+  for (std::size_t c = 0; c < s.contacts.size(); ++c) {
     const ContactRow& row = s.problem.contacts[c];
     const Pair pair = s.contacts[c].pair;
     while (bond != world.bonds.list.end() && bond->pair < pair) ++bond;
     const bool listed = bond != world.bonds.list.end() && bond->pair == pair;
-    const Vec3 u = relative_velocity(row, s.state.velocity[row.a], s.state.velocity[row.b]);
-    if (listed && bond->state == BondState::active) {
-      double gap = dt * (row.gap_rate + u.x());
-      if (step.break_rule == BreakRule::geometric && !is_wall(pair.b)) {
-        const Vec2 apart = world.separation(pair.a, pair.b) +
-                           dt * (s.state.velocity[row.b] - s.state.velocity[row.a]).head<2>();
-        gap = apart.norm() - row.arm_a - row.arm_b;
-      }
-      if (gap <= world.law(pair).cohesion_range) continue;
-      if (!report.converged) {
-        ++report.breaks_withheld;
-        continue;
-      }
-      bond->state = BondState::broken;
-      ++report.bonds_broken;
-    } else if (!listed && world.bonding && s.state.impulse[c].x() > 0 &&
-               world.law(pair).cohesion_force) {
-      s.formed.push_back(pair);
+    if (!listed) {
+      const bool touched = s.state.impulse[c].x() > 0;
+      if (world.bonding && touched && world.law(pair).cohesion_force) s.formed.push_back(pair);
+      continue;
     }
+    if (bond->state == BondState::broken) continue;
+    const Vec3& va = s.state.velocity[row.a];
+    const Vec3& vb = s.state.velocity[row.b];
+    double gap = step.dt * (row.gap_rate + relative_velocity(row, va, vb).x());
+    if (step.break_rule == BreakRule::geometric && !is_wall(pair.b)) {
+      const Vec2 apart = world.separation(pair.a, pair.b) + step.dt * (vb - va).head<2>();
+      gap = apart.norm() - row.arm_a - row.arm_b;
+    }
+    const bool by_energy = std::ranges::binary_search(s.breaks, pair, {}, &BondBreak::pair);
+    if (!by_energy && gap <= world.law(pair).cohesion_range) continue;
+    if (!report.converged) {
+      ++report.breaks_withheld;
+      continue;
+    }
+    bond->state = BondState::broken;
+    ++report.bonds_broken;
   }
   world.bonds.broken += report.bonds_broken;
   report.bonds_formed = static_cast<std::int64_t>(s.formed.size());
   if (!s.formed.empty()) world.bonds.form(s.formed);
+}
 
-  move(world, s.state.velocity, dt);
+StepReport Stepper::advance(World& world, const StepSettings& step, const SolverSettings& settings) {
+  Scratch& s = *scratch_;
+  StepReport report;
+  free_velocities(world, step.dt, s.free_velocity);
+  report.bad_body = first_not_finite(s.free_velocity);
+  report.finite = report.taken = report.bad_body < 0;
+  if (!report.finite) return report;
+
+  const double reach = 2 * step.dt * fastest(s.free_velocity) + kMissTolerance;
+  find_contacts(world, s.neighbors.pairs(world, reach), s.free_velocity, step.dt, s.contacts);
+  solve_contacts(world, step, settings, report);
+  s.breaks.clear();
+  if (report.solve.converged && report.finite && step.break_rule == BreakRule::energy) {
+    SolveReport judgement{.converged = true};
+    s.breaks = s.energy_rule.judge(world, s.contacts, step, settings, s.solver, judgement);
+    judgement.residual = report.solve.residual;
+    report.solve.add(judgement);
+    for (const BondBreak& broken : s.breaks)
+      std::ranges::lower_bound(s.contacts, broken.pair, {}, &Contact::pair)->cohesion =
+          broken.last_force;
+    if (!s.breaks.empty()) solve_contacts(world, step, settings, report);
+  }
+  report.converged = report.solve.converged;
+  report.taken = report.finite && (report.converged || !step.stop_if_unconverged);
+  if (!report.taken) return report;
+
+  update_bonds(world, step, report);
+  move(world, s.state.velocity, step.dt);
   std::swap(world.contacts, s.contacts);
-  world.impulse_dt = dt;
-  world.time += dt;
+  world.impulse_dt = step.dt;
+  world.time += step.dt;
   ++world.step;
   return report;
 }

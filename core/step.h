@@ -32,6 +32,10 @@ class Stepper {
 
  private:
   struct Scratch;
+  void solve_contacts(const World& world, const StepSettings& step, const SolverSettings& settings,
+                      StepReport& report);
+  void update_bonds(World& world, const StepSettings& step, StepReport& report);
+
   std::unique_ptr<Scratch> scratch_;
 };
 

@@ -1,0 +1,52 @@
+// Which bonds the energy of an impact breaks within one step.
+//
+// An implicit bond holds any impulse up to F_c dt, but only the energy F_c d_c: at a finite step it
+// would withstand impacts that break it. With T = F_c dt - N the tension impulse of the step, F_s the
+// tension force before it, W the contact's Delassus diagonal and kappa = u_ct^2/D the turning of a
+// bonded pair, the part of an impact is
+//   J = T - F_s dt - 1.5 dt kappa/W,
+// and a bond is suspected if J^2 W/2 > (F_c - F_s) d_c. The step is then solved without external
+// forces, which gives the impact's own J, and without the suspected bonds, which gives the velocity
+// u_open with which they would open. A bond breaks if J u_open/2 > (F_c - F_s) d_c, and in the step in
+// which it breaks it gives the impulse F_s dt + (F_c - F_s) d_c/u_open.
+#pragma once
+
+#include <vector>
+
+#include "core/contact_problem.h"
+#include "core/solver.h"
+#include "core/world.h"
+
+namespace quicksand {
+
+struct BondBreak {
+  Pair pair;
+  double last_force = 0;  // mean attraction that the bond still gives in this step [F_g]
+};
+
+class EnergyRule {
+ public:
+  // Judges the bonds among `contacts`, the solved step of `world`, whose impulses they hold. Returns
+  // the breaks in the order of the contacts. Adds its solutions to `cost`, whose `converged` becomes
+  // false if one did not converge; then there are no breaks.
+  const std::vector<BondBreak>& judge(const World& world, const std::vector<Contact>& contacts,
+                                      const StepSettings& step, const SolverSettings& settings,
+                                      ContactSolver& solver, SolveReport& cost);
+
+ private:
+  struct Suspect {
+    std::size_t contact = 0;
+    double tension_before = 0;  // F_s [F_g]
+    double impact = 0;          // J [m sqrt(g d)]
+  };
+  void find_suspects(const World& world, const std::vector<Contact>& contacts, double dt);
+
+  std::vector<Suspect> suspects_;
+  std::vector<BondBreak> breaks_;
+  std::vector<Vec3> velocity_;  // (nd + nw) at the start of the step
+  std::vector<Contact> without_;
+  ContactProblem problem_;
+  ContactState state_;
+};
+
+}  // namespace quicksand
