@@ -1,6 +1,7 @@
 #include "core/break_rule.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/delassus.h"
 
@@ -82,8 +83,10 @@ const std::vector<BondBreak>& EnergyRule::judge(const World& world,
     const Contact& contact = contacts[s.contact];
     const double energy_left =
         (contact.cohesion - s.tension_before) * world.law(contact.pair).cohesion_range;
-    if (opening <= 0 || s.impact * opening / 2 <= energy_left) continue;
-    const double last_force = s.tension_before + energy_left / (opening * step.dt);
+    const double spent = energy_left / (s.impact * opening / 2);
+    if (opening <= 0 || s.impact <= 0 || spent >= 1) continue;
+    const double last_impulse = s.impact * (1 - std::sqrt(1 - spent));
+    const double last_force = s.tension_before + last_impulse / step.dt;
     breaks_.push_back({contact.pair, std::min(last_force, contact.cohesion)});
   }
   return breaks_;

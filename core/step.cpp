@@ -132,7 +132,8 @@ StepReport Stepper::advance(World& world, const StepSettings& step, const Solver
   solve_contacts(world, step, settings, report);
   s.breaks.clear();
   if (report.solve.converged && report.finite && step.break_rule == BreakRule::energy) {
-    SolveReport judgement{.converged = true};
+    SolveReport judgement;
+    judgement.converged = true;
     s.breaks = s.energy_rule.judge(world, s.contacts, step, settings, s.solver, judgement);
     judgement.residual = report.solve.residual;
     report.solve.add(judgement);
