@@ -34,6 +34,16 @@ double turning_rate(const World& world, const Contact& contact) {
   return u_ct * u_ct / (world.disks.radius[a] + world.disks.radius[b] + contact.gap);
 }
 
+double fastest_turning(const World& world) {
+  double squared = 0;
+  for (const Contact& contact : world.contacts) {
+    if (contact.cohesion == 0 || is_wall(contact.pair.b)) continue;
+    const double distance = world.separation(contact.pair.a, contact.pair.b).norm();
+    squared = std::max(squared, turning_rate(world, contact) / distance);
+  }
+  return std::sqrt(squared);
+}
+
 void free_velocities(const World& world, double dt, std::vector<Vec3>& velocity) {
   const Disks& disks = world.disks;
   start_velocities(world, velocity);

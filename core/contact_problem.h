@@ -17,6 +17,9 @@ void start_velocities(const World& world, std::vector<Vec3>& velocity);
 // of the centres at the start of the step and D their distance; 0 at walls. [g]
 double turning_rate(const World& world, const Contact& contact);
 
+// The fastest of all bonded pairs, |u_ct|/D [rad sqrt(g/d)].
+double fastest_turning(const World& world);
+
 // Velocities at the end of the step without contacts: gravity, applied and wall forces, cohesion not
 // included. Disks first, then walls (nd + nw).
 void free_velocities(const World& world, double dt, std::vector<Vec3>& velocity);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/ballistic.h"
+#include "core/contact_problem.h"
 #include "core/measures.h"
 
 namespace quicksand {
@@ -52,7 +53,12 @@ Progress Protocol::end_phase() {
 bool Protocol::make_step(const Phase& phase) {
   StepSettings step = scenario_.step;
   step.dt = phase.dt.value_or(step.dt);
-  return try_step(step, step.max_halvings);
+  if (!step.max_turn) return try_step(step, step.max_halvings);
+  int halvings = 0;
+  const double turn = step.dt * fastest_turning(world_);
+  while (halvings < step.max_halvings && std::ldexp(turn, -halvings) > *step.max_turn) ++halvings;
+  step.dt = std::ldexp(step.dt, -halvings);
+  return try_step(step, step.max_halvings - halvings);
 }
 
 bool Protocol::try_step(const StepSettings& step, int halvings_left) {

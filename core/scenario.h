@@ -46,6 +46,9 @@ struct StepSettings {
   double dt = 1e-2;                               // [sqrt(d/g)]
   BreakRule break_rule = BreakRule::energy;
   bool curvature_term = true;                     // second-order gap of bonded contacts
+  // Engaged: the step is dt divided by the power of two that lets no bonded pair turn farther in it
+  // than this [rad]. Absent: every step is dt.
+  std::optional<double> max_turn;
   // An unconverged step is not taken but tried again as two of half the length, and so on up to
   // max_halvings times; then the run stops. false: it is taken and counted, and breaks no bond.
   bool stop_if_unconverged = true;
