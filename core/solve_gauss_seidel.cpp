@@ -67,7 +67,6 @@ SolveReport solve_gauss_seidel(const ContactProblem& problem, const SolverSettin
     inverse_delassus[c] = inverse_or_zero(
         delassus_diagonal(row, problem.inverse_mass[row.a], problem.inverse_mass[row.b]));
   }
-  velocity_from_impulses(problem, state.impulse, state.velocity);
 
   SolveReport report;
   const auto judge = [&] {

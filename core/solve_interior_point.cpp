@@ -134,8 +134,6 @@ SolveReport InteriorPoint::solve(const ContactProblem& problem, const SolverSett
     }
     // The velocity is taken from the impulses and not summed up, so that the two cannot part.
     velocity_from_impulses(problem, impulse_, velocity_);
-    velocity_from_impulses(problem, state.impulse, state.velocity);
-
     report.residual = residual(problem, state);
     report.converged = settings.accepts(report.residual);
     if (report.converged) return report;
@@ -147,7 +145,6 @@ SolveReport InteriorPoint::solve(const ContactProblem& problem, const SolverSett
     }
   }
   state.impulse = best_;
-  velocity_from_impulses(problem, state.impulse, state.velocity);
   report.residual = residual(problem, state);
   return report;
 }

@@ -27,7 +27,6 @@ SolveReport climb(const ContactProblem& problem, const SolverSettings& settings,
   constexpr double kNearShift = 1, kFarShift = 100;
   constexpr int kPolishSweeps = 500;
   SolveReport report;
-  velocity_from_impulses(problem, state.impulse, state.velocity);
   report.residual = residual(problem, state);
   report.converged = settings.accepts(report.residual);
   for (const double shift : {kNearShift, kFarShift}) {

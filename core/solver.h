@@ -67,7 +67,6 @@ struct ContactState {
 struct Residual {
   double natural = 0;    // worst projection residual over force_scale dt [1]
   double gap = 0;        // worst |gap error| over gap_tolerance where N > 0 [1]
-  double velocity = 0;   // worst |v - v(impulse)| over g dt [1]
 };
 
 // A word in the scene for each method; `automatic` ("auto") is the ladder described in solver.cpp.
