@@ -59,11 +59,16 @@ struct View {
   bool detail = true;   // a close-up of the intruder where a tall box leaves room for it
 
   Fit fit = Fit::box;
-  std::optional<WorldRect> window;    // shown instead of what `fit` finds; keeps a film steady
-  std::optional<Range> range;         // of a continuous colouring; from the data if absent
-  std::optional<double> force_scale;  // force of a line 0.4 d wide [F_g]; from the data if absent
-  std::optional<PhysicalScale> physical;  // adds SI units to the scale bar and the time
-  std::optional<double> text_size;        // [px]; follows from the size of the picture if absent
+  // Shown instead of what `fit` finds; keeps a film steady.
+  std::optional<WorldRect> window = std::nullopt;
+  // Of a continuous colouring; from the data if absent.
+  std::optional<Range> range = std::nullopt;
+  // Force of a line 0.4 d wide [F_g]; from the data if absent.
+  std::optional<double> force_scale = std::nullopt;
+  // Adds SI units to the scale bar and the time.
+  std::optional<PhysicalScale> physical = std::nullopt;
+  // [px]; follows from the size of the picture if absent.
+  std::optional<double> text_size = std::nullopt;
 };
 
 // Sizes that can be drawn [px].
