@@ -1,0 +1,57 @@
+#include "render/readings.h"
+
+#include <cmath>
+
+#include "core/measures.h"
+#include "render/font.h"
+#include "render/nice_numbers.h"
+
+namespace quicksand {
+namespace {
+
+std::string percent(double share) { return fixed_number(100 * share, 1) + " %"; }
+
+Reading time(const World& world, const View& view) {
+  const std::string unit = " √(" + italic("d") + "/" + italic("g") + ")";
+  Reading reading{italic("t") + " = " + fixed_number(world.time, 2) + unit,
+                  italic("t") + " = 0000.00" + unit};
+  if (view.physical && view.physical->gravity > 0) {
+    const double second = std::sqrt(view.physical->grain_diameter / view.physical->gravity);
+    reading.text += " = " + si_number(world.time * second, "s");
+    reading.longest += " = 00.0 ms";
+  }
+  return reading;
+}
+
+// How deep the lowest point of the intruder lies below the top of the grains.
+Reading depth(const World& world, const Sample& sample) {
+  Reading reading{{}, "intruder depth 000.0 " + italic("d")};
+  const int intruder = world.intruder();
+  if (intruder < 0) return reading;
+  const double lowest =
+      sample.intruder_position.y() - world.disks.radius[static_cast<std::size_t>(intruder)];
+  reading.text =
+      "intruder depth " + fixed_number(sample.packing_top - lowest, 1) + " " + italic("d");
+  return reading;
+}
+
+}  // namespace
+
+std::vector<Reading> readings(const World& world, const View& view) {
+  const Sample sample = measure(world);
+  std::vector<Reading> all{time(world, view)};
+  all.push_back({italic("N") + " = " + std::to_string(sample.grains), italic("N") + " = 00000"});
+  all.push_back(
+      {italic("Z") + " = " + fixed_number(sample.coordination, 2), italic("Z") + " = 0.00"});
+  if (world.box.width > 0) {
+    all.push_back(
+        {italic("φ") + " = " + fixed_number(sample.volume_fraction, 3), italic("φ") + " = 0.000"});
+  }
+  if (!world.bonds.list.empty() || world.grain_law.cohesion_force) {
+    all.push_back({"active bonds " + percent(sample.active_bond_fraction), "active bonds 100.0 %"});
+  }
+  all.push_back(depth(world, sample));
+  return all;
+}
+
+}  // namespace quicksand
