@@ -1,0 +1,184 @@
+#include "render/frame.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/errors.h"
+#include "render/palette.h"
+#include "tests/render/worlds.h"
+
+namespace quicksand {
+namespace {
+
+const Font& font() {
+  static const Font shared(12);
+  return shared;
+}
+
+// Disks of the list around this place of the world.
+long disks_at(const Frame& frame, const Vec2& place) {
+  const Vec2 pixel = frame.packing.camera.to_pixel(place);
+  return std::ranges::count_if(frame.list.disks(), [&](const DiskShape& disk) {
+    return std::hypot(disk.x - pixel.x(), disk.y - pixel.y()) < 0.01;
+  });
+}
+
+TEST(Frame, GrainAcrossAPeriodicSideIsDrawnAtBothSides) {
+  const Frame frame = compose(worlds::arch(), View{.legend = false}, font());
+  EXPECT_EQ(disks_at(frame, {7.9, 0.5}), 1);
+  EXPECT_EQ(disks_at(frame, {-0.1, 0.5}), 1);
+  // One that does not cross is drawn once.
+  EXPECT_EQ(disks_at(frame, {0.9, 0.5}), 1);
+  EXPECT_EQ(disks_at(frame, {8.9, 0.5}), 0);
+}
+
+TEST(Frame, GrainFarOutsideAPeriodicBoxIsDrawnInside) {
+  World world = worlds::arch();
+  world.disks.position[3].x() += 5 * world.box.width;
+  const Frame frame = compose(world, View{.legend = false}, font());
+  EXPECT_EQ(disks_at(frame, {2, 3.5}), 1);
+}
+
+TEST(Frame, BondAcrossAPeriodicSideIsDrawnAtBothSides) {
+  World world = worlds::arch();
+  std::erase_if(world.bonds.list, [](const Bond& bond) { return bond.pair != Pair{10, 11}; });
+  const View without{.legend = false, .numbers = false};
+  View with = without;
+  with.bonds = true;
+  EXPECT_EQ(compose(world, with, font()).list.segments().size(),
+            compose(world, without, font()).list.segments().size() + 2);
+}
+
+TEST(Frame, OnlyBrokenBondsThatAreStillCloseAreMarked) {
+  World world = worlds::arch();
+  const Colour broken = palette(Theme::light).broken;
+  const auto bars = [&] {
+    const Frame frame = compose(world, View{.legend = false}, font());
+    return std::ranges::count(frame.list.segments(), broken, &SegmentShape::colour);
+  };
+  EXPECT_EQ(bars(), 2);
+  world.disks.position[9].y() += 0.5;
+  EXPECT_EQ(bars(), 1);
+}
+
+TEST(Frame, ForcesThatPullHaveAnotherColourThanForcesThatPush) {
+  const Palette& colours = palette(Theme::light);
+  const Frame frame = compose(worlds::arch(), View{.forces = true, .legend = false}, font());
+  EXPECT_GT(std::ranges::count(frame.list.segments(), colours.tensile, &SegmentShape::colour), 1);
+  EXPECT_GT(std::ranges::count(frame.list.segments(), colours.compressive, &SegmentShape::colour),
+            1);
+}
+
+TEST(Frame, LegendNeverOverlapsThePacking) {
+  const std::vector<std::string> caption{"A long line about this picture, longer than its place"};
+  for (const auto& [width, height] : {std::pair(1280, 720),
+                                      {510, 1990},
+                                      {240, 200},
+                                      {800, 720},
+                                      {1920, 400},
+                                      {300, 900},
+                                      {120, 120}}) {
+    for (const ColouringInfo& entry : colourings()) {
+      for (const double box_height : {6.0, 60.0}) {
+        World world = worlds::arch_with_intruder();
+        world.box.height = box_height;
+        const View view{.width = width,
+                        .height = height,
+                        .colouring = entry.colouring,
+                        .bonds = true,
+                        .forces = true,
+                        .physical = PhysicalScale{.grain_diameter = 1e-3}};
+        const Font own(text_size(view));
+        const Frame frame = compose(world, view, own, caption);
+        EXPECT_FALSE(frame.layout.key.overlaps(frame.packing.clip))
+            << width << "x" << height << " " << entry.name << " " << box_height;
+        if (frame.detail) {
+          EXPECT_FALSE(frame.layout.key.overlaps(frame.detail->clip));
+          EXPECT_FALSE(frame.detail->clip.overlaps(frame.packing.clip));
+        }
+      }
+    }
+  }
+}
+
+TEST(Frame, LettersStayInsideThePictureAndOutOfThePacking) {
+  for (const auto& [width, height] : {std::pair(1280, 720), {510, 1990}, {800, 720}}) {
+    World world = worlds::arch_with_intruder();
+    world.box.height = 25;
+    const View view{.width = width, .height = height, .bonds = true, .forces = true};
+    const Frame frame = compose(world, view, Font(text_size(view)), {});
+    EXPECT_GT(frame.list.glyphs().size(), 50U);
+    for (const GlyphShape& glyph : frame.list.glyphs()) {
+      const PixelRect box{glyph.x, glyph.y, glyph.width, glyph.height};
+      EXPECT_GE(box.x, 0);
+      EXPECT_GE(box.y, 0);
+      EXPECT_LE(box.right(), width);
+      EXPECT_LE(box.bottom(), height);
+      EXPECT_FALSE(box.overlaps(frame.packing.clip));
+    }
+  }
+}
+
+TEST(Frame, NothingMovesWhenTheIntruderAppearsAndForcesGrow) {
+  World later = worlds::arch_with_intruder();
+  later.time = 1234.5;
+  for (Contact& contact : later.contacts) contact.impulse *= 30;
+  for (const auto& [width, height] : {std::pair(1280, 720), {510, 1990}, {300, 260}}) {
+    const View view{.width = width, .height = height, .forces = true};
+    const Frame before = compose(worlds::arch(), view, font());
+    const Frame after = compose(later, view, font());
+    EXPECT_EQ(before.packing.clip, after.packing.clip);
+    EXPECT_EQ(before.layout.key, after.layout.key);
+  }
+}
+
+TEST(Frame, TallPackingInAWidePictureGetsACloseUpOfTheIntruder) {
+  World world = worlds::arch_with_intruder();
+  world.box.height = 60;
+  const Frame frame = compose(world, View{}, font());
+  ASSERT_TRUE(frame.detail);
+  EXPECT_GT(frame.detail->camera.scale(), 3 * frame.packing.camera.scale());
+  const Vec2 intruder = frame.detail->camera.to_pixel({6.5, 4.7});
+  EXPECT_GT(intruder.y(), frame.detail->clip.y);
+  EXPECT_LT(intruder.y(), frame.detail->clip.bottom());
+  EXPECT_FALSE(compose(world, View{.detail = false}, font()).detail);
+}
+
+TEST(Frame, TallSystemKeepsItsPixelsPerGrain) {
+  World world = worlds::arch();
+  world.box.width = 51;
+  world.box.height = 199;
+  const View view{.width = 510, .height = 1990};
+  const Frame frame = compose(world, view, Font(text_size(view)));
+  EXPECT_GT(frame.packing.camera.scale(), 9.2);
+}
+
+TEST(Frame, WithoutLegendThePackingHasThePicture) {
+  const View view{
+      .width = 400, .height = 200, .legend = false, .scale_bar = false, .numbers = false};
+  const Frame frame = compose(worlds::arch(), view, font());
+  EXPECT_TRUE(frame.list.glyphs().empty());
+  EXPECT_NEAR(frame.packing.clip.height, 200, 1e-6);
+}
+
+TEST(Frame, EmptyWorldIsAPicture) {
+  World world;
+  EXPECT_NO_THROW(compose(world, View{}, font()));
+  world.box = {.width = 0, .height = 0, .sides = Sides::open, .floor = false};
+  EXPECT_NO_THROW(compose(world, View{}, font()));
+}
+
+TEST(Frame, ViewsThatCannotBeDrawnAreRefused) {
+  const World world = worlds::arch();
+  EXPECT_THROW(compose(world, View{.width = 10}, font()), InputError);
+  EXPECT_THROW(compose(world, View{.height = 100000}, font()), InputError);
+  EXPECT_THROW(compose(world, View{.window = WorldRect{{0, 0}, {0, 5}}}, font()), InputError);
+  EXPECT_THROW(compose(world, View{.range = Range{1, 1}}, font()), InputError);
+  EXPECT_THROW(compose(world, View{.force_scale = 0}, font()), InputError);
+  EXPECT_THROW(compose(world, View{.text_size = 1000}, font()), InputError);
+}
+
+}  // namespace
+}  // namespace quicksand

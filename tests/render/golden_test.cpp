@@ -1,0 +1,103 @@
+// One feature a picture.
+#include "tests/render/golden.h"
+
+#include <gtest/gtest.h>
+
+#include "render/renderer.h"
+#include "tests/render/worlds.h"
+
+namespace quicksand {
+namespace {
+
+// Only the packing, small.
+View bare() {
+  return {.width = 200,
+          .height = 150,
+          .broken_bonds = false,
+          .legend = false,
+          .scale_bar = false,
+          .numbers = false};
+}
+
+class Golden : public testing::Test {
+ protected:
+  static void SetUpTestSuite() { renderer = std::make_unique<Renderer>(); }
+  static void TearDownTestSuite() { renderer.reset(); }
+  static Image draw(const World& world, const View& view,
+                    const std::vector<std::string>& caption = {}) {
+    return renderer->draw(world, view, caption);
+  }
+  static std::unique_ptr<Renderer> renderer;
+};
+std::unique_ptr<Renderer> Golden::renderer;
+
+TEST_F(Golden, ActiveBondsIntruderAndPeriodicImages) {
+  golden::expect_same(draw(worlds::arch_with_intruder(), bare()), "active_bonds");
+}
+
+TEST_F(Golden, InitialBondsAndBrokenBonds) {
+  View view = bare();
+  view.colouring = Colouring::initial_bonds;
+  view.broken_bonds = true;
+  golden::expect_same(draw(worlds::arch_with_intruder(), view), "initial_bonds");
+}
+
+TEST_F(Golden, SpeedInTheDarkWithOrientation) {
+  View view = bare();
+  view.theme = Theme::dark;
+  view.colouring = Colouring::speed;
+  view.orientation = true;
+  golden::expect_same(draw(worlds::arch_with_intruder(), view), "speed_dark");
+}
+
+TEST_F(Golden, BondNetwork) {
+  View view = bare();
+  view.bonds = true;
+  golden::expect_same(draw(worlds::arch(), view), "bonds");
+}
+
+TEST_F(Golden, ForceNetwork) {
+  View view = bare();
+  view.forces = true;
+  view.force_scale = 10;
+  golden::expect_same(draw(worlds::arch(), view), "forces");
+}
+
+TEST_F(Golden, WallsAndPiston) {
+  View view = bare();
+  view.colouring = Colouring::coordination;
+  golden::expect_same(draw(worlds::between_walls(), view), "walls");
+}
+
+TEST_F(Golden, LegendAsAStrip) {
+  const View view{.width = 320,
+                  .height = 400,
+                  .bonds = true,
+                  .physical = PhysicalScale{.grain_diameter = 5e-4}};
+  golden::expect_same(draw(worlds::arch_with_intruder(), view, {"An arch"}), "legend_strip");
+}
+
+TEST_F(Golden, LegendAsAColumnWithACloseUp) {
+  World world = worlds::arch_with_intruder();
+  world.box.height = 30;
+  const View view{.width = 480,
+                  .height = 270,
+                  .theme = Theme::dark,
+                  .colouring = Colouring::pressure,
+                  .forces = true};
+  golden::expect_same(draw(world, view, {"An arch", "pushed"}), "legend_column");
+}
+
+TEST_F(Golden, SameWorldAndViewGiveTheSameBytes) {
+  const World world = worlds::arch_with_intruder();
+  const View view{.width = 400, .height = 300, .bonds = true, .forces = true};
+  const Image first = draw(world, view);
+  draw(worlds::arch(), View{.width = 640, .height = 480});
+  EXPECT_EQ(draw(world, view), first);
+  Renderer another;
+  EXPECT_EQ(another.draw(world, view), first);
+  EXPECT_EQ(draw(world, view), first);
+}
+
+}  // namespace
+}  // namespace quicksand
