@@ -1,8 +1,8 @@
 // Strict JSON text: what an editor accepts silently and a reader would guess at is refused here.
 //
-// Refused, with line and column: syntax errors, duplicate keys, numbers that are not finite, nesting
-// deeper than kMaxDepth, objects of more than kMaxKeys, texts larger than kMaxBytes. Key order is
-// kept.
+// Refused: syntax errors and numbers that are not finite, with line and column; duplicate keys, with
+// the object that they are in; nesting deeper than kMaxDepth, objects of more than kMaxKeys, texts
+// larger than kMaxBytes. Key order is kept.
 #pragma once
 
 #include <cstddef>

@@ -81,7 +81,8 @@ void ProgressLine::show(const Protocol& protocol) {
   if (new_phase) begin_phase(protocol);
   const double since_shown = seconds(Clock::now() - shown_);
   const double period = style_ == Style::terminal ? kTerminalPeriod : kLinesPeriod;
-  @ @new_phase&& style_ == Style::lines;
+  const bool heads = new_phase && style_ == Style::lines;
+  if (since_shown < period && !heads) return;
   const std::string text = heads ? heading(protocol) : line(protocol, since_shown);
   if (style_ == Style::terminal) {
     const std::string blanks(width_ > text.size() ? width_ - text.size() : 0, ' ');

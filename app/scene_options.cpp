@@ -12,7 +12,7 @@ void add_scene_options(CLI::App& command, SceneRequest& request) {
       ->allow_extra_args(false);
   command.add_option("--seed", request.seed, "of the random numbers, instead of the scene's")
       ->type_name("N")
-      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 53U, "whole number"));
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 53U).description(""));
 }
 
 }  // namespace quicksand
