@@ -56,11 +56,12 @@ int report(const RunResult& result, const Options& options) {
                   static_cast<long long>(result.end.steps), folder.c_str(), go_on.c_str());
       return kInterrupted;
     case RunEnd::How::failed:
-      std::fprintf(stderr,
-                   "quicksand: the run failed: %s\n  results so far are in %s\n"
-                   "  continue with: %s --set step.dt=TIME (a shorter step),\n"
-                   "  or with --set step.on_unconverged=continue to accept such steps\n",
-                   result.end.failure.c_str(), folder.c_str(), go_on.c_str());
+      std::fprintf(
+          stderr,
+          "quicksand: the run failed: %s\n  results so far are in %s\n"
+          "  continue with: %s --set step.max_halvings=16\n"
+          "  or, to take such steps as they are, with --set step.on_unconverged=continue\n",
+          result.end.failure.c_str(), folder.c_str(), go_on.c_str());
       return kRunFailed;
   }
   return kRunFailed;

@@ -58,7 +58,9 @@ class Builder : public nlohmann::json_sax<Json> {
     } else if (problem.find("number overflow") != std::string::npos) {
       problem = "the number " + token + " is not finite in double precision";
     }
-    throw InputError("", "not valid JSON at " + line_and_column(text_, position == 0 ? 0 : position - 1) + ": " + problem);
+    throw InputError("", "not valid JSON at " +
+                             line_and_column(text_, position == 0 ? 0 : position - 1) + ": " +
+                             problem);
   }
 
  private:

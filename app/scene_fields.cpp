@@ -9,14 +9,15 @@ namespace {
 
 // Words in the order of the enums. A new solver is one more word here.
 constexpr std::string_view kSides[] = {"open", "periodic", "walls"};
-constexpr std::string_view kBreakRules[] = {"linearised", "geometric"};
-constexpr std::string_view kOnUnconverged[] = {"continue", "stop"};
+constexpr std::string_view kBreakRules[] = {"energy", "linearised", "geometric"};
+constexpr std::string_view kOnUnconverged[] = {"continue", "halve"};
 constexpr std::string_view kMethods[] = {"auto", "interior_point", "gauss_seidel"};
 constexpr std::string_view kInitialBonds[] = {"none", "touching"};
 constexpr std::string_view kWallRoles[] = {"floor", "side", "piston"};
 
 constexpr std::int64_t kMaxSeed = std::int64_t{1} << 53U;  // JavaScript editors keep these exact
 constexpr std::int64_t kMaxIterations = 1'000'000'000;
+constexpr std::int64_t kMaxHalvings = 30;
 constexpr std::size_t kMaxWalls = 1000;
 constexpr std::size_t kMaxPhases = 1000;
 constexpr double kRadius = 0.5;  // lengths in the file are diameters or in r = d/2
@@ -84,12 +85,20 @@ void describe_law(Fields& f, ContactLaw& law) {
 
 void describe_step(Fields& f, StepSettings& step) {
   f.number({"dt", "time step; a phase may have its own"}, above(0, 1, "sqrt(d/g)"), step.dt);
-  f.choice({"break_rule", "how a bond's gap is predicted when it is judged"}, kBreakRules,
-           step.break_rule);
+  f.choice({"break_rule", "when a bond breaks: by the energy of an impact, or by its gap alone"},
+           kBreakRules, step.break_rule);
   f.flag({"curvature_term", "second-order gap of bonded contacts, which lets bonded pairs rotate"},
          step.curvature_term);
-  f.choice({"on_unconverged", "what to do after a step whose residual is above the tolerance"},
+  f.number({"max_turn", "divides the step until no bonded pair turns farther; absent: fixed step"},
+           above(0, 1, "rad"), step.max_turn);
+  f.choice({"on_unconverged",
+            "continue: such a step is taken and counted, and breaks no bond; halve: it is tried "
+            "again as two halves, up to max_halvings times, then the run stops"},
            kOnUnconverged, step.stop_if_unconverged);
+  std::int64_t halvings = step.max_halvings;
+  f.integer({"max_halvings", "see on_unconverged; 0: the run stops at once"}, 0, kMaxHalvings,
+            halvings);
+  step.max_halvings = static_cast<int>(halvings);
 }
 
 void describe_solver(Fields& f, SolverSettings& solver) {

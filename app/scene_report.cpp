@@ -154,6 +154,9 @@ std::string scene_report(const Scenario& s) {
   text += line("step", "dt = " + number(s.step.dt) + " sqrt(d/g), " +
                            word(scene, "step", "break_rule") + " break rule" +
                            (s.step.curvature_term ? " with curvature term" : "") +
+                           (s.step.max_turn ? ", no bonded pair turns by more than " +
+                                                  number(*s.step.max_turn) + " rad a step"
+                                            : std::string()) +
                            "; an unconverged step: " + word(scene, "step", "on_unconverged"));
   text += line("solver", word(scene, "solver", "method") + " to a residual of " +
                              number(s.solver.tolerance) + ", at most " +

@@ -57,6 +57,7 @@ Json summary(const Scenario& scenario, const World& world, const ProtocolState& 
   json["total_factorisations"] = state.factorisations;
   json["worst_residual"] = state.worst_residual;
   json["unconverged_steps"] = state.unconverged_steps;
+  json["halved_steps"] = state.halved_steps;
   json["bonds_broken_in_unconverged_steps"] = state.broken_in_unconverged;
   json["bond_breaks_withheld"] = state.breaks_withheld;
   json["model_terms"] = model_terms(scenario);
