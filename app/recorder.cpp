@@ -5,11 +5,12 @@
 
 namespace quicksand {
 
-void Recorder::count(const StepReport& step) {
-  pending_.residual = std::max(pending_.residual, step.solve.residual.natural);
-  pending_.iterations += step.solve.iterations;
-  pending_.factorisations += step.solve.factorisations;
-  pending_.unconverged += step.converged ? 0 : 1;
+void Recorder::count(const ProtocolState& before, const Protocol& after) {
+  const ProtocolState& now = after.state();
+  pending_.residual = std::max(pending_.residual, after.last_step().solve.residual.natural);
+  pending_.iterations += now.iterations - before.iterations;
+  pending_.factorisations += now.factorisations - before.factorisations;
+  pending_.unconverged += now.unconverged_steps - before.unconverged_steps;
 }
 
 void Recorder::sample(const World& world, const std::string& phase) {

@@ -6,7 +6,7 @@
 
 #include "app/film.h"
 #include "app/series.h"
-#include "core/step.h"
+#include "core/protocols.h"
 
 namespace quicksand {
 
@@ -15,8 +15,8 @@ class Recorder {
   // `film` may be null: no frames. Both must outlive the recorder.
   Recorder(Series& series, Film* film) : series_(series), film_(film) {}
 
-  // Counts what a step tells, until the next sample.
-  void count(const StepReport& step);
+  // Counts what a step tells, until the next sample; a halved step made several.
+  void count(const ProtocolState& before, const Protocol& after);
   // Does nothing if this world was sampled already: nothing moved and no body was added.
   void sample(const World& world, const std::string& phase);
 

@@ -126,7 +126,7 @@ class Run {
     }
     const Progress progress = protocol_.advance();
     const World& world = protocol_.world();
-    if (world.step != step_before) recorder_.count(protocol_.last_step());
+    if (world.step != step_before) recorder_.count(before, protocol_);
     if (times_.due(world.time)) recorder_.sample(world, phase_);
     if (progress == Progress::phase_ended) recorder_.sample(world, phase_);
     return progress;
