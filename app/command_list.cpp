@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <iterator>
 #include <memory>
 
 #include "app/assets.h"
@@ -67,7 +68,7 @@ int list(const std::string& what) {
   const auto known = std::ranges::find(kListings, what, &Listing::name);
   if (known == kListings.end()) {
     std::vector<std::string> names;
-    for (const Listing& listing : kListings) names.emplace_back(listing.name);
+    std::ranges::transform(kListings, std::back_inserter(names), &Listing::name);
     throw InputError("list " + what, "is nothing that can be listed" + suggestion(what, names));
   }
   known->print();

@@ -25,7 +25,7 @@ struct Options {
 
 // A path as a shell takes it.
 std::string quoted(const std::filesystem::path& path) {
-  const std::string text = path.string();
+  std::string text = path.string();
   if (text.find_first_of(" '\"$&()*;<>?[\\]`|~!#") == std::string::npos) return text;
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);

@@ -24,7 +24,7 @@ std::string with_prefix(double value, const std::string& unit) {
   constexpr auto kPrefixes =
       std::to_array<const char*>({"a", "f", "p", "n", "u", "m", "", "k", "M", "G", "T", "P", "E"});
   constexpr int kNone = 6;
-  int thousands = 0;
+  int thousands = 0;  // powers of thousand
   if (value != 0) {
     // Three digits are printed: what rounds to 1000 belongs to the next prefix.
     constexpr double kRounded = 999.5;
@@ -34,7 +34,7 @@ std::string with_prefix(double value, const std::string& unit) {
   }
   std::array<char, 64> text{};
   std::snprintf(text.data(), text.size(), "%.3g %s", value / std::pow(10.0, 3 * thousands),
-                kPrefixes[static_cast<std::size_t>(thousands + kNone)]);
+                kPrefixes.begin()[thousands + kNone]);
   return text.data() + unit;
 }
 
