@@ -56,6 +56,11 @@ int report(const RunResult& result, const Options& options) {
                   static_cast<long long>(result.end.steps), folder.c_str(), go_on.c_str());
       return kInterrupted;
     case RunEnd::How::failed:
+      if (result.end.unwritable) {
+        std::fprintf(stderr, "quicksand: the run ended early: %s\n  what was written is in %s\n",
+                     result.end.failure.c_str(), folder.c_str());
+        return kRunFailed;
+      }
       std::fprintf(
           stderr,
           "quicksand: the run failed: %s\n  results so far are in %s\n"

@@ -76,6 +76,7 @@ class Run {
   static void fail(RunEnd& end, const InputError& error) {
     end.how = RunEnd::How::failed;
     end.failure = error.where() + ": " + error.what();
+    end.unwritable = true;
   }
 
   // A run that goes on in its own folder appends to what is there.

@@ -14,6 +14,7 @@ struct RunEnd {
   enum class How : std::uint8_t { finished, interrupted, failed };
   How how = How::finished;
   std::string failure;      // a sentence, if failed
+  bool unwritable = false;  // failed because results could not be written
   std::int64_t steps = 0;   // of this run; a continued run counts its own
   double wall_seconds = 0;  // of this run, pictures included
 };
