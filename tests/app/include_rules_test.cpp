@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <fstream>
-#include <regex>
+#include <string_view>
+#include <vector>
 
 #include "tests/support/files.h"
 
@@ -17,8 +18,17 @@ struct Include {
   std::string header;  // as written
 };
 
+// The header of an #include line; empty for any other line.
+std::string header_of(const std::string& line) {
+  constexpr std::string_view kDirective = "#include";
+  const std::size_t start = line.find_first_not_of(" \t");
+  if (start == std::string::npos || !line.substr(start).starts_with(kDirective)) return {};
+  const std::size_t open = line.find_first_of("<\"", start);
+  const std::size_t close = line.find_first_of(">\"", open + 1);
+  return line.substr(open + 1, close - open - 1);
+}
+
 std::vector<Include> includes() {
-  const std::regex line_of(R"re(^\s*#\s*include\s*[<"]([^">]+)[">])re");
   std::vector<Include> found;
   for (const char* folder : {"app", "core", "render", "tests"}) {
     for (const auto& entry : fs::recursive_directory_iterator(kSource / folder)) {
@@ -26,46 +36,52 @@ std::vector<Include> includes() {
       if (extension != ".h" && extension != ".cpp") continue;
       std::ifstream file(entry.path());
       std::string line;
-      std::smatch match;
       while (std::getline(file, line)) {
-        if (!std::regex_search(line, match, line_of)) continue;
-        found.push_back({fs::relative(entry.path(), kSource).string(), match[1]});
+        const std::string header = header_of(line);
+        if (!header.empty()) {
+          found.push_back({fs::relative(entry.path(), kSource).string(), header});
+        }
       }
     }
   }
   return found;
 }
 
-// Expects that headers matching `header` are included only by files matching `allowed`.
-void expect_only(const char* header, const char* allowed) {
-  const std::regex header_pattern(header);
-  const std::regex allowed_pattern(allowed);
+using Prefixes = std::vector<std::string>;
+
+bool starts_with_any(const std::string& text, const Prefixes& prefixes) {
+  return std::ranges::any_of(prefixes,
+                             [&](const auto& prefix) { return text.starts_with(prefix); });
+}
+
+// Expects that these headers are included only by these files.
+void expect_only(const Prefixes& headers, const Prefixes& files) {
   for (const Include& include : includes()) {
-    if (!std::regex_search(include.header, header_pattern)) continue;
-    EXPECT_TRUE(std::regex_search(include.file, allowed_pattern))
+    if (!starts_with_any(include.header, headers)) continue;
+    EXPECT_TRUE(starts_with_any(include.file, files))
         << include.file << " must not include " << include.header;
   }
 }
 
 TEST(Includes, FollowTheLayers) {
   ASSERT_GT(includes().size(), 100U);
-  expect_only("^app/", "^(app|tests)/");
-  expect_only("^render/", "^(app|render|tests)/");
-  expect_only("^tests/", "^tests/");
+  expect_only({"app/"}, {"app/", "tests/"});
+  expect_only({"render/"}, {"app/", "render/", "tests/"});
+  expect_only({"tests/"}, {"tests/"});
 }
 
 TEST(Includes, JsonStaysInTheProgramAndTheCheckpoint) {
-  expect_only("^nlohmann/", "^(app/|core/checkpoint)");
+  expect_only({"nlohmann/"}, {"app/", "core/checkpoint"});
 }
 
-TEST(Includes, TheCommandLineLibraryStaysInTheProgram) { expect_only("^CLI/", "^app/"); }
+TEST(Includes, TheCommandLineLibraryStaysInTheProgram) { expect_only({"CLI/"}, {"app/"}); }
 
 TEST(Includes, OsmesaAndGlStayInTheirFiles) {
-  expect_only("osmesa", "^render/offscreen");
-  expect_only("^(GL|GLES.*)/", "^render/(offscreen|gl_table)");
+  expect_only({"GL/osmesa"}, {"render/offscreen"});
+  expect_only({"GL/", "GLES"}, {"render/offscreen", "render/gl_table"});
 }
 
-TEST(Includes, PictureLibrariesStayInRender) { expect_only("^(stb|libdeflate)", "^render/"); }
+TEST(Includes, PictureLibrariesStayInRender) { expect_only({"stb", "libdeflate"}, {"render/"}); }
 
 TEST(Includes, OfOwnFilesAreWrittenFromTheRoot) {
   for (const Include& include : includes()) {

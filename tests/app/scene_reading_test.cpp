@@ -1,6 +1,8 @@
 // What a scene file must not say, and how the refusal helps.
 #include <gtest/gtest.h>
 
+#include <ostream>
+
 #include "app/scenario_json.h"
 #include "app/scene_file.h"
 #include "core/errors.h"
@@ -41,6 +43,9 @@ struct Mistake {
   const char* change;               // of the plain scene
   std::vector<const char*> answer;  // what the message must contain
 };
+
+// What test reports call it.
+void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.change; }
 
 class SceneMistake : public TestWithParam<Mistake> {};
 
