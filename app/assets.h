@@ -1,0 +1,19 @@
+// Where the shipped scenes are.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace quicksand {
+
+// $QUICKSAND_ASSETS, else ../assets beside the program, else the source tree it was built from.
+std::filesystem::path assets_folder();
+
+// Sorted by name; empty if there is no such folder.
+std::vector<std::filesystem::path> shipped_scenes();
+
+// assets/scenes/NAME.json, relative to the working folder where that is shorter.
+std::filesystem::path shipped_scene(const std::string& name);
+
+}  // namespace quicksand

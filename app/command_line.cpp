@@ -1,0 +1,92 @@
+#include "app/command_line.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "app/nearest_name.h"
+#include "core/errors.h"
+#include "render/render_error.h"
+
+namespace quicksand {
+
+namespace {
+
+int complain(const std::string& problem, int exit_code) {
+  std::fprintf(stderr, "quicksand: %s\n", problem.c_str());
+  return exit_code;
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+// The message for what the library does not understand, with the nearest name.
+std::string explain(const CLI::ParseError& error, const CLI::App& program,
+                    const std::vector<Command>& commands) {
+  const CLI::App* used = &program;
+  std::vector<std::string> command_names;
+  for (const Command& command : commands) {
+    command_names.push_back(command.app->get_name());
+    if (command.app->parsed()) used = command.app;
+  }
+  const std::string help = " (see `quicksand " +
+                           (used == &program ? std::string() : used->get_name() + " ") + "--help`)";
+  for (const std::string& word : program.remaining(true)) {
+    if (word.starts_with("-")) {
+      const std::string option = word.substr(0, word.find('='));
+      return option + " is no option of " + used->get_name() +
+             suggestion(option, option_names(*used)) + help;
+    }
+    if (used == &program) {
+      return "\"" + word + "\" is no command" + suggestion(word, command_names) + help;
+    }
+    return "\"" + word + "\" is one argument too many for " + used->get_name() + help;
+  }
+  return error.what() + help;
+}
+
+}  // namespace
+
+int run_command_line(int argc, const char* const* argv) {
+  CLI::App program("Contact dynamics of cohesive grain packings.", "quicksand");
+  program.set_version_flag("--version", std::string("quicksand ") + QUICKSAND_VERSION);
+  program.require_subcommand(1);
+  program.footer("Example:\n  quicksand run assets/scenes/collapse.json");
+  const std::vector<Command> commands{add_run(program), add_check(program), add_render(program),
+                                      add_list(program)};
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& request) {
+    return program.exit(request);  // --help, --version
+  } catch (const CLI::ParseError& error) {
+    return complain(explain(error, program, commands), kBadInput);
+  }
+
+  try {
+    const auto called =
+        std::ranges::find_if(commands, [](const Command& c) { return c.app->parsed(); });
+    return called->run();
+  } catch (const InputError& error) {
+    return complain(error.where() + ": " + error.what(), kBadInput);
+  } catch (const RenderError& error) {
+    return complain(
+        std::string("no pictures: ") + error.what() + "; `run --no-frames` does without",
+        kBadInput);
+  } catch (const std::bad_alloc&) {
+    return complain("there is not enough memory for this", kRunFailed);
+  } catch (const std::exception& error) {
+    return complain(std::string("an unexpected error: ") + error.what(), kRunFailed);
+  }
+}
+
+}  // namespace quicksand

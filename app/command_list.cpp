@@ -1,0 +1,91 @@
+// quicksand list: what there is to choose from.
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <iterator>
+#include <memory>
+
+#include "app/assets.h"
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "app/nearest_name.h"
+#include "app/quantities.h"
+#include "app/scenario_json.h"
+#include "app/scene_file.h"
+#include "core/errors.h"
+#include "render/view.h"
+
+namespace quicksand {
+
+namespace {
+
+std::string first_sentence(const std::string& text) {
+  const std::size_t end = text.find(". ");
+  return end == std::string::npos ? text : text.substr(0, end + 1);
+}
+
+void print(std::string_view name, std::string_view unit, std::string_view help) {
+  std::printf("%-24s %-13s %s\n", std::string(name).c_str(),
+              ("[" + std::string(unit) + "]").c_str(), std::string(help).c_str());
+}
+
+void list_scenes() {
+  const auto scenes = shipped_scenes();
+  if (scenes.empty()) {
+    throw InputError(assets_folder().string(), "has no scenes; QUICKSAND_ASSETS names the folder");
+  }
+  for (const auto& path : scenes) {
+    std::string description;
+    try {
+      description = first_sentence(read_scene({path, {}, {}}).description);
+    } catch (const InputError& error) {
+      description = "cannot be read: " + error.where() + ": " + error.what();
+    }
+    std::printf("%s\n    %s\n", shipped_scene(path.stem().string()).c_str(), description.c_str());
+  }
+}
+
+void list_colours() {
+  for (const ColouringInfo& known : colourings()) print(known.name, known.unit, known.description);
+}
+
+void list_quantities() {
+  for (const Quantity& known : quantities()) print(known.name, known.unit, known.help);
+}
+
+void list_schema() { std::printf("%s\n", scene_schema().dump(2).c_str()); }
+
+struct Listing {
+  const char* name;
+  void (*print)();
+};
+constexpr auto kListings = std::to_array<Listing>({{"scenes", list_scenes},
+                                                   {"colours", list_colours},
+                                                   {"quantities", list_quantities},
+                                                   {"schema", list_schema}});
+
+int list(const std::string& what) {
+  const auto known = std::ranges::find(kListings, what, &Listing::name);
+  if (known == kListings.end()) {
+    std::vector<std::string> names;
+    std::ranges::transform(kListings, std::back_inserter(names), &Listing::name);
+    throw InputError("list " + what, "is nothing that can be listed" + suggestion(what, names));
+  }
+  known->print();
+  return kFine;
+}
+
+}  // namespace
+
+Command add_list(CLI::App& program) {
+  CLI::App* command =
+      program.add_subcommand("list", "list scenes, colours, quantities or the scenes' schema");
+  const auto what = std::make_shared<std::string>();
+  command->add_option("what", *what, "scenes, colours, quantities or schema")
+      ->type_name("WHAT")
+      ->required();
+  command->footer("Example:\n  quicksand list quantities");
+  return {command, [what] { return list(*what); }};
+}
+
+}  // namespace quicksand

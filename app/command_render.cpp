@@ -1,0 +1,63 @@
+// quicksand render: draws a checkpoint.
+#include <cstdio>
+#include <memory>
+
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "app/film.h"
+#include "app/picture_options.h"
+#include "app/scenario_json.h"
+#include "core/checkpoint.h"
+#include "core/errors.h"
+#include "render/png.h"
+
+namespace quicksand {
+
+namespace {
+
+struct Options {
+  std::filesystem::path state;
+  std::filesystem::path out;
+  PictureOptions picture;
+};
+
+int render(const Options& options) {
+  const View view = view_from(options.picture);
+  const Checkpoint checkpoint = read_checkpoint(options.state);
+  Scenario scenario;
+  try {
+    scenario = scenario_from_json(parse_json(checkpoint.scene));
+  } catch (const InputError& error) {
+    throw InputError(options.state.string(), "holds a scene that this version cannot read: " +
+                                                 error.where() + " " + error.what());
+  }
+  const auto phase = static_cast<std::size_t>(checkpoint.protocol.phase);
+  const std::string caption[] = {scenario.name,
+                                 phase < scenario.phases.size()
+                                     ? std::string(phase_name(scenario.phases[phase]))
+                                     : std::string("end")};
+  Renderer renderer;
+  write_png(options.out, renderer.draw(checkpoint.world, view_of(scenario, view), caption));
+  std::printf("%s\n", options.out.c_str());
+  return kFine;
+}
+
+}  // namespace
+
+Command add_render(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("render", "draw the state of a run");
+  const auto options = std::make_shared<Options>();
+  command->add_option("state", options->state, "checkpoint of a run")
+      ->type_name("STATE.cbor")
+      ->required();
+  command->add_option("--out", options->out, "picture to write")
+      ->type_name("IMAGE.png")
+      ->required();
+  add_picture_options(*command, options->picture);
+  command->footer(
+      "Example:\n  quicksand render out/collapse/state.cbor --out collapse.png --theme dark "
+      "--bonds");
+  return {command, [options] { return render(*options); }};
+}
+
+}  // namespace quicksand

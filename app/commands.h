@@ -1,0 +1,21 @@
+// The subcommands. Each adds itself to the command line and, if it was called, runs and returns the
+// exit code; bad input leaves as InputError.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace quicksand {
+
+// What to run when the command line names this command.
+struct Command {
+  CLI::App* app = nullptr;
+  std::function<int()> run;
+};
+
+Command add_run(CLI::App& program);
+Command add_check(CLI::App& program);
+Command add_render(CLI::App& program);
+Command add_list(CLI::App& program);
+
+}  // namespace quicksand

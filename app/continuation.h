@@ -1,0 +1,15 @@
+// --continue STATE.cbor: a run goes on where another one stopped.
+#pragma once
+
+#include <filesystem>
+
+#include "core/checkpoint.h"
+#include "core/scenario.h"
+
+namespace quicksand {
+
+// Reads the state and checks that `scenario` is the scene that led to it: name, description, step,
+// solver and the phases to come may differ, the physics may not. Throws InputError.
+Checkpoint read_continuation(const std::filesystem::path& state, const Scenario& scenario);
+
+}  // namespace quicksand

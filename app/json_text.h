@@ -1,0 +1,28 @@
+// Strict JSON text: what an editor accepts silently and a reader would guess at is refused here.
+//
+// Refused: syntax errors and numbers that are not finite, with line and column; duplicate keys, with
+// the object that they are in; nesting deeper than kMaxDepth, objects of more than kMaxKeys, texts
+// larger than kMaxBytes. Key order is kept.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+namespace quicksand {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMaxBytes = std::size_t{64} << 20U;
+constexpr int kMaxDepth = 64;
+constexpr std::size_t kMaxKeys = 1000;
+
+// Throws InputError, whose `where` is empty; line and column are in the message.
+Json parse_json(std::string_view text);
+
+// Contents of a file of at most kMaxBytes. Throws InputError if there is none or it is no file.
+std::string read_text(const std::filesystem::path& path);
+
+}  // namespace quicksand

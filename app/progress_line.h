@@ -1,0 +1,42 @@
+// What a user sees while a run computes: on a terminal one line that is written over, elsewhere a line
+// at the beginning of each phase and every ten seconds.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+#include "core/protocols.h"
+
+namespace quicksand {
+
+class ProgressLine {
+ public:
+  enum class Style : std::uint8_t { none, lines, terminal };
+  // What suits standard error.
+  static Style style_of_stderr(bool quiet);
+
+  explicit ProgressLine(Style style);
+
+  // After each call of Protocol::advance(); shows something only when it is time to.
+  void show(const Protocol& protocol);
+  // Leaves the line that was written over.
+  void end();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void begin_phase(const Protocol& protocol);
+  static std::string heading(const Protocol& protocol);
+  std::string line(const Protocol& protocol, double seconds_since_shown);
+
+  Style style_;
+  Clock::time_point shown_;
+  Clock::time_point phase_began_;
+  std::int64_t shown_step_ = 0;
+  int phase_ = -1;
+  double phase_began_at_ = 0;  // share of the phase that was done then
+  std::size_t width_ = 0;      // of what stands on the terminal's line
+};
+
+}  // namespace quicksand

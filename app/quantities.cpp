@@ -1,0 +1,84 @@
+#include "app/quantities.h"
+
+#include "app/json_reader.h"
+
+namespace quicksand {
+
+namespace {
+
+// The intruder's values exist only where there is one.
+Value of_intruder(const Row& row, double value) {
+  return row.sample.has_intruder ? Value(value) : Value();
+}
+
+const Quantity kQuantities[] = {
+    {"time", "sqrt(d/g)", "since the beginning",
+     [](const Row& r) -> Value { return r.sample.time; }},
+    {"step", "1", "time steps since the beginning",
+     [](const Row& r) -> Value { return r.sample.step; }},
+    {"phase", "1", "name of the phase", [](const Row& r) -> Value { return r.phase; }},
+    {"grains", "1", "number of grains, intruders left out",
+     [](const Row& r) -> Value { return r.sample.grains; }},
+    {"kinetic_energy", "F_g d", "of translation",
+     [](const Row& r) -> Value { return r.sample.energy.kinetic; }},
+    {"rotational_energy", "F_g d", "of rotation",
+     [](const Row& r) -> Value { return r.sample.energy.rotational; }},
+    {"potential_energy", "F_g d", "in gravity, relative to the origin",
+     [](const Row& r) -> Value { return r.sample.energy.potential; }},
+    {"max_speed", "sqrt(g d)", "of the fastest body",
+     [](const Row& r) -> Value { return r.sample.max_speed; }},
+    {"packing_top", "d", "height of the highest grain's top",
+     [](const Row& r) -> Value { return r.sample.packing_top; }},
+    {"volume_fraction", "1", "of the lower 70 % of the packing",
+     [](const Row& r) -> Value { return r.sample.volume_fraction; }},
+    {"coordination", "1", "mean number of touching neighbours of a grain",
+     [](const Row& r) -> Value { return r.sample.coordination; }},
+    {"coordination_loaded", "1", "... of those that carry a force or a bond",
+     [](const Row& r) -> Value { return r.sample.coordination_loaded; }},
+    {"contacts", "1", "number of touching contacts",
+     [](const Row& r) -> Value { return r.sample.contacts; }},
+    {"active_bond_fraction", "1", "active bonds over touching contacts",
+     [](const Row& r) -> Value { return r.sample.active_bond_fraction; }},
+    {"remaining_bond_fraction", "1", "active initial bonds over initial bonds",
+     [](const Row& r) -> Value { return r.sample.remaining_bond_fraction; }},
+    {"bonds_active", "1", "number of active bonds",
+     [](const Row& r) -> Value { return r.sample.bonds_active; }},
+    {"bonds_formed", "1", "bonds formed since the beginning",
+     [](const Row& r) -> Value { return r.sample.bonds_formed; }},
+    {"bonds_broken", "1", "bonds broken since the beginning",
+     [](const Row& r) -> Value { return r.sample.bonds_broken; }},
+    {"max_overlap", "d", "deepest overlap of two bodies",
+     [](const Row& r) -> Value { return r.sample.max_overlap; }},
+    {"intruder_x", "d", "of the intruder's centre",
+     [](const Row& r) { return of_intruder(r, r.sample.intruder_position.x()); }},
+    {"intruder_y", "d", "of the intruder's centre",
+     [](const Row& r) { return of_intruder(r, r.sample.intruder_position.y()); }},
+    {"intruder_velocity_x", "sqrt(g d)", "of the intruder's centre",
+     [](const Row& r) { return of_intruder(r, r.sample.intruder_velocity.x()); }},
+    {"intruder_velocity_y", "sqrt(g d)", "of the intruder's centre, positive upward",
+     [](const Row& r) { return of_intruder(r, r.sample.intruder_velocity.y()); }},
+    {"residual", "1", "worst residual of the solver since the last sample",
+     [](const Row& r) -> Value { return r.residual; }},
+    {"iterations", "1", "iterations of the solver since the last sample",
+     [](const Row& r) -> Value { return r.iterations; }},
+    {"factorisations", "1", "factorisations of the solver since the last sample",
+     [](const Row& r) -> Value { return r.factorisations; }},
+    {"unconverged", "1", "steps since the last sample that did not converge",
+     [](const Row& r) -> Value { return r.unconverged; }},
+};
+
+}  // namespace
+
+std::span<const Quantity> quantities() { return kQuantities; }
+
+std::string text_of(const Value& value) {
+  struct Text {
+    std::string operator()(std::monostate) const { return {}; }
+    std::string operator()(std::int64_t number) const { return std::to_string(number); }
+    std::string operator()(double number) const { return number_text(number); }
+    std::string operator()(const std::string& text) const { return text; }
+  };
+  return std::visit(Text{}, value);
+}
+
+}  // namespace quicksand

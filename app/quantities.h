@@ -1,0 +1,40 @@
+// What a run reports: every quantity with name, unit, meaning and where it comes from, in one table.
+// Columns of series.csv, final values of summary.json and `quicksand list quantities` are this table.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "core/measures.h"
+
+namespace quicksand {
+
+// One sample with what the steps since the last sample tell.
+struct Row {
+  Sample sample;
+  std::string phase;                // name of the phase that the sample belongs to
+  double residual = 0;              // worst since the last sample [1]
+  std::int64_t iterations = 0;      // of the solver since the last sample [1]
+  std::int64_t factorisations = 0;  // of the solver since the last sample [1]
+  std::int64_t unconverged = 0;     // steps since the last sample [1]
+};
+
+// monostate: there is no such value in this sample.
+using Value = std::variant<std::monostate, std::int64_t, double, std::string>;
+
+struct Quantity {
+  std::string_view name;
+  std::string_view unit;  // "1" if none
+  std::string_view help;
+  Value (*get)(const Row& row);
+};
+
+std::span<const Quantity> quantities();
+
+// Shortest text that reads back as the same value; empty for no value.
+std::string text_of(const Value& value);
+
+}  // namespace quicksand

@@ -1,0 +1,29 @@
+#include "app/recorder.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace quicksand {
+
+void Recorder::count(const ProtocolState& before, const Protocol& after) {
+  const ProtocolState& now = after.state();
+  pending_.residual = std::max(pending_.residual, after.last_step().solve.residual.natural);
+  pending_.iterations += now.iterations - before.iterations;
+  pending_.factorisations += now.factorisations - before.factorisations;
+  pending_.unconverged += now.unconverged_steps - before.unconverged_steps;
+}
+
+void Recorder::sample(const World& world, const std::string& phase) {
+  const bool first = row_.phase.empty();
+  if (!first && row_.sample.step == world.step && bodies_ == world.disks.size()) return;
+  row_ = std::exchange(pending_, {});
+  row_.sample = measure(world);
+  row_.phase = phase;
+  bodies_ = world.disks.size();
+  // The earlier part of a continued run ended with this sample.
+  if (first && series_.last_step() == world.step) return;
+  series_.add(row_);
+  if (film_ != nullptr) film_->add(world, phase);
+}
+
+}  // namespace quicksand

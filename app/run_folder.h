@@ -1,0 +1,31 @@
+// The folder that receives what a run computes, and the names of the files in it.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace quicksand {
+
+struct RunFolder {
+  std::filesystem::path path;
+
+  std::filesystem::path scene() const { return path / "scene.json"; }
+  std::filesystem::path frames() const { return path / "frames"; }
+  std::filesystem::path film() const { return path / "film.mp4"; }
+  std::filesystem::path series() const { return path / "series.csv"; }
+  std::filesystem::path summary() const { return path / "summary.json"; }
+  std::filesystem::path state() const { return path / "state.cbor"; }
+};
+
+// Makes the folder and tries to write in it, so that nothing is computed in vain. Throws InputError.
+void make_writable(const RunFolder& folder);
+
+// Removes the files of an earlier run that this run may not write again: its film, summary, state and
+// frames. Other files are left alone.
+void remove_earlier_results(const RunFolder& folder);
+
+// Writes beside `path`, then renames: the file is the old one or the new one, never a half. Throws
+// InputError if it cannot be written.
+void write_whole(const std::filesystem::path& path, std::string_view text);
+
+}  // namespace quicksand

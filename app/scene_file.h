@@ -1,0 +1,30 @@
+// From a scene file and the command line's changes to a scenario that can be run, and to its world.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/scenario.h"
+#include "core/world.h"
+
+namespace quicksand {
+
+struct SceneRequest {
+  std::filesystem::path file;
+  std::vector<std::string> overrides;  // "path=value", applied in order
+  std::optional<std::uint64_t> seed;   // instead of the scene's
+};
+
+// Reads and validates. Afterwards the scenario has a name, and start_from is an absolute path.
+// Throws InputError whose `where` names the file and the place inside it.
+Scenario read_scene(const SceneRequest& request);
+
+// The world at the beginning: as listed, or, with start_from, the bodies, walls, bonds and contacts
+// of that state under the laws, gravity and seed of this scene. Throws InputError if the state cannot
+// be read or its box is another one.
+World start_world(const Scenario& scenario);
+
+}  // namespace quicksand

@@ -1,0 +1,119 @@
+// What a scene file means: what is written is what is read.
+#include <gtest/gtest.h>
+
+#include "app/assets.h"
+#include "app/scenario_json.h"
+#include "app/scene_file.h"
+#include "app/scene_override.h"
+#include "tests/support/files.h"
+
+namespace quicksand::test {
+namespace {
+
+Scenario scenario(const std::string& text) { return scenario_from_json(parse_json(text)); }
+
+TEST(SceneFormat, EveryShippedSceneIsValidAndDescribesItself) {
+  ASSERT_GE(shipped_scenes().size(), 6U);
+  for (const auto& file : shipped_scenes()) {
+    const Scenario scene = read_scene({file, {}, {}});
+    EXPECT_EQ(scene.name, file.stem()) << file;
+    EXPECT_FALSE(scene.description.empty()) << file;
+    EXPECT_FALSE(scene.phases.empty()) << file;
+  }
+}
+
+TEST(SceneFormat, ResolvedScenesReadBackTheSame) {
+  for (const auto& file : shipped_scenes()) {
+    const Scenario scene = read_scene({file, {}, {}});
+    const std::string text = to_text(scene);
+    const Scenario again = scenario_from_json(parse_json(text));
+    EXPECT_EQ(to_text(again), text) << file;
+    EXPECT_EQ(world_hash(start_world(again)), world_hash(start_world(scene))) << file;
+  }
+}
+
+TEST(SceneFormat, ATiltedGravityReadsBackBitByBit) {
+  const Scenario scene =
+      scenario(R"({"box": {"width": 5}, "gravity": {"magnitude": 0.7, "tilt": 17.3}})");
+  const Scenario again = scenario_from_json(to_json(scene));
+  EXPECT_EQ(*again.gravity, *scene.gravity);
+  EXPECT_GT(scene.gravity->x(), 0);  // counter-clockwise from straight down is to the right
+  EXPECT_LT(scene.gravity->y(), 0);
+}
+
+TEST(SceneFormat, WithoutGravityThereIsNone) {
+  EXPECT_FALSE(scenario(R"({"box": {"width": 5}})").gravity.has_value());
+  EXPECT_EQ(*scenario(R"({"box": {"width": 5}, "gravity": {}})").gravity, Vec2(0, -1));
+}
+
+TEST(SceneFormat, TermsThatAreNotNamedAreNotModelled) {
+  const Scenario scene = scenario(R"({"box": {"width": 5}, "contact": {"friction": 0}})");
+  EXPECT_EQ(scene.grain_law.friction, 0.0);
+  EXPECT_FALSE(scene.grain_law.rolling_friction.has_value());
+  EXPECT_FALSE(scene.grain_law.cohesion_force.has_value());
+  EXPECT_FALSE(scene.wall_law.has_value());
+}
+
+TEST(SceneFormat, TheCohesionRangeIsGivenInRadii) {
+  const Scenario scene = scenario(R"({"box": {"width": 5}, "contact": {"cohesion_range": 1e-4}})");
+  EXPECT_EQ(scene.grain_law.cohesion_range, 0.5e-4);
+}
+
+TEST(SceneFormat, ForcesMayBeGivenOverTheCohesionForce) {
+  const Scenario scene = scenario(R"({"box": {"width": 9}, "contact": {"cohesion_force": 1e4},
+    "phases": [{"type": "push", "force_over_cohesion": 0.33}]})");
+  EXPECT_EQ(std::get<PushPhase>(scene.phases[0].kind).force, 0.33 * 1e4);
+}
+
+TEST(SceneFormat, ARepeatedBodyIsARow) {
+  const Scenario scene = scenario(R"({"box": {"width": 9, "sides": "open"}, "bodies": [
+    {"position": [1, 2], "force": [3, 0], "torque": 4, "repeat": {"count": 3, "offset": [1, 0.5]}},
+    {"position": [9, 9], "diameter": 2}]})");
+  ASSERT_EQ(scene.disks.size(), 4U);
+  EXPECT_EQ(scene.disks[2].position, Vec2(3, 3));
+  EXPECT_EQ(scene.disk_forces[2], Vec3(3, 0, 4));
+  EXPECT_EQ(scene.disks[3].radius, 1);
+}
+
+TEST(SceneFormat, WholeNumbersMayBeWrittenAsPowersOfTen) {
+  const Scenario scene =
+      scenario(R"({"box": {"width": 9}, "phases": [{"type": "deposit", "grains": 1e3}]})");
+  EXPECT_EQ(std::get<DepositPhase>(scene.phases[0].kind).grains, 1000);
+}
+
+TEST(SceneFormat, TheShippedSchemaIsTheOneThatTheReaderImplies) {
+  EXPECT_EQ(contents(kSource / "assets/schemas/scene.schema.json"), scene_schema().dump(2) + "\n")
+      << "write it anew: build/quicksand list schema > assets/schemas/scene.schema.json";
+}
+
+TEST(Override, ReachesEveryPlaceOfAScene) {
+  Json json = parse_json(R"({"a": {"b": 1}, "l": [{"c": 2}, 3]})");
+  apply_override(json, parse_override("a.b=5"));
+  apply_override(json, parse_override("a.new.deep=word"));
+  apply_override(json, parse_override("l[0].c=[1, 2]"));
+  apply_override(json, parse_override("l[1]=true"));
+  EXPECT_EQ(json,
+            parse_json(R"({"a": {"b": 5, "new": {"deep": "word"}}, "l": [{"c": [1, 2]}, true]})"));
+  apply_override(json, parse_override("a.new=null"));
+  EXPECT_FALSE(json["a"].contains("new"));
+}
+
+TEST(Override, ATextMayContainEqualSigns) {
+  EXPECT_EQ(parse_override("description=a = b").value, "a = b");
+}
+
+TEST(SceneFormat, TheSeedOfTheCommandLineWins) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("scene.json", R"({"box": {"width": 5}, "seed": 3})");
+  EXPECT_EQ(read_scene({file, {}, {}}).seed, 3U);
+  EXPECT_EQ(read_scene({file, {}, 8}).seed, 8U);
+}
+
+TEST(SceneFormat, ASceneWithoutNameIsCalledAfterItsFile) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(read_scene({folder.write("beam.json", R"({"box": {"width": 5}})"), {}, {}}).name,
+            "beam");
+}
+
+}  // namespace
+}  // namespace quicksand::test
