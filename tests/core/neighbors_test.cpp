@@ -111,6 +111,7 @@ TEST(NeighborSearch, SeesThroughThePeriodicSides) {
 // disks at the same places must notice that they are of another size.
 TEST(NeighborSearch, TheListNoticesAnotherWorld) {
   World small, large;
+  small.box.sides = large.box.sides = Sides::open;
   for (double x : {0.0, 2.0}) {
     small.disks.add({.position = {x, 0}, .radius = 0.5});
     large.disks.add({.position = {x, 0}, .radius = 1});

@@ -14,14 +14,13 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 // The grain of disk_on_floor has mass 1 and inertia 1/8, dt = 0.1, force scale 1.
-ContactState state_of(const ContactProblem& problem, const Vec3& impulse) {
-  ContactState state{.velocity = {}, .impulse = {impulse}};
-  velocity_from_impulses(problem, state.impulse, state.velocity);
-  return state;
+Residual judge(const ContactProblem& problem, const Vec3& impulse) {
+  ContactState state{.velocity = problem.free_velocity, .impulse = {impulse}};
+  return residual(problem, state);
 }
 
 double natural(const ContactProblem& problem, const Vec3& impulse) {
-  return residual(problem, state_of(problem, impulse)).natural;
+  return judge(problem, impulse).natural;
 }
 
 TEST(Residual, IsZeroForADiskThatIsCaughtByTheFloor) {
@@ -48,11 +47,10 @@ TEST(Residual, IsZeroForADiskThatSpinsDownByRollingFriction) {
 TEST(Residual, WithoutContactsThereIsNothingToViolate) {
   ContactProblem problem = disk_on_floor({1, 2, 3}, 0, 0);
   problem.contacts.clear();
-  const ContactState state = zero_state(problem);
+  ContactState state = zero_state(problem);
   const Residual r = residual(problem, state);
   EXPECT_EQ(r.natural, 0);
   EXPECT_EQ(r.gap, 0);
-  EXPECT_EQ(r.velocity, 0);
 }
 
 // Each law violated alone, by a known amount; forces are impulses over dt = 0.1.
@@ -96,17 +94,15 @@ TEST(Residual, MeasuresARollingTorqueThatIsTooLarge) {
 TEST(Residual, MeasuresTheGapErrorOfLoadedContactsOnly) {
   const ContactProblem problem = disk_on_floor({0, -2, 0}, 0.3, 0.05);
   // Opening velocity 0.01 over dt 0.1 is a gap of 1e-3, the tolerance.
-  EXPECT_NEAR(residual(problem, state_of(problem, {2.01, 0, 0})).gap, 1, tolerance::rounding(1e3));
-  EXPECT_EQ(residual(problem, state_of(problem, {0, 0, 0})).gap, 0);
+  EXPECT_NEAR(judge(problem, {2.01, 0, 0}).gap, 1, tolerance::rounding(1e3));
+  EXPECT_EQ(judge(problem, {0, 0, 0}).gap, 0);
 }
 
 TEST(Residual, DoesNotTrustTheVelocityThatASolverReports) {
   const ContactProblem problem = disk_on_floor({0, -2, 0}, 0.3, 0.05);
-  ContactState state = state_of(problem, {2, 0, 0});
-  state.velocity[0].x() += 0.5;
-  const Residual r = residual(problem, state);
-  EXPECT_EQ(r.natural, 0);
-  EXPECT_NEAR(r.velocity, 0.5 / 0.1, tolerance::rounding());
+  ContactState state{.velocity = {Vec3(9, kNan, 9), Vec3(9, 9, 9)}, .impulse = {Vec3(2, 0, 0)}};
+  EXPECT_EQ(residual(problem, state).natural, 0);
+  EXPECT_EQ(distance(state.velocity[0], Vec3(0, 0, 0)), 0) << "it leaves the true one";
 }
 
 // A number that is not finite must never pass as a small residual, wherever it stands.
@@ -121,12 +117,11 @@ TEST(Residual, IsInfiniteWhereAnyImpulseIsNotANumber) {
   }
 }
 
-TEST(Residual, IsInfiniteWhereAnyVelocityIsNotANumber) {
+TEST(Residual, IsInfiniteWhereAnyFreeVelocityIsNotANumber) {
   for (int k = 0; k < 3; ++k) {
-    const ContactProblem problem = disk_on_floor({0, -2, 0}, 0.3, 0.05);
-    ContactState state = state_of(problem, {2, 0, 0});
-    state.velocity[0][k] = kNan;
-    EXPECT_TRUE(std::isinf(residual(problem, state).natural)) << "component " << k;
+    ContactProblem problem = disk_on_floor({0, -2, 0}, 0.3, 0.05);
+    problem.free_velocity[0][k] = kNan;
+    EXPECT_TRUE(std::isinf(natural(problem, {2, 0, 0}))) << "component " << k;
   }
 }
 
@@ -134,7 +129,8 @@ TEST(Residual, DoesNotReadWhatIsNotModelled) {
   for (int components : {1, 2}) {
     ContactProblem problem = disk_on_floor({0, -2, 0}, 0.3, 0.05);
     problem.components = components;
-    poison_unused(problem);
+    poison_unused_coefficients(problem);
+    poison_unused_arms(problem);
     EXPECT_EQ(natural(problem, {2, 0, 0}), 0) << components << " components";
   }
 }

@@ -9,10 +9,14 @@
 
 namespace quicksand {
 
-inline auto all_methods() { return testing::Values(Method::gauss_seidel); }
+inline auto all_methods() {
+  return testing::Values(Method::automatic, Method::interior_point, Method::gauss_seidel);
+}
 
 inline std::string method_name(const testing::TestParamInfo<Method>& info) {
   switch (info.param) {
+    case Method::automatic: return "automatic";
+    case Method::interior_point: return "interior_point";
     case Method::gauss_seidel: return "gauss_seidel";
   }
   return "unnamed";

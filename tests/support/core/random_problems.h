@@ -25,7 +25,9 @@ ContactProblem disk_on_floor(const Vec3& free_velocity, double friction, double 
 
 ContactState zero_state(const ContactProblem& problem);
 
-// Puts NaN into everything that a problem with so many components must not read.
-void poison_unused(ContactProblem& problem);
+// Puts NaN into the coefficients that a problem with so many components must not read.
+void poison_unused_coefficients(ContactProblem& problem);
+// And into the arms, which only friction needs.
+void poison_unused_arms(ContactProblem& problem);
 
 }  // namespace quicksand

@@ -60,9 +60,10 @@ std::vector<Mode> modes_of_a_contact(int components) {
   return modes;
 }
 
-// The impulses that the equations of these modes give, if they are regular.
+// The impulses that the equations of these modes give. If the equations are singular there are none,
+// and `complete` becomes false if they could be solved nevertheless.
 std::optional<Vector> impulses(const ContactProblem& problem, const Dense& dense,
-                               const std::vector<Mode>& modes) {
+                               const std::vector<Mode>& modes, bool& complete) {
   const Eigen::Index size = dense.free.size();
   Matrix a = Matrix::Identity(size, size);  // rows that stay say: this impulse is zero
   Vector rhs = Vector::Zero(size);
@@ -85,8 +86,10 @@ std::optional<Vector> impulses(const ContactProblem& problem, const Dense& dense
   }
   const Eigen::FullPivLU<Matrix> lu(a);
   const auto pivots = lu.matrixLU().diagonal().cwiseAbs();
-  if (pivots.minCoeff() < kSingular * pivots.maxCoeff()) return {};
-  return lu.solve(rhs);
+  const Vector p = lu.solve(rhs);
+  if (pivots.minCoeff() >= kSingular * pivots.maxCoeff()) return p;
+  if ((a * p - rhs).norm() <= kSlack) complete = false;
+  return {};
 }
 
 // Whether the inequalities of the modes hold.
@@ -125,23 +128,46 @@ ReferenceSolution solution(const ContactProblem& problem, const std::vector<Mode
 
 }  // namespace
 
-std::vector<ReferenceSolution> reference_solutions(const ContactProblem& problem) {
+Reference reference_solutions(const ContactProblem& problem) {
   const Dense dense = assemble(problem);
   const std::vector<Mode> choices = modes_of_a_contact(problem.components);
   std::vector<std::size_t> choice(problem.contacts.size(), 0);
   std::vector<Mode> modes(problem.contacts.size());
-  std::vector<ReferenceSolution> solutions;
+  Reference reference;
   for (;;) {
     for (std::size_t c = 0; c < modes.size(); ++c) modes[c] = choices[choice[c]];
-    if (const auto p = impulses(problem, dense, modes)) {
+    if (const auto p = impulses(problem, dense, modes, reference.complete)) {
       const Vector u = dense.free + dense.operator_ * *p;
-      if (lawful(problem, modes, *p, u)) solutions.push_back(solution(problem, modes, *p));
+      if (lawful(problem, modes, *p, u))
+        reference.solutions.push_back(solution(problem, modes, *p));
     }
     // Counts through all combinations like an odometer.
     std::size_t digit = 0;
     while (digit < choice.size() && ++choice[digit] == choices.size()) choice[digit++] = 0;
-    if (digit == choice.size()) return solutions;
+    if (digit == choice.size()) return reference;
   }
+}
+
+double law_violation(const ContactProblem& problem, const std::vector<Vec3>& impulse) {
+  const Dense dense = assemble(problem);
+  Vector p(dense.free.size());
+  for (std::size_t c = 0; c < impulse.size(); ++c)
+    p.segment<3>(static_cast<Eigen::Index>(3 * c)) = impulse[c];
+  const Vector u = dense.free + dense.operator_ * p;
+  double worst = 0;
+  for (std::size_t c = 0; c < impulse.size(); ++c) {
+    const ContactRow& row = problem.contacts[c];
+    const auto n = static_cast<Eigen::Index>(3 * c);
+    worst = std::max(worst, std::abs(std::min(p[n], u[n] + row.gap_rate)));
+    const auto dry = [&](Eigen::Index k, double bound) {
+      const double outside = std::abs(p[k]) - bound;
+      const double not_opposite = std::abs(p[k] + std::copysign(bound, u[k]));
+      worst = std::max({worst, outside, std::min(std::abs(u[k]), not_opposite)});
+    };
+    if (problem.components >= 2) dry(n + 1, row.friction * p[n]);
+    if (problem.components >= 3) dry(n + 2, row.rolling * p[n]);
+  }
+  return worst;
 }
 
 double distance_to_nearest(const std::vector<ReferenceSolution>& solutions,

@@ -25,10 +25,20 @@ struct ReferenceSolution {
   std::vector<Mode> modes;     // (nc)
 };
 
-// All solutions, one for each combination of modes that obeys every law to rounding. Combinations
-// whose equations are singular (redundant contacts) are left out, so that the list may miss solutions
-// there, but never holds a wrong one. With friction a problem may have several solutions.
-std::vector<ReferenceSolution> reference_solutions(const ContactProblem& problem);
+// All isolated solutions: one for each combination of modes that obeys every law to rounding. With
+// friction there may be several.
+struct Reference {
+  std::vector<ReferenceSolution> solutions;
+  // False if a combination had singular but solvable equations (redundant contacts): then there may be
+  // whole lines of solutions besides. They exist: the rolling friction of a wedged disk depends on
+  // how hard it is wedged, which the laws leave open, and so does its spin.
+  bool complete = true;
+};
+Reference reference_solutions(const ContactProblem& problem);
+
+// Worst violation of the contact laws by these impulses, in impulse or velocity, in the words of the
+// laws and not of any residual.
+double law_violation(const ContactProblem& problem, const std::vector<Vec3>& impulse);
 
 // Distance of a velocity from the nearest of the solutions.
 double distance_to_nearest(const std::vector<ReferenceSolution>& solutions,
