@@ -11,7 +11,7 @@ Simulation::Simulation(const Scenario& scenario)
 
 void Simulation::advance(int steps) {
   for (int k = 0; k < steps; ++k) {
-    last = stepper_.advance(world, step, solver);
+    last = stepper_->advance(world, step, solver);
     bonds_broken += last.bonds_broken;
     bonds_formed += last.bonds_formed;
     breaks_withheld += last.breaks_withheld;

@@ -1,6 +1,8 @@
 // A world that is stepped without a protocol, with its accounts.
 #pragma once
 
+#include <memory>
+
 #include "core/step.h"
 #include "core/world.h"
 
@@ -23,7 +25,7 @@ class Simulation {
   std::int64_t unconverged = 0;
 
  private:
-  Stepper stepper_;
+  std::unique_ptr<Stepper> stepper_ = std::make_unique<Stepper>();  // so that it can be moved
 };
 
 // Sum of the contact forces that act on a body in the last step [F_g].
