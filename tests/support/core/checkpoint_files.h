@@ -23,6 +23,8 @@ class TemporaryFolder {
 };
 
 Bytes read_bytes(const std::filesystem::path& path);
+// The same checkpoint with another format version (below 24), and a checksum that fits.
+Bytes with_version(Bytes bytes, std::uint8_t version);
 void write_bytes(const std::filesystem::path& path, const Bytes& bytes);
 
 }  // namespace quicksand
