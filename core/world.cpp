@@ -92,6 +92,10 @@ class Hash {
     std::memcpy(&word, &x, sizeof word);
     add(word);
   }
+  void add(const std::optional<double>& x) { add(x.has_value() ? 1 : 0), add(x.value_or(0)); }
+  void add(const ContactLaw& law) {
+    add(law.friction), add(law.rolling_friction), add(law.cohesion_force), add(law.cohesion_range);
+  }
   void add(const Vec2& v) { add(v.x()), add(v.y()); }
   void add(const Vec3& v) { add(v.x()), add(v.y()), add(v.z()); }
   void add(int i) { add(static_cast<std::uint64_t>(i)); }
@@ -115,6 +119,9 @@ std::uint64_t world_hash(const World& world) {
   hash.add(world.step);
   hash.add(world.random.state);
   hash.add(static_cast<int>(world.bonding));
+  hash.add(world.box.width), hash.add(static_cast<int>(world.box.sides));
+  hash.add(world.gravity.has_value() ? 1 : 0), hash.add(world.gravity.value_or(Vec2(0, 0)));
+  hash.add(world.grain_law), hash.add(world.wall_law), hash.add(world.intruder_law);
   hash.add(world.impulse_dt);
   hash.add_all(world.disks.position);
   hash.add_all(world.disks.angle);
@@ -123,6 +130,7 @@ std::uint64_t world_hash(const World& world) {
   hash.add_all(world.disks.radius);
   hash.add_all(world.disks.mass);
   hash.add_all(world.disks.inverse_mass);
+  for (const Role role : world.disks.role) hash.add(static_cast<int>(role));
   for (const Wall& wall : world.walls) {
     hash.add(wall.point), hash.add(wall.normal), hash.add(wall.velocity);
     hash.add(wall.mass), hash.add(wall.force);
