@@ -64,7 +64,9 @@ World make_world(const Scenario& scenario) {
   }
   if (scenario.initial_bonds == InitialBonds::touching) {
     std::vector<Pair> bonded;
-    for (const Pair& pair : pairs_within(world, scenario.grain_law.cohesion_range)) {
+    const double widest = std::max({world.grain_law.cohesion_range, world.wall_law.cohesion_range,
+                                    world.intruder_law.cohesion_range});
+    for (const Pair& pair : pairs_within(world, widest)) {
       const ContactLaw& law = world.law(pair);
       const bool movable = !world.disks.fixed(pair.a) ||
                            (is_wall(pair.b) ? world.wall(pair.b).mass > 0
