@@ -64,26 +64,32 @@ TEST(Landing, TouchesATiltedFloorWithoutOverlap) {
   EXPECT_NEAR(world.gap({0, kWallBase}), 0, tolerance::rounding(10));
 }
 
-// Sticking without restructuring: literature value 0.357 for large systems. [Meakin 1987]
+// Sticking without restructuring. The literature's 0.357 is that of large systems [Meakin 1987]: with the
+// same rule four million grains give 0.357 above a height of 400 d, but samples of 200 d by 230 d, as
+// here, 0.353 to 0.369, and 0.363 on average.
 TEST(BallisticDeposition, SlowVolumeFractionAndCoordinationAreTheKnownOnes) {
-  Scenario scene = empty_scene(Method::automatic);
-  scene.box = {.width = 400, .height = 120, .sides = Sides::periodic, .floor = true};
-  scene.gravity = Vec2(0, -1);
-  scene.grain_law.cohesion_force = 1e4;
-  scene.phases = {{DepositPhase{.grains = 20000, .interval = 0}}};
-  Protocol protocol(scene, make_world(scene));
-  while (protocol.advance() != Progress::finished) {
+  constexpr int kSamples = 3, kGrains = 20000;
+  double volume = 0;
+  for (std::uint64_t seed = 1; seed <= kSamples; ++seed) {
+    Scenario scene = empty_scene(Method::automatic);
+    scene.seed = seed;
+    scene.box = {.width = 200, .height = 240, .sides = Sides::periodic, .floor = true};
+    scene.grain_law.cohesion_force = 1e4;
+    scene.phases = {{DepositPhase{.grains = kGrains, .interval = 0}}};
+    Protocol protocol(scene, make_world(scene));
+    while (protocol.advance() != Progress::finished) {
+    }
+    const World& world = protocol.world();
+    const double top = packing_top(world);
+    volume += volume_fraction(world, 0.3 * top, 0.8 * top) / kSamples;
+    const Sample sample = measure(world);
+    EXPECT_EQ(sample.bonds_active, kGrains) << "each grain brings one";
+    // A few grains touch a second neighbour within the range by chance.
+    EXPECT_NEAR(sample.coordination, 2, tolerance::sampled(0.02));
+    EXPECT_EQ(world.step, 0) << "no dynamics";
   }
-  const World& world = protocol.world();
-  const double top = packing_top(world);
-  const double bulk = volume_fraction(world, 0.3 * top, 0.8 * top);
-  RecordProperty("volume_fraction", std::to_string(bulk));
-  EXPECT_NEAR(bulk, 0.357, tolerance::sampled(0.01));
-  // Each grain brings one contact; a few touch a second neighbour within the range by chance.
-  const Sample sample = measure(world);
-  EXPECT_EQ(sample.bonds_active, 20000);
-  EXPECT_NEAR(sample.coordination, 2, tolerance::sampled(0.02));
-  EXPECT_EQ(world.step, 0) << "no dynamics";
+  RecordProperty("volume_fraction", std::to_string(volume));
+  EXPECT_NEAR(volume, 0.357, tolerance::sampled(0.01));
 }
 
 }  // namespace
