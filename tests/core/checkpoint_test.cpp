@@ -54,6 +54,14 @@ TEST_P(Restart, SlowAtEveryStepOfALargerRunGivesTheSameBytes) {
   expect_restarts_to_agree(scene, 1);
 }
 
+// The time since which a scene is at rest is part of where a protocol stands.
+TEST_P(Restart, WhileWaitingForRestEndsThePhaseInTime) {
+  Scenario scene = column(GetParam(), 2);
+  scene.disks[1].position.y() += 0.02;
+  scene.phases = {{SettlePhase{.rest_speed = 1e-3, .rest_time = 0.4, .max_time = 5}}};
+  expect_restarts_to_agree(scene, 1);
+}
+
 class CheckpointFile : public testing::Test {
  protected:
   CheckpointFile() {
@@ -170,7 +178,9 @@ TEST_F(CheckpointFile, OfAnImpossibleWorldIsRefused) {
       [](Checkpoint& c) { c.world.disks.velocity.pop_back(); },
       [](Checkpoint& c) { c.world.box.sides = static_cast<Sides>(9); },
       [](Checkpoint& c) { c.world.box.width = 0; },
-      [](Checkpoint& c) { c.world.walls[0].normal = {0, 2}; },
+      [](Checkpoint& c) {
+        c.world.walls[0].normal = {0, 2};
+      },
       [](Checkpoint& c) { c.world.walls[0].mass = -1; },
       [](Checkpoint& c) { c.world.walls[0].role = static_cast<WallRole>(9); },
       [](Checkpoint& c) { c.world.bonds.list[0].state = static_cast<BondState>(9); },

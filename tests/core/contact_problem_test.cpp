@@ -16,7 +16,8 @@ Scenario pile() {
   scene.gravity = Vec2(0, -1);
   scene.grain_law = {.friction = 0.3, .rolling_friction = 0.2, .cohesion_force = 7};
   scene.wall_law = ContactLaw{.friction = 0.9};
-  scene.disks = {{.position = {0, 2}, .radius = 2}, {.position = {0, 5}, .radius = 1, .density = 2}};
+  scene.disks = {{.position = {0, 2}, .radius = 2},
+                 {.position = {0, 5}, .radius = 1, .density = 2}};
   scene.initial_bonds = InitialBonds::touching;
   return scene;
 }

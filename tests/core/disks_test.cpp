@@ -33,9 +33,9 @@ TEST(Disks, EveryArrayGrowsByOne) {
   Disks disks;
   EXPECT_EQ(disks.add({}), 0);
   EXPECT_EQ(disks.add({.role = Role::intruder}), 1);
-  for (std::size_t size : {disks.position.size(), disks.angle.size(), disks.velocity.size(),
-                           disks.applied.size(), disks.radius.size(), disks.mass.size(),
-                           disks.inverse_mass.size(), disks.role.size()})
+  for (std::size_t size :
+       {disks.position.size(), disks.angle.size(), disks.velocity.size(), disks.applied.size(),
+        disks.radius.size(), disks.mass.size(), disks.inverse_mass.size(), disks.role.size()})
     EXPECT_EQ(size, 2U);
 }
 

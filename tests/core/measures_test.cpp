@@ -19,8 +19,10 @@ constexpr double kPi = std::numbers::pi;
 // Rows of touching disks in a periodic box; `shift` and `rise` between rows make the lattice.
 Scenario lattice(int columns, int rows, double shift, double rise) {
   Scenario scene = empty_scene(Method::automatic);
-  scene.box = {.width = static_cast<double>(columns), .height = rows * rise,
-               .sides = Sides::periodic, .floor = false};
+  scene.box = {.width = static_cast<double>(columns),
+               .height = rows * rise,
+               .sides = Sides::periodic,
+               .floor = false};
   for (int y = 0; y < rows; ++y)
     for (int x = 0; x < columns; ++x)
       scene.disks.push_back({.position = {x + shift * (y % 2), (y + 0.5) * rise}});

@@ -13,10 +13,10 @@ struct Crowd {
   int disks = 200;
   Sides sides = Sides::open;
   double width = 30;
-  double spread = 30;    // side of the square that holds the centres
+  double spread = 30;                    // side of the square that holds the centres
   double smallest = 0.4, largest = 0.6;  // radii
-  double intruder = 0;   // radius; 0: none
-  double outlier = 0;    // distance of one body that flew off; 0: none
+  double intruder = 0;                   // radius; 0: none
+  double outlier = 0;                    // distance of one body that flew off; 0: none
   const char* name = "";
 };
 
@@ -24,10 +24,10 @@ World random_world(const Crowd& crowd, Random& random) {
   World world;
   world.box = {.width = crowd.width, .sides = crowd.sides};
   for (int i = 0; i < crowd.disks; ++i)
-    world.disks.add({.position = {crowd.spread * (random.uniform() - 0.25),
-                                  crowd.spread * (random.uniform() - 0.25)},
-                     .radius = crowd.smallest +
-                               (crowd.largest - crowd.smallest) * random.uniform()});
+    world.disks.add(
+        {.position = {crowd.spread * (random.uniform() - 0.25),
+                      crowd.spread * (random.uniform() - 0.25)},
+         .radius = crowd.smallest + (crowd.largest - crowd.smallest) * random.uniform()});
   if (crowd.intruder > 0) world.disks.add({.position = {5, 5}, .radius = crowd.intruder});
   if (crowd.outlier > 0)
     for (double sign : {-1.0, 1.0})
@@ -81,8 +81,7 @@ TEST_P(Neighbors, TheListNeverMissesAPairUnderMotionAndGrowth) {
 
 INSTANTIATE_TEST_SUITE_P(
     Crowds, Neighbors,
-    testing::Values(Crowd{.name = "open"},
-                    Crowd{.sides = Sides::periodic, .name = "periodic"},
+    testing::Values(Crowd{.name = "open"}, Crowd{.sides = Sides::periodic, .name = "periodic"},
                     Crowd{.disks = 60, .sides = Sides::periodic, .width = 4, .name = "narrow"},
                     Crowd{.smallest = 0.05, .largest = 0.8, .name = "polydisperse"},
                     Crowd{.sides = Sides::periodic, .intruder = 4, .name = "intruder"},

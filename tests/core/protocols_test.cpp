@@ -49,6 +49,13 @@ TEST_P(RunOfPhases, DepositEndsByNumber) {
   EXPECT_GE(world.bonds.formed, 12) << "every grain sticks where it lands";
 }
 
+// Grains come at multiples of the interval, not of the steps that happen to follow them.
+TEST_P(RunOfPhases, DepositKeepsItsRateWhenTheStepDoesNotDivideTheInterval) {
+  const Finished run(
+      with_phases(GetParam(), {{DepositPhase{.grains = 20, .interval = 0.025}, 1e-2}}));
+  EXPECT_NEAR(run.protocol.world().time, 20 * 0.025, tolerance::rounding());
+}
+
 TEST_P(RunOfPhases, DepositEndsByHeightAndStaysBelowIt) {
   const Finished run(with_phases(GetParam(), {{DepositPhase{.height = 4, .interval = 0.02}}}));
   const World& world = run.protocol.world();
@@ -66,8 +73,8 @@ TEST_P(RunOfPhases, DepositWithoutIntervalMakesNoStep) {
 }
 
 TEST_P(RunOfPhases, DepositedGrainsStartWithTheDropVelocityAndNeverOverlap) {
-  const Finished run(with_phases(
-      GetParam(), {{DepositPhase{.grains = 40, .interval = 0, .drop_velocity = 3}}}));
+  const Finished run(
+      with_phases(GetParam(), {{DepositPhase{.grains = 40, .interval = 0, .drop_velocity = 3}}}));
   const World& world = run.protocol.world();
   EXPECT_GE(-measure(world).max_overlap, -1e-12);
   for (const Vec3& v : world.disks.velocity) EXPECT_EQ(distance(v, Vec3(0, -3, 0)), 0);
@@ -83,8 +90,8 @@ TEST_P(RunOfPhases, SettleEndsAtRest) {
 }
 
 TEST_P(RunOfPhases, SettleLastsExactlyItsTimeIfItShallNotWaitForRest) {
-  const Finished run(with_phases(
-      GetParam(), {{SettlePhase{.max_time = 0.37, .until_rest = false}, 1e-2}}));
+  const Finished run(
+      with_phases(GetParam(), {{SettlePhase{.max_time = 0.37, .until_rest = false}, 1e-2}}));
   EXPECT_EQ(run.protocol.world().step, 37);
 }
 
@@ -98,9 +105,10 @@ TEST_P(RunOfPhases, NothingBondsWhileSettlingUnlessTheSceneSaysSo) {
 }
 
 TEST_P(RunOfPhases, PushPlacesTheIntruderOnTheSurfaceAndPushes) {
-  Scenario scene = with_phases(GetParam(), {{DepositPhase{.grains = 25, .interval = 0}},
-                                            {PushPhase{.diameter = 3, .density = 0.5, .force = 200,
-                                                       .x = 4.0, .max_time = 0.3}, 1e-3}});
+  Scenario scene = with_phases(
+      GetParam(),
+      {{DepositPhase{.grains = 25, .interval = 0}},
+       {PushPhase{.diameter = 3, .density = 0.5, .force = 200, .x = 4.0, .max_time = 0.3}, 1e-3}});
   Protocol protocol(scene, make_world(scene));
   ASSERT_EQ(finish_phase(protocol), Progress::phase_ended);
   const double top = packing_top(protocol.world());

@@ -80,8 +80,8 @@ TEST_P(Solver, AgreesWithTheReferenceForFrictionCoefficientsUpToThree) {
 }
 
 TEST_P(Solver, AgreesWithTheReferenceForMassRatiosUpToTenThousand) {
-  const Agreement a = compare(
-      GetParam(), {.bodies = 4, .contacts = 3, .components = 3, .mass_ratio = 1e4}, 200, 5);
+  const Agreement a =
+      compare(GetParam(), {.bodies = 4, .contacts = 3, .components = 3, .mass_ratio = 1e4}, 200, 5);
   EXPECT_LE(a.unconverged, may_give_up(GetParam()));
 }
 
@@ -199,8 +199,14 @@ TEST_P(Solver, ACrystalPatchAtRestStaysAtRest) {
   constexpr int kRows = 5, kColumns = 5;
   const double rise = std::sqrt(0.75);
   const auto touch = [&](int a, int b, const Vec2& normal, double arm_a) {
-    problem.contacts.push_back({.a = a, .b = b, .normal = normal, .arm_a = arm_a, .arm_b = 0.5,
-                                .friction = 0.3, .rolling = 0.05, .gap_tolerance = 1e-3});
+    problem.contacts.push_back({.a = a,
+                                .b = b,
+                                .normal = normal,
+                                .arm_a = arm_a,
+                                .arm_b = 0.5,
+                                .friction = 0.3,
+                                .rolling = 0.05,
+                                .gap_tolerance = 1e-3});
   };
   for (int y = 0; y < kRows; ++y) {
     for (int x = 0; x < kColumns; ++x) {

@@ -37,9 +37,8 @@ TEST_P(Step, BodiesThatMeetDoNotOverlap) {
 // A grain hit by a fast one moves into a third that was out of reach for all free velocities.
 TEST_P(Step, FindsContactsThatOnlyAnotherContactCauses) {
   Scenario scene = empty_scene(GetParam());
-  scene.disks = {{.position = {0, 0}, .velocity = {40, 0}},
-                 {.position = {1, 0}},
-                 {.position = {2.1, 0}}};
+  scene.disks = {
+      {.position = {0, 0}, .velocity = {40, 0}}, {.position = {1, 0}}, {.position = {2.1, 0}}};
   Simulation run(scene);
   run.advance();
   EXPECT_GE(run.world.gap({1, 2}), -1e-6);

@@ -5,9 +5,7 @@
 namespace quicksand {
 namespace {
 
-TEST(Walls, AWallWithoutMassDoesNotRespond) {
-  EXPECT_EQ(Wall{}.inverse_mass(), Vec3(0, 0, 0));
-}
+TEST(Walls, AWallWithoutMassDoesNotRespond) { EXPECT_EQ(Wall{}.inverse_mass(), Vec3(0, 0, 0)); }
 
 TEST(Walls, AWallWithMassRespondsAlongItsNormalOnlyAndNeverTurns) {
   EXPECT_EQ((Wall{.normal = {0, -1}, .mass = 4}.inverse_mass()), Vec3(0, 0.25, 0));

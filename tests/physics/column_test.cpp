@@ -39,7 +39,8 @@ TEST_P(Column, UnequalGrainsAreCarriedByWeight) {
   Scenario scene = empty_scene(GetParam());
   scene.box.floor = true;
   scene.gravity = Vec2(0, -1);
-  scene.disks = {{.position = {0, 2}, .radius = 2}, {.position = {0, 4.25}, .radius = 0.25, .density = 40}};
+  scene.disks = {{.position = {0, 2}, .radius = 2},
+                 {.position = {0, 4.25}, .radius = 0.25, .density = 40}};
   Simulation run(scene);
   run.advance(10);
   EXPECT_NEAR(force_below(run.world, 1), 10, tolerance::solved());
@@ -69,8 +70,8 @@ TEST_P(Column, NeedsNoIterationAtRestEvenWhenTheTimeStepChanges) {
 
 TEST_P(Column, PistonPressesWithItsForceAndItsWeight) {
   Scenario scene = column(GetParam(), 5);
-  scene.walls.push_back({.point = {0, 5}, .normal = {0, -1}, .mass = 3, .force = 7,
-                         .role = WallRole::piston});
+  scene.walls.push_back(
+      {.point = {0, 5}, .normal = {0, -1}, .mass = 3, .force = 7, .role = WallRole::piston});
   Simulation run(scene);
   run.advance(50);
   expect_forces_grow_with_depth(run, 5, 10);
@@ -80,8 +81,8 @@ TEST_P(Column, PistonPressesWithItsForceAndItsWeight) {
 
 TEST_P(Column, PistonFallsOnTheColumnAndStaysThere) {
   Scenario scene = column(GetParam(), 3);
-  scene.walls.push_back({.point = {0, 3.5}, .normal = {0, -1}, .mass = 2, .force = 4,
-                         .role = WallRole::piston});
+  scene.walls.push_back(
+      {.point = {0, 3.5}, .normal = {0, -1}, .mass = 2, .force = 4, .role = WallRole::piston});
   Simulation run(scene);
   // Its acceleration is g + F/m = 3.
   run.advance(10);

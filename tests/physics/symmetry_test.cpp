@@ -106,8 +106,7 @@ TEST_P(Symmetry, ShiftingAPeriodicSceneShiftsTheAnswer) {
   for (double shift : {1.7, 5.5, -30.3}) {
     Scenario shifted = scene;
     for (Disk& disk : shifted.disks) disk.position.x() += shift;
-    EXPECT_LE(difference(run_of(scene), run_of(shifted),
-                         [&](Vec2& x, Vec3&) { x.x() += shift; }),
+    EXPECT_LE(difference(run_of(scene), run_of(shifted), [&](Vec2& x, Vec3&) { x.x() += shift; }),
               tolerance::solved())
         << shift;
   }

@@ -19,8 +19,8 @@ ContactProblem random_problem(const ProblemShape& shape, Random& random) {
     const bool fixed = shape.fixed_body && i == 0;
     radius.push_back(r);
     problem.inverse_mass.push_back(fixed ? Vec3(0, 0, 0) : Vec3(1 / m, 1 / m, 1 / inertia));
-    problem.free_velocity.push_back(
-        fixed ? Vec3(0, 0, 0) : Vec3(between(-1, 1), between(-1, 1), between(-1, 1)));
+    problem.free_velocity.push_back(fixed ? Vec3(0, 0, 0)
+                                          : Vec3(between(-1, 1), between(-1, 1), between(-1, 1)));
   }
   problem.force_scale = 1 / problem.dt;  // impulses are of order 1
   for (int c = 0; c < shape.contacts; ++c) {
@@ -46,8 +46,13 @@ ContactProblem disk_on_floor(const Vec3& free_velocity, double friction, double 
   problem.force_scale = 1;
   problem.inverse_mass = {Vec3(1, 1, 8), Vec3(0, 0, 0)};
   problem.free_velocity = {free_velocity, Vec3(0, 0, 0)};
-  problem.contacts = {{.a = 0, .b = 1, .normal = {0, -1}, .arm_a = 0.5, .friction = friction,
-                       .rolling = rolling, .gap_tolerance = 1e-3}};
+  problem.contacts = {{.a = 0,
+                       .b = 1,
+                       .normal = {0, -1},
+                       .arm_a = 0.5,
+                       .friction = friction,
+                       .rolling = rolling,
+                       .gap_tolerance = 1e-3}};
   return problem;
 }
 

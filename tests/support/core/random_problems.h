@@ -11,8 +11,8 @@ struct ProblemShape {
   int contacts = 3;
   int components = 3;
   double largest_friction = 1;
-  double mass_ratio = 1;     // masses between 1 and this
-  bool fixed_body = true;    // body 0 does not move
+  double mass_ratio = 1;   // masses between 1 and this
+  bool fixed_body = true;  // body 0 does not move
 };
 
 // Disks of unequal size in random positions, with random free velocities; contact geometry need not

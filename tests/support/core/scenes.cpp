@@ -40,8 +40,7 @@ Scenario bonded_row(Method method, int n, const Vec2& direction, double cohesion
   scene.gravity = Vec2(0, -1);
   scene.grain_law = paper_law(cohesion);
   scene.initial_bonds = InitialBonds::touching;
-  for (int k = 0; k <= n; ++k)
-    scene.disks.push_back({.position = k * direction, .fixed = k == 0});
+  for (int k = 0; k <= n; ++k) scene.disks.push_back({.position = k * direction, .fixed = k == 0});
   return scene;
 }
 
@@ -92,11 +91,11 @@ Scenario falling_cluster(Method method, int n, std::uint64_t seed, const Contact
   const int columns = static_cast<int>(std::ceil(std::sqrt(n)));
   for (int k = 0; k < n; ++k) {
     const auto jitter = [&] { return 0.15 * (random.uniform() - 0.5); };
-    scene.disks.push_back({.position = {1.2 * (k % columns) + jitter(),
-                                        0.6 + 1.2 * (k / columns) + jitter()},
-                           .radius = 0.3 + 0.2 * random.uniform(),
-                           .velocity = {2 * random.uniform() - 1, -2 * random.uniform()},
-                           .spin = 4 * random.uniform() - 2});
+    scene.disks.push_back(
+        {.position = {1.2 * (k % columns) + jitter(), 0.6 + 1.2 * (k / columns) + jitter()},
+         .radius = 0.3 + 0.2 * random.uniform(),
+         .velocity = {2 * random.uniform() - 1, -2 * random.uniform()},
+         .spin = 4 * random.uniform() - 2});
   }
   return scene;
 }
