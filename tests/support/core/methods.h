@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <ostream>
 #include <string>
 
 #include "core/solver.h"
@@ -13,17 +14,21 @@ inline auto all_methods() {
   return testing::Values(Method::automatic, Method::interior_point, Method::gauss_seidel);
 }
 
-inline std::string method_name(const testing::TestParamInfo<Method>& info) {
-  switch (info.param) {
-    case Method::automatic:
-      return "automatic";
-    case Method::interior_point:
-      return "interior_point";
-    case Method::gauss_seidel:
-      return "gauss_seidel";
+inline const char* method_word(Method method) {
+  switch (method) {
+    case Method::automatic: return "automatic";
+    case Method::interior_point: return "interior_point";
+    case Method::gauss_seidel: return "gauss_seidel";
   }
   return "unnamed";
 }
+
+inline std::string method_name(const testing::TestParamInfo<Method>& tested) {
+  return method_word(tested.param);
+}
+
+// How GoogleTest prints a method.
+inline void PrintTo(Method method, std::ostream* out) { *out << method_word(method); }
 
 class PerSolver : public testing::TestWithParam<Method> {};
 
