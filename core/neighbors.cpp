@@ -42,8 +42,11 @@ class CellGrid {
   // Calls visit(j) for each disk in the cells within `reach` of the disk's centre, once each.
   template <class Visit>
   void visit_near(int i, double reach, Visit visit) const {
-    const int nx = static_cast<int>(std::ceil(reach / size_x_));
-    const int ny = static_cast<int>(std::ceil(reach / size_y_));
+    // Bodies of a failing run may be so fast that their reach counts more cells than an int holds.
+    const auto cells = [&](double size) {
+      return static_cast<int>(std::min(std::ceil(reach / size), 1e9));
+    };
+    const int nx = cells(size_x_), ny = cells(size_y_);
     const Cell c = cell_[i];
     int first = c.x - nx, last = c.x + nx;
     if (periodic_ && last - first + 1 >= columns_) first = 0, last = columns_ - 1;

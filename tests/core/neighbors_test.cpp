@@ -96,6 +96,17 @@ TEST(NeighborSearch, AnEmptyWorldHasNoPairs) {
   EXPECT_TRUE(NeighborList{}.pairs(world, 1).empty());
 }
 
+// A run that fails may have any speed; the search must still end, with all pairs.
+TEST(NeighborSearch, AnyReachIsSearchedInBoundedTime) {
+  for (Sides sides : {Sides::periodic, Sides::open}) {
+    World world;
+    world.box = {.width = 10, .sides = sides};
+    for (double x : {0.5, 3.0, 7.0}) world.disks.add({.position = {x, x}});
+    for (double distance : {1e6, 1e12, 1e200})
+      EXPECT_EQ(pairs_within(world, distance).size(), 3U) << distance;
+  }
+}
+
 TEST(NeighborSearch, SeesThroughThePeriodicSides) {
   World world;
   world.box = {.width = 10, .sides = Sides::periodic};
