@@ -9,9 +9,12 @@ std::optional<Landing> land(const World& world, double x, double radius) {
   const auto offer = [&](double y, int body) {
     if (!highest || y > highest->centre.y()) highest = Landing{.centre = {x, y}, .touched = body};
   };
-  for (std::size_t k = 0; k < world.walls.size(); ++k)
-    if (world.walls[k].normal.y() > 0.5)
-      offer(world.walls[k].point.y() + radius, kWallBase + static_cast<int>(k));
+  for (std::size_t k = 0; k < world.walls.size(); ++k) {
+    const Wall& wall = world.walls[k];
+    if (wall.normal.y() <= 0.5) continue;
+    const double along = wall.normal.x() * (x - wall.point.x());
+    offer(wall.point.y() + (radius - along) / wall.normal.y(), kWallBase + static_cast<int>(k));
+  }
   const double width = world.box.sides == Sides::periodic ? world.box.width : 0;
   for (int i = 0; i < world.disks.size(); ++i) {
     double dx = x - world.disks.position[i].x();

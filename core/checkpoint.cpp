@@ -1,13 +1,14 @@
 #include "core/checkpoint.h"
 
 #include <bit>
-#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <system_error>
 
+#include "core/checkpoint_check.h"
 #include "core/errors.h"
 
 namespace quicksand {
@@ -18,7 +19,7 @@ using Json = nlohmann::json;
 static_assert(std::endian::native == std::endian::little, "arrays are stored little-endian");
 
 constexpr const char* kFormat = "quicksand checkpoint";
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{4} << 30U;  // [bytes]
 
 // One description of the format for both directions: archive(object, field...) either writes the
@@ -68,7 +69,9 @@ class Reader {
   }
   template <class E>
   void word(const char* key, E& x) {
-    x = static_cast<E>(json_.at(key).get<int>());
+    const int number = json_.at(key).get<int>();
+    x = static_cast<E>(number);
+    if (static_cast<int>(x) != number) throw std::runtime_error(std::string(key) + " is no such word");
   }
   template <class T>
   void array(const char* key, std::vector<T>& items) {
@@ -230,25 +233,13 @@ bool same_size(std::size_t size, const Vectors&... vectors) {
   return ((vectors.size() == size) && ...);
 }
 
-bool finite(const World& world) {
-  const auto all = [](const auto& items) {
-    for (const auto& item : items)
-      if (!item.allFinite()) return false;
-    return true;
-  };
-  const Disks& d = world.disks;
-  for (double r : d.radius)
-    if (!(r > 0 && std::isfinite(r))) return false;
-  return all(d.position) && all(d.velocity) && all(d.applied) && all(d.inverse_mass) &&
-         std::isfinite(world.time) && std::isfinite(world.box.width);
-}
-
 World world_from(const Json& json) {
   World world;
   Reader reader(json);
   describe_world(reader, world);
   std::vector<double> gravity;
   reader.array("gravity", gravity);
+  require(gravity.empty() || gravity.size() == 2, "gravity is no vector");
   if (gravity.size() == 2) world.gravity = Vec2(gravity[0], gravity[1]);
 
   Columns bonds, contacts, walls;
@@ -260,7 +251,6 @@ World world_from(const Json& json) {
   const std::size_t nd = d.position.size();
   require(same_size(nd, d.angle, d.velocity, d.applied, d.radius, d.mass, d.inverse_mass, d.role),
           "the arrays of the disks differ in length");
-  require(finite(world), "a number is not finite or a radius not positive");
   const std::size_t nw = walls.point.size();
   require(same_size(nw, walls.normal, walls.velocity, walls.mass, walls.force, walls.role),
           "the arrays of the walls differ in length");
@@ -268,39 +258,53 @@ World world_from(const Json& json) {
     world.walls.push_back({walls.point[k], walls.normal[k], walls.velocity[k], walls.mass[k],
                            walls.force[k], static_cast<WallRole>(walls.role[k])});
 
-  const auto pairs_of = [&](const Columns& c) {
-    std::vector<Pair> pairs;
-    for (std::size_t k = 0; k < c.a.size(); ++k) {
-      const Pair pair{c.a[k], c.b[k]};
-      const bool known = pair.a >= 0 && static_cast<std::size_t>(pair.a) < nd &&
-                         (is_wall(pair.b) ? static_cast<std::size_t>(pair.b - kWallBase) < nw
-                                          : pair.b > pair.a && static_cast<std::size_t>(pair.b) < nd);
-      require(known, "a pair names a body that is not there");
-      require(k == 0 || pairs.back() < pair, "the pairs are not sorted");
-      pairs.push_back(pair);
-    }
-    return pairs;
-  };
   require(same_size(bonds.a.size(), bonds.b, bonds.state, bonds.initial),
           "the arrays of the bonds differ in length");
-  const std::vector<Pair> bonded = pairs_of(bonds);
-  for (std::size_t k = 0; k < bonded.size(); ++k)
-    world.bonds.list.push_back({bonded[k], static_cast<BondState>(bonds.state[k]),
+  for (std::size_t k = 0; k < bonds.a.size(); ++k)
+    world.bonds.list.push_back({{bonds.a[k], bonds.b[k]}, static_cast<BondState>(bonds.state[k]),
                                 bonds.initial[k] != 0});
   require(same_size(contacts.a.size(), contacts.b, contacts.normal, contacts.gap, contacts.impulse,
                     contacts.cohesion),
           "the arrays of the contacts differ in length");
-  const std::vector<Pair> touching = pairs_of(contacts);
-  for (std::size_t k = 0; k < touching.size(); ++k)
-    world.contacts.push_back({touching[k], contacts.normal[k], contacts.gap[k], contacts.impulse[k],
-                              contacts.cohesion[k]});
+  for (std::size_t k = 0; k < contacts.a.size(); ++k)
+    world.contacts.push_back({{contacts.a[k], contacts.b[k]}, contacts.normal[k], contacts.gap[k],
+                              contacts.impulse[k], contacts.cohesion[k]});
   return world;
+}
+
+// The file is a CBOR sequence [RFC 8742] of the checkpoint and a byte string of eight bytes: the
+// FNV-1a hash of all bytes before it. It is checked first, so that damaged bytes are never parsed.
+constexpr std::uint8_t kEightBytes = 0x48;
+constexpr std::size_t kSealSize = 9;
+
+std::uint64_t checksum(std::span<const std::uint8_t> bytes) {
+  std::uint64_t hash = 0xCBF29CE484222325ULL;
+  for (const std::uint8_t byte : bytes) hash = (hash ^ byte) * 0x100000001B3ULL;
+  return hash;
+}
+
+void add_seal(std::vector<std::uint8_t>& bytes) {
+  const std::uint64_t hash = checksum(bytes);
+  bytes.push_back(kEightBytes);
+  for (unsigned k = 0; k < 8; ++k) bytes.push_back(static_cast<std::uint8_t>(hash >> (8 * k)));
+}
+
+// The bytes without their seal.
+std::span<const std::uint8_t> sealed_content(std::span<const std::uint8_t> bytes) {
+  require(bytes.size() > kSealSize, "it is too short");
+  const auto content = bytes.first(bytes.size() - kSealSize), seal = bytes.last(kSealSize);
+  std::uint64_t hash = 0;
+  for (unsigned k = 0; k < 8; ++k) hash |= std::uint64_t{seal[k + 1]} << (8 * k);
+  require(seal[0] == kEightBytes && hash == checksum(content),
+          "its checksum is wrong: it is cut short, damaged, or another kind of file");
+  return content;
 }
 
 }  // namespace
 
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
-  const std::vector<std::uint8_t> bytes = Json::to_cbor(to_json(checkpoint));
+  std::vector<std::uint8_t> bytes = Json::to_cbor(to_json(checkpoint));
+  add_seal(bytes);
   std::filesystem::path temporary = path;
   temporary += ".part";
   std::ofstream file(temporary, std::ios::binary);
@@ -322,7 +326,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
   file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
   if (!file) throw InputError(path.string(), "cannot be read");
   try {
-    const Json json = Json::from_cbor(bytes);
+    const Json json = Json::from_cbor(sealed_content(bytes));
     require(json.is_object() && json.value("format", "") == kFormat, "this is no checkpoint");
     const int version = json.at("version").get<int>();
     if (version != kVersion)
@@ -333,6 +337,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
     checkpoint.world = world_from(json.at("world"));
     Reader reader(json.at("protocol"));
     describe_protocol(reader, checkpoint.protocol);
+    if (const char* problem = impossible(checkpoint)) throw std::runtime_error(problem);
     return checkpoint;
   } catch (const std::exception& problem) {
     throw InputError(path.string(), std::string("is not a whole checkpoint of quicksand: ") + problem.what());

@@ -61,6 +61,13 @@ void free_velocities(const World& world, double dt, std::vector<Vec3>& velocity)
   }
 }
 
+double least_reach(const World& world) {
+  double reach = kAlwaysWithin;
+  for (const ContactLaw* law : {&world.grain_law, &world.wall_law, &world.intruder_law})
+    if (law->cohesion_force) reach = std::max(reach, law->cohesion_range);
+  return reach;
+}
+
 void find_contacts(const World& world, const std::vector<Pair>& candidates,
                    const std::vector<Vec3>& free_velocity, double dt,
                    std::vector<Contact>& contacts) {

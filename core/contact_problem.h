@@ -24,6 +24,10 @@ double fastest_turning(const World& world);
 // included. Disks first, then walls (nd + nw).
 void free_velocities(const World& world, double dt, std::vector<Vec3>& velocity);
 
+// Candidates must hold all pairs up to this gap; then the contacts depend on the world alone, and not
+// on how many pairs farther apart a list happens to hold. [d]
+double least_reach(const World& world);
+
 // The contacts of the step among sorted `candidates`: bonded pairs, and those that may touch within
 // the step (judged by the free velocities). Impulses are inherited from world.contacts by pair and
 // scaled to the new step. Sorted by pair.

@@ -70,8 +70,12 @@ Neighbours neighbours(const World& world) {
     if (bond.initial && active) count(n.initial_active, bond.pair);
   }
   for (const Pair& pair : touching_pairs(world)) count(n.touching, pair);
-  for (const Contact& contact : world.contacts)
-    if (contact.cohesion > 0 || contact.impulse.x() > 0) count(n.loaded, contact.pair);
+  for (const Contact& contact : world.contacts) {
+    // A bond may have broken, or been formed, at the end of the step that the contacts are of.
+    const Bond* bond = world.bonds.find(contact.pair);
+    const bool bonded = bond && bond->state == BondState::active;
+    if (bonded || contact.impulse.x() > 0) count(n.loaded, contact.pair);
+  }
   return n;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <span>
 
 namespace quicksand {
 
@@ -41,8 +42,11 @@ class CellGrid {
   // Calls visit(j) for each disk in the cells within `reach` of the disk's centre, once each.
   template <class Visit>
   void visit_near(int i, double reach, Visit visit) const {
-    const int nx = static_cast<int>(std::ceil(reach / size_x_));
-    const int ny = static_cast<int>(std::ceil(reach / size_y_));
+    // Bodies of a failing run may be so fast that their reach counts more cells than an int holds.
+    const auto cells = [&](double size) {
+      return static_cast<int>(std::min(std::ceil(reach / size), 1e9));
+    };
+    const int nx = cells(size_x_), ny = cells(size_y_);
     const Cell c = cell_[i];
     int first = c.x - nx, last = c.x + nx;
     if (periodic_ && last - first + 1 >= columns_) first = 0, last = columns_ - 1;
@@ -107,15 +111,21 @@ std::vector<Pair> pairs_within(const World& world, double distance) {
   return pairs;
 }
 
+// Whether the list was built for these bodies, and not for another world that was here before.
+bool NeighborList::same_shapes(const World& world) const {
+  return built_at_.size() <= world.disks.position.size() &&
+         std::ranges::equal(radius_, std::span(world.disks.radius).first(radius_.size())) &&
+         std::ranges::equal(walls_, world.walls, {}, &Wall::normal, &Wall::normal) &&
+         box_ == world.box;
+}
+
 bool NeighborList::covers(const World& world, double distance) const {
-  if (skin_ < distance || static_cast<int>(built_at_.size()) > world.disks.size() ||
-      walls_built_at_.size() != world.walls.size())
-    return false;
+  if (skin_ < distance || !same_shapes(world)) return false;
   double moved = 0;
   for (std::size_t i = 0; i < built_at_.size(); ++i)
     moved = std::max(moved, (world.disks.position[i] - built_at_[i]).squaredNorm());
-  for (std::size_t k = 0; k < walls_built_at_.size(); ++k)
-    moved = std::max(moved, (world.walls[k].point - walls_built_at_[k]).squaredNorm());
+  for (std::size_t k = 0; k < walls_.size(); ++k)
+    moved = std::max(moved, (world.walls[k].point - walls_[k].point).squaredNorm());
   return distance + 2 * std::sqrt(moved) <= skin_;
 }
 
@@ -129,6 +139,7 @@ void NeighborList::append_new_disks(const World& world) {
     for (int k = 0; k < static_cast<int>(world.walls.size()); ++k)
       if (world.gap({j, kWallBase + k}) <= distance) pairs_.push_back({j, kWallBase + k});
     built_at_.push_back(world.disks.position[j]);
+    radius_.push_back(world.disks.radius[j]);
   }
   std::sort(pairs_.begin() + old_size, pairs_.end());
   std::inplace_merge(pairs_.begin(), pairs_.begin() + old_size, pairs_.end());
@@ -145,8 +156,9 @@ const std::vector<Pair>& NeighborList::pairs(const World& world, double distance
   skin_ = std::max(kLeastSkin, 2.5 * distance);
   pairs_ = pairs_within(world, skin_);
   built_at_ = world.disks.position;
-  walls_built_at_.clear();
-  for (const Wall& wall : world.walls) walls_built_at_.push_back(wall.point);
+  radius_ = world.disks.radius;
+  walls_ = world.walls;
+  box_ = world.box;
   return pairs_;
 }
 

@@ -20,11 +20,14 @@ class NeighborList {
 
  private:
   bool covers(const World& world, double distance) const;
+  bool same_shapes(const World& world) const;
   void append_new_disks(const World& world);
 
   std::vector<Pair> pairs_;
   std::vector<Vec2> built_at_;        // (nd) positions when built
-  std::vector<Vec2> walls_built_at_;  // (nw)
+  std::vector<double> radius_;        // (nd)
+  std::vector<Wall> walls_;           // (nw) when built
+  Box box_;
   double skin_ = -1;
 };
 

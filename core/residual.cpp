@@ -11,6 +11,15 @@ namespace quicksand {
 void velocity_from_impulses(const ContactProblem& problem, const std::vector<Vec3>& impulse,
                             std::vector<Vec3>& velocity) {
   velocity = problem.free_velocity;
+  if (problem.components == 1) {  // reads no arms
+    for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+      const ContactRow& row = problem.contacts[c];
+      const Vec2 p = impulse[c].x() * row.normal;
+      velocity[row.a].head<2>() -= problem.inverse_mass[row.a].head<2>().cwiseProduct(p);
+      velocity[row.b].head<2>() += problem.inverse_mass[row.b].head<2>().cwiseProduct(p);
+    }
+    return;
+  }
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     const ContactRow& row = problem.contacts[c];
     velocity[row.a] += problem.inverse_mass[row.a].cwiseProduct(momentum_of_a(row, impulse[c]));
@@ -45,6 +54,8 @@ Residual residual(const ContactProblem& problem, ContactState& state) {
     if (p.x() > 0)
       worst.gap = std::max(worst.gap, std::abs(opening) * problem.dt / row.gap_tolerance);
   }
+  // Any NaN of an impulse or a free velocity shows here; the maxima above may hide it.
+  for (const Vec3& v : state.velocity) finite = finite && v.allFinite();
   worst.natural /= problem.force_scale * problem.dt;
   // NaN compares false with everything and must not pass as a small residual.
   if (!finite) worst.natural = worst.gap = std::numeric_limits<double>::infinity();

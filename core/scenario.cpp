@@ -61,9 +61,29 @@ void check_overlaps(const Scenario& scenario) {
   }
 }
 
+void check_walls(const Scenario& scenario) {
+  for (std::size_t k = 0; k < scenario.walls.size(); ++k) {
+    const Wall& wall = scenario.walls[k];
+    if (wall.mass > 0 && wall.normal.x() != 0 && wall.normal.y() != 0)
+      throw InputError("walls[" + std::to_string(k) + "]",
+                       "has a mass and is tilted; a wall with mass moves along x or y only");
+  }
+}
+
+void check_push(const Scenario& scenario, const PushPhase& push, const std::string& where) {
+  if (scenario.box.sides != Sides::walls || !push.x) return;
+  const double least = push.diameter / 2, most = scenario.box.width - least;
+  if (*push.x < least || *push.x > most)
+    throw InputError(where + ".x", "is " + number(*push.x) +
+                                       " d; between the side walls there is room from " +
+                                       number(least) + " to " + number(most) + " d");
+}
+
 void check_phases(const Scenario& scenario) {
   for (std::size_t k = 0; k < scenario.phases.size(); ++k) {
     const std::string where = "phases[" + std::to_string(k) + "]";
+    if (const auto* push = std::get_if<PushPhase>(&scenario.phases[k].kind))
+      check_push(scenario, *push, where);
     const auto* deposit = std::get_if<DepositPhase>(&scenario.phases[k].kind);
     if (!deposit) continue;
     if (!scenario.box.floor || scenario.box.sides == Sides::open)
@@ -92,6 +112,7 @@ void validate(const Scenario& scenario) {
     throw InputError("box.width", "is " + number(scenario.box.width) +
                                       " d; the largest body has a diameter of " +
                                       number(largest) + " d");
+  check_walls(scenario);
   check_overlaps(scenario);
   check_phases(scenario);
 }

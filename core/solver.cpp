@@ -35,7 +35,7 @@ SolveReport climb(const ContactProblem& problem, const SolverSettings& settings,
   }
   if (report.converged) return report;
   SolverSettings polish = settings;
-  polish.max_iterations = kPolishSweeps;
+  polish.max_iterations = std::min(kPolishSweeps, settings.max_iterations);
   report.add(solve_gauss_seidel(problem, polish, state));
   return report;
 }

@@ -127,7 +127,8 @@ StepReport Stepper::advance(World& world, const StepSettings& step, const Solver
   report.finite = report.taken = report.bad_body < 0;
   if (!report.finite) return report;
 
-  const double reach = 2 * step.dt * fastest(s.free_velocity) + kMissTolerance;
+  const double reach =
+      std::max(least_reach(world), 2 * step.dt * fastest(s.free_velocity) + kMissTolerance);
   find_contacts(world, s.neighbors.pairs(world, reach), s.free_velocity, step.dt, s.contacts);
   solve_contacts(world, step, settings, report);
   s.breaks.clear();

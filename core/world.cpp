@@ -64,7 +64,9 @@ World make_world(const Scenario& scenario) {
   }
   if (scenario.initial_bonds == InitialBonds::touching) {
     std::vector<Pair> bonded;
-    for (const Pair& pair : pairs_within(world, scenario.grain_law.cohesion_range)) {
+    const double widest = std::max({world.grain_law.cohesion_range, world.wall_law.cohesion_range,
+                                    world.intruder_law.cohesion_range});
+    for (const Pair& pair : pairs_within(world, widest)) {
       const ContactLaw& law = world.law(pair);
       const bool movable = !world.disks.fixed(pair.a) ||
                            (is_wall(pair.b) ? world.wall(pair.b).mass > 0
@@ -92,6 +94,10 @@ class Hash {
     std::memcpy(&word, &x, sizeof word);
     add(word);
   }
+  void add(const std::optional<double>& x) { add(x.has_value() ? 1 : 0), add(x.value_or(0)); }
+  void add(const ContactLaw& law) {
+    add(law.friction), add(law.rolling_friction), add(law.cohesion_force), add(law.cohesion_range);
+  }
   void add(const Vec2& v) { add(v.x()), add(v.y()); }
   void add(const Vec3& v) { add(v.x()), add(v.y()), add(v.z()); }
   void add(int i) { add(static_cast<std::uint64_t>(i)); }
@@ -115,6 +121,9 @@ std::uint64_t world_hash(const World& world) {
   hash.add(world.step);
   hash.add(world.random.state);
   hash.add(static_cast<int>(world.bonding));
+  hash.add(world.box.width), hash.add(static_cast<int>(world.box.sides));
+  hash.add(world.gravity.has_value() ? 1 : 0), hash.add(world.gravity.value_or(Vec2(0, 0)));
+  hash.add(world.grain_law), hash.add(world.wall_law), hash.add(world.intruder_law);
   hash.add(world.impulse_dt);
   hash.add_all(world.disks.position);
   hash.add_all(world.disks.angle);
@@ -123,6 +132,7 @@ std::uint64_t world_hash(const World& world) {
   hash.add_all(world.disks.radius);
   hash.add_all(world.disks.mass);
   hash.add_all(world.disks.inverse_mass);
+  for (const Role role : world.disks.role) hash.add(static_cast<int>(role));
   for (const Wall& wall : world.walls) {
     hash.add(wall.point), hash.add(wall.normal), hash.add(wall.velocity);
     hash.add(wall.mass), hash.add(wall.force);

@@ -1,0 +1,91 @@
+#include "core/checkpoint_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quicksand {
+
+namespace {
+
+template <class... Numbers>
+bool finite(Numbers... x) {
+  return (std::isfinite(x) && ...);
+}
+
+template <class Vectors>
+bool all_finite(const Vectors& vectors) {
+  return std::ranges::all_of(vectors, [](const auto& v) { return v.allFinite(); });
+}
+
+bool not_negative(double x) { return std::isfinite(x) && x >= 0; }
+bool positive(double x) { return std::isfinite(x) && x > 0; }
+
+bool possible(const ContactLaw& law) {
+  return not_negative(law.friction.value_or(0)) && not_negative(law.rolling_friction.value_or(0)) &&
+         not_negative(law.cohesion_force.value_or(0)) && not_negative(law.cohesion_range);
+}
+
+bool possible(const Disks& d) {
+  return all_finite(d.position) && all_finite(d.velocity) && all_finite(d.applied) &&
+         std::ranges::all_of(d.angle, [](double x) { return std::isfinite(x); }) &&
+         std::ranges::all_of(d.radius, positive) && std::ranges::all_of(d.mass, positive) &&
+         std::ranges::all_of(d.inverse_mass,
+                             [](const Vec3& m) { return m.allFinite() && m.minCoeff() >= 0; }) &&
+         std::ranges::all_of(d.role, [](Role role) { return role <= Role::intruder; });
+}
+
+bool possible(const Wall& wall) {
+  return wall.point.allFinite() && wall.velocity.allFinite() && wall.normal.allFinite() &&
+         std::abs(wall.normal.norm() - 1) < 1e-9 && not_negative(wall.mass) && finite(wall.force) &&
+         wall.role <= WallRole::piston;
+}
+
+bool possible(const Bond& bond) { return bond.state <= BondState::broken; }
+
+bool possible(const Contact& contact) {
+  return contact.normal.allFinite() && contact.impulse.allFinite() &&
+         finite(contact.gap, contact.cohesion);
+}
+
+template <class Item>
+bool all_possible(const std::vector<Item>& items) {
+  return std::ranges::all_of(items, [](const Item& item) { return possible(item); });
+}
+
+template <class Item>
+bool pairs_in_order(const World& world, const std::vector<Item>& items) {
+  const auto nd = world.disks.size();
+  const auto nw = static_cast<int>(world.walls.size());
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    const auto [a, b] = items[k].pair;
+    if (a < 0 || a >= nd) return false;
+    if (is_wall(b) ? b - kWallBase >= nw : b <= a || b >= nd) return false;
+    if (k > 0 && !(items[k - 1].pair < items[k].pair)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+const char* impossible(const Checkpoint& checkpoint) {
+  const World& world = checkpoint.world;
+  const ProtocolState& protocol = checkpoint.protocol;
+  if (world.box.sides > Sides::walls || !not_negative(world.box.width) ||
+      !finite(world.box.height) || (world.box.sides != Sides::open && world.box.width == 0))
+    return "no such box";
+  if (world.gravity && !world.gravity->allFinite()) return "gravity is not a number";
+  if (!possible(world.grain_law) || !possible(world.wall_law) || !possible(world.intruder_law))
+    return "no such contact law";
+  if (!possible(world.disks)) return "a number of a disk is not possible";
+  if (!all_possible(world.walls)) return "a number of a wall is not possible";
+  if (!all_possible(world.bonds.list) || !pairs_in_order(world, world.bonds.list))
+    return "the bonds are not those of these bodies";
+  if (!all_possible(world.contacts) || !pairs_in_order(world, world.contacts))
+    return "the contacts are not those of these bodies";
+  if (!finite(world.time) || !not_negative(world.impulse_dt)) return "a time is not a number";
+  if (protocol.phase < 0 || !finite(protocol.phase_start, protocol.next_drop, protocol.rest_since))
+    return "the protocol stands nowhere";
+  return nullptr;
+}
+
+}  // namespace quicksand

@@ -1,0 +1,110 @@
+#include "core/step.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "tests/support/core/methods.h"
+#include "tests/support/core/scenes.h"
+#include "tests/support/core/simulation.h"
+#include "tests/support/core/tolerance.h"
+
+namespace quicksand {
+namespace {
+
+QUICKSAND_PER_SOLVER(Step);
+
+TEST_P(Step, CountsStepsAndTime) {
+  Simulation run(column(GetParam(), 2));
+  run.advance(3);
+  EXPECT_EQ(run.world.step, 3);
+  EXPECT_NEAR(run.world.time, 3 * run.step.dt, tolerance::rounding());
+  EXPECT_EQ(run.world.impulse_dt, run.step.dt);
+}
+
+TEST_P(Step, BodiesThatMeetDoNotOverlap) {
+  Scenario scene = falling_cluster(GetParam(), 25, 9, paper_law());
+  scene.solver.tolerance = 1e-8;
+  Simulation run(scene);
+  for (int k = 0; k < 300; ++k) {
+    run.advance();
+    if (!run.last.converged) continue;
+    for (const Contact& contact : run.world.contacts)
+      ASSERT_GE(run.world.gap(contact.pair), -1e-4) << "in step " << k;
+  }
+}
+
+// A grain hit by a fast one moves into a third that was out of reach for all free velocities.
+TEST_P(Step, FindsContactsThatOnlyAnotherContactCauses) {
+  Scenario scene = empty_scene(GetParam());
+  scene.disks = {
+      {.position = {0, 0}, .velocity = {40, 0}}, {.position = {1, 0}}, {.position = {2.1, 0}}};
+  Simulation run(scene);
+  run.advance();
+  EXPECT_GE(run.world.gap({1, 2}), -1e-6);
+  EXPECT_GT(run.world.disks.velocity[2].x(), 1) << "the third must have been hit";
+}
+
+TEST_P(Step, AVelocityThatIsNotFiniteStopsBeforeTheWorldIsTouched) {
+  Simulation run(column(GetParam(), 3));
+  run.advance(2);
+  run.world.disks.applied[1].y() = std::numeric_limits<double>::quiet_NaN();
+  const std::uint64_t before = world_hash(run.world);
+  run.advance();
+  EXPECT_FALSE(run.last.finite);
+  EXPECT_FALSE(run.last.taken);
+  EXPECT_EQ(run.last.bad_body, 1);
+  EXPECT_EQ(world_hash(run.world), before);
+}
+
+TEST_P(Step, AStepThatMustConvergeAndDoesNotIsNotTaken) {
+  Simulation run(hanging_chain(GetParam(), 60, 3));
+  run.step.stop_if_unconverged = true;
+  run.solver.max_iterations = run.solver.max_factorisations = 1;
+  const std::uint64_t before = world_hash(run.world);
+  run.advance();
+  EXPECT_FALSE(run.last.converged);
+  EXPECT_FALSE(run.last.taken);
+  EXPECT_EQ(world_hash(run.world), before);
+}
+
+TEST_P(Step, SettingsLimitTheWork) {
+  Simulation run(hanging_chain(GetParam(), 60, 3));
+  run.solver.max_iterations = 3;
+  run.solver.max_factorisations = 2;
+  run.advance();
+  EXPECT_LE(run.last.solve.iterations, 3);
+  // The ladder has two attempts.
+  EXPECT_LE(run.last.solve.factorisations, 4);
+}
+
+TEST_P(Step, ASteppersPastDoesNotMatter) {
+  const Scenario scene = falling_cluster(GetParam(), 12, 3, paper_law(10));
+  World fresh = make_world(scene), used = make_world(scene);
+  Stepper one, other;
+  World elsewhere = make_world(falling_cluster(GetParam(), 30, 8, paper_law()));
+  for (int k = 0; k < 5; ++k) other.advance(elsewhere, scene.step, scene.solver);
+  for (int k = 0; k < 40; ++k) {
+    one.advance(fresh, scene.step, scene.solver);
+    other.advance(used, scene.step, scene.solver);
+    ASSERT_EQ(world_hash(fresh), world_hash(used)) << "after step " << k;
+  }
+}
+
+// A pair that drifts together slowly enters the list late, when a new stepper would already see it.
+TEST_P(Step, ASteppersPastDoesNotMatterForPairsThatComeSlowly) {
+  Scenario scene = empty_scene(GetParam());
+  scene.disks = {{.position = {0, 0}, .velocity = {0.1, 0}},
+                 {.position = {1.2505, 0}, .velocity = {-0.1, 0}}};
+  World world = make_world(scene);
+  Stepper old;
+  for (int k = 0; k < 140; ++k) {
+    World branch = world;
+    Stepper().advance(branch, scene.step, scene.solver);
+    old.advance(world, scene.step, scene.solver);
+    ASSERT_EQ(world_hash(branch), world_hash(world)) << "in step " << k;
+  }
+}
+
+}  // namespace
+}  // namespace quicksand
