@@ -154,7 +154,8 @@ void BlockLu::factorise() {
 void BlockLu::solve(std::vector<Vec3>& x) {
   for (int i = 0; i < n_; ++i) work_[position_[i]] = x[i];
   for (int k = 0; k < n_; ++k)
-    for (int q = start_[k]; q < start_[k + 1]; ++q) work_[row_[q]].noalias() -= lower_[q] * work_[k];
+    for (int q = start_[k]; q < start_[k + 1]; ++q)
+      work_[row_[q]].noalias() -= lower_[q] * work_[k];
   for (int k = n_ - 1; k >= 0; --k) {
     Vec3 sum = work_[k];
     for (int q = start_[k]; q < start_[k + 1]; ++q) sum.noalias() -= upper_[q] * work_[row_[q]];

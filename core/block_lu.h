@@ -48,16 +48,16 @@ class BlockLu {
 
   int n_ = -1;
   std::vector<Edge> edges_;
-  std::vector<int> position_;    // (n) place of a block row in the elimination order
-  std::vector<int> start_;       // (n + 1) columns of L in row_, lower_, upper_
-  std::vector<int> row_;         // rows below the diagonal, ascending in a column
-  std::vector<int> edge_slot_;   // (edges) place in lower_ and upper_
+  std::vector<int> position_;       // (n) place of a block row in the elimination order
+  std::vector<int> start_;          // (n + 1) columns of L in row_, lower_, upper_
+  std::vector<int> row_;            // rows below the diagonal, ascending in a column
+  std::vector<int> edge_slot_;      // (edges) place in lower_ and upper_
   std::vector<char> edge_flipped_;  // (edges) whether j comes before i in the order
-  std::vector<Mat3> pivot_;      // (n) diagonal blocks, inverted by factorise()
-  std::vector<Mat3> lower_;      // L by columns (unit diagonal)
-  std::vector<Mat3> upper_;      // U by rows, same places as the transposed entry of L
+  std::vector<Mat3> pivot_;         // (n) diagonal blocks, inverted by factorise()
+  std::vector<Mat3> lower_;         // L by columns (unit diagonal)
+  std::vector<Mat3> upper_;         // U by rows, same places as the transposed entry of L
   std::vector<int> cursor_, next_, head_, place_;  // scratch of factorise() (n)
-  std::vector<Vec3> work_;       // (n)
+  std::vector<Vec3> work_;                         // (n)
 };
 
 }  // namespace quicksand

@@ -29,7 +29,7 @@ struct Bond {
 };
 
 struct Bonds {
-  std::vector<Bond> list;  // sorted by pair
+  std::vector<Bond> list;    // sorted by pair
   std::int64_t formed = 0;   // since the beginning [1]
   std::int64_t broken = 0;   // since the beginning [1]
   std::int64_t initial = 0;  // number of bonds marked initial [1]

@@ -17,7 +17,8 @@ double turning_load(const World& world, const Contact& contact, double delassus)
 double normal_delassus(const World& world, const Contact& contact) {
   const Vec3 imb = is_wall(contact.pair.b) ? world.wall(contact.pair.b).inverse_mass()
                                            : world.disks.inverse_mass[contact.pair.b];
-  return delassus_diagonal({.normal = contact.normal}, world.disks.inverse_mass[contact.pair.a], imb)
+  return delassus_diagonal({.normal = contact.normal}, world.disks.inverse_mass[contact.pair.a],
+                           imb)
       .x();
 }
 
@@ -79,7 +80,8 @@ const std::vector<BondBreak>& EnergyRule::judge(const World& world,
   if (!solve_with(without_)) return breaks_;
   for (const Suspect& s : suspects_) {
     const ContactRow& row = problem_.contacts[s.contact];
-    const double opening = relative_velocity(row, state_.velocity[row.a], state_.velocity[row.b]).x();
+    const double opening =
+        relative_velocity(row, state_.velocity[row.a], state_.velocity[row.b]).x();
     const Contact& contact = contacts[s.contact];
     const double energy_left =
         (contact.cohesion - s.tension_before) * world.law(contact.pair).cohesion_range;

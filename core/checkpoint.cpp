@@ -40,7 +40,8 @@ class Writer {
   template <class T>
   void array(const char* key, const std::vector<T>& items) {
     std::vector<std::uint8_t> bytes(items.size() * sizeof(T));
-    if (!bytes.empty()) std::memcpy(bytes.data(), static_cast<const void*>(items.data()), bytes.size());
+    if (!bytes.empty())
+      std::memcpy(bytes.data(), static_cast<const void*>(items.data()), bytes.size());
     json_[key] = Json::binary(std::move(bytes));
   }
   template <class F>
@@ -71,7 +72,8 @@ class Reader {
   void word(const char* key, E& x) {
     const int number = json_.at(key).get<int>();
     x = static_cast<E>(number);
-    if (static_cast<int>(x) != number) throw std::runtime_error(std::string(key) + " is no such word");
+    if (static_cast<int>(x) != number)
+      throw std::runtime_error(std::string(key) + " is no such word");
   }
   template <class T>
   void array(const char* key, std::vector<T>& items) {
@@ -87,8 +89,10 @@ class Reader {
   }
   template <class T>
   void optional(const char* key, std::optional<T>& x) {
-    if (json_.at(key).is_null()) x.reset();
-    else x = json_.at(key).get<T>();
+    if (json_.at(key).is_null())
+      x.reset();
+    else
+      x = json_.at(key).get<T>();
   }
 
  private:
@@ -261,14 +265,17 @@ World world_from(const Json& json) {
   require(same_size(bonds.a.size(), bonds.b, bonds.state, bonds.initial),
           "the arrays of the bonds differ in length");
   for (std::size_t k = 0; k < bonds.a.size(); ++k)
-    world.bonds.list.push_back({{bonds.a[k], bonds.b[k]}, static_cast<BondState>(bonds.state[k]),
-                                bonds.initial[k] != 0});
+    world.bonds.list.push_back(
+        {{bonds.a[k], bonds.b[k]}, static_cast<BondState>(bonds.state[k]), bonds.initial[k] != 0});
   require(same_size(contacts.a.size(), contacts.b, contacts.normal, contacts.gap, contacts.impulse,
                     contacts.cohesion),
           "the arrays of the contacts differ in length");
   for (std::size_t k = 0; k < contacts.a.size(); ++k)
-    world.contacts.push_back({{contacts.a[k], contacts.b[k]}, contacts.normal[k], contacts.gap[k],
-                              contacts.impulse[k], contacts.cohesion[k]});
+    world.contacts.push_back({{contacts.a[k], contacts.b[k]},
+                              contacts.normal[k],
+                              contacts.gap[k],
+                              contacts.impulse[k],
+                              contacts.cohesion[k]});
   return world;
 }
 
@@ -308,7 +315,8 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& check
   std::filesystem::path temporary = path;
   temporary += ".part";
   std::ofstream file(temporary, std::ios::binary);
-  file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  file.write(reinterpret_cast<const char*>(bytes.data()),
+             static_cast<std::streamsize>(bytes.size()));
   file.close();
   if (!file) throw InputError(path.string(), "cannot be written");
   std::error_code error;
@@ -340,7 +348,8 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
     if (const char* problem = impossible(checkpoint)) throw std::runtime_error(problem);
     return checkpoint;
   } catch (const std::exception& problem) {
-    throw InputError(path.string(), std::string("is not a whole checkpoint of quicksand: ") + problem.what());
+    throw InputError(path.string(),
+                     std::string("is not a whole checkpoint of quicksand: ") + problem.what());
   }
 }
 

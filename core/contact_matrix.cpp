@@ -53,8 +53,7 @@ void ContactMatrix::factorise(const std::vector<Mat3>& stiffness) {
   }
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     const ContactRow& row = problem.contacts[c];
-    const Jacobian h =
-        jacobian(row, problem.inverse_mass[row.a], problem.inverse_mass[row.b]);
+    const Jacobian h = jacobian(row, problem.inverse_mass[row.a], problem.inverse_mass[row.b]);
     const int i = row_of_body_[row.a], j = row_of_body_[row.b];
     const Mat3 da = stiffness[c] * h.of_a, db = stiffness[c] * h.of_b;
     if (i >= 0) lu_.diagonal(i).noalias() += h.of_a.transpose() * da;

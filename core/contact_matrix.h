@@ -24,7 +24,7 @@ class ContactMatrix {
 
  private:
   const ContactProblem* problem_ = nullptr;
-  std::vector<int> row_of_body_;   // (nb) block row, -1 if immobile
+  std::vector<int> row_of_body_;  // (nb) block row, -1 if immobile
   std::vector<int> body_of_row_;
   std::vector<int> edge_of_contact_;  // (nc) -1 if only one body is mobile
   std::vector<Edge> edges_;

@@ -23,7 +23,8 @@ bool movable(const World& world, Pair pair) {
 
 void start_velocities(const World& world, std::vector<Vec3>& velocity) {
   velocity.assign(world.disks.velocity.begin(), world.disks.velocity.end());
-  for (const Wall& wall : world.walls) velocity.emplace_back(wall.velocity.x(), wall.velocity.y(), 0);
+  for (const Wall& wall : world.walls)
+    velocity.emplace_back(wall.velocity.x(), wall.velocity.y(), 0);
 }
 
 double turning_rate(const World& world, const Contact& contact) {
@@ -50,7 +51,8 @@ void free_velocities(const World& world, double dt, std::vector<Vec3>& velocity)
   const Vec2 g = world.gravity.value_or(Vec2(0, 0));
   for (int i = 0; i < disks.size(); ++i) {
     if (disks.fixed(i)) continue;
-    velocity[i] += dt * (Vec3(g.x(), g.y(), 0) + disks.inverse_mass[i].cwiseProduct(disks.applied[i]));
+    velocity[i] +=
+        dt * (Vec3(g.x(), g.y(), 0) + disks.inverse_mass[i].cwiseProduct(disks.applied[i]));
   }
   for (std::size_t k = 0; k < world.walls.size(); ++k) {
     const Wall& wall = world.walls[k];
@@ -78,8 +80,8 @@ void find_contacts(const World& world, const std::vector<Pair>& candidates,
   for (const Pair& pair : candidates) {
     while (bond != world.bonds.list.end() && bond->pair < pair) ++bond;
     while (old != world.contacts.end() && old->pair < pair) ++old;
-    const bool bonded = bond != world.bonds.list.end() && bond->pair == pair &&
-                        bond->state == BondState::active;
+    const bool bonded =
+        bond != world.bonds.list.end() && bond->pair == pair && bond->state == BondState::active;
     Vec2 normal;
     const double gap = world.gap(pair, &normal);
     if (!bonded && gap > kAlwaysWithin) {
@@ -178,8 +180,10 @@ void build_problem(const World& world, const std::vector<Contact>& contacts,
   for (int i = 0; i < disks.size(); ++i) {
     if (disks.fixed(i)) continue;
     ++mobile;
-    force += disks.mass[i] * std::max((free_velocity[i] - disks.velocity[i]).head<2>().norm(),
-                                      disks.velocity[i].head<2>().norm()) / dt;
+    force += disks.mass[i] *
+             std::max((free_velocity[i] - disks.velocity[i]).head<2>().norm(),
+                      disks.velocity[i].head<2>().norm()) /
+             dt;
   }
   if (mobile > 0) force /= mobile;
   problem.force_scale = std::max(strongest_bond, force);

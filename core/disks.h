@@ -23,14 +23,14 @@ struct Disk {
 };
 
 struct Disks {
-  std::vector<Vec2> position;       // (nd) centre, not wrapped by periodic sides [d]
-  std::vector<double> angle;        // (nd) [rad]
-  std::vector<Vec3> velocity;       // (nd) (v_x, v_y, spin) [sqrt(g d)], [sqrt(g/d)]
-  std::vector<Vec3> applied;        // (nd) force (F_x, F_y) [F_g] and torque [F_g d] besides gravity
-  std::vector<double> radius;       // (nd) [d]
-  std::vector<double> mass;         // (nd) [grain masses]
-  std::vector<Vec3> inverse_mass;   // (nd) (1/m, 1/m, 1/I), zero if fixed
-  std::vector<Role> role;           // (nd)
+  std::vector<Vec2> position;      // (nd) centre, not wrapped by periodic sides [d]
+  std::vector<double> angle;       // (nd) [rad]
+  std::vector<Vec3> velocity;      // (nd) (v_x, v_y, spin) [sqrt(g d)], [sqrt(g/d)]
+  std::vector<Vec3> applied;       // (nd) force (F_x, F_y) [F_g] and torque [F_g d] besides gravity
+  std::vector<double> radius;      // (nd) [d]
+  std::vector<double> mass;        // (nd) [grain masses]
+  std::vector<Vec3> inverse_mass;  // (nd) (1/m, 1/m, 1/I), zero if fixed
+  std::vector<Role> role;          // (nd)
 
   int size() const { return static_cast<int>(position.size()); }
   double inertia(int i) const { return mass[i] * radius[i] * radius[i] / 2; }

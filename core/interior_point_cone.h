@@ -19,10 +19,10 @@ namespace quicksand {
 
 // A force x with |x| <= limit N that opposes the speed u = a - b: friction or rolling friction.
 struct BoundedForce {
-  double limit = 0;                                // 0: not modelled
-  double x = 0, low = 0, high = 0, a = 0, b = 0;   // low = limit N + x, high = limit N - x
+  double limit = 0;                               // 0: not modelled
+  double x = 0, low = 0, high = 0, a = 0, b = 0;  // low = limit N + x, high = limit N - x
   double dx = 0, dlow = 0, dhigh = 0, da = 0, db = 0;
-  double stiffness = 0, coupling = 0, aim = 0;     // dx = stiffness (aim - du - coupling dN)
+  double stiffness = 0, coupling = 0, aim = 0;  // dx = stiffness (aim - du - coupling dN)
 
   void start(double force, double n, double speed, double least_n, double least_speed) {
     x = std::clamp(force, -limit * n, limit * n);

@@ -56,8 +56,7 @@ Vec2 momentum(const World& world) {
 Neighbours neighbours(const World& world) {
   const auto nd = static_cast<std::size_t>(world.disks.size());
   Neighbours n;
-  for (auto* counts :
-       {&n.active, &n.broken, &n.initial, &n.initial_active, &n.touching, &n.loaded})
+  for (auto* counts : {&n.active, &n.broken, &n.initial, &n.initial_active, &n.touching, &n.loaded})
     counts->assign(nd, 0);
   const auto count = [&](std::vector<int>& counts, Pair pair) {
     ++counts[static_cast<std::size_t>(pair.a)];
@@ -127,7 +126,8 @@ Sample measure(const World& world) {
   s.step = world.step;
   s.energy = energies(world);
   s.grains = std::ranges::count(world.disks.role, Role::grain);
-  for (const Vec3& v : world.disks.velocity) s.max_speed = std::max(s.max_speed, v.head<2>().norm());
+  for (const Vec3& v : world.disks.velocity)
+    s.max_speed = std::max(s.max_speed, v.head<2>().norm());
   s.packing_top = packing_top(world);
   s.volume_fraction = volume_fraction(world, 0, 0.7 * s.packing_top);
 
@@ -154,10 +154,9 @@ Sample measure(const World& world) {
   }
   if (s.contacts > 0)
     s.active_bond_fraction = static_cast<double>(s.bonds_active) / static_cast<double>(s.contacts);
-  s.remaining_bond_fraction =
-      world.bonds.initial > 0
-          ? static_cast<double>(initial_active) / static_cast<double>(world.bonds.initial)
-          : 1;
+  s.remaining_bond_fraction = world.bonds.initial > 0 ? static_cast<double>(initial_active) /
+                                                            static_cast<double>(world.bonds.initial)
+                                                      : 1;
   s.bonds_formed = world.bonds.formed;
   s.bonds_broken = world.bonds.broken;
   if (const int intruder = world.intruder(); intruder >= 0) {

@@ -9,9 +9,9 @@
 namespace quicksand {
 
 struct Energies {
-  double kinetic = 0;     // of translation
+  double kinetic = 0;  // of translation
   double rotational = 0;
-  double potential = 0;   // in gravity, relative to the origin; 0 without gravity
+  double potential = 0;  // in gravity, relative to the origin; 0 without gravity
 };
 Energies energies(const World& world);
 
@@ -42,21 +42,21 @@ struct Sample {
   std::int64_t step = 0;
   std::int64_t grains = 0;
   Energies energy;
-  double max_speed = 0;               // of any disk's centre [sqrt(g d)]
-  double packing_top = 0;             // [d]
-  double volume_fraction = 0;         // of the lower 70 % of the packing
-  double coordination = 0;            // mean number of touching neighbours of a grain
-  double coordination_loaded = 0;     // ... that carry a compressive force or a bond
-  double active_bond_fraction = 0;    // active bonds over touching contacts; 0 if no contacts
-  double remaining_bond_fraction = 0; // active initial bonds over initial bonds; 1 if none
+  double max_speed = 0;                // of any disk's centre [sqrt(g d)]
+  double packing_top = 0;              // [d]
+  double volume_fraction = 0;          // of the lower 70 % of the packing
+  double coordination = 0;             // mean number of touching neighbours of a grain
+  double coordination_loaded = 0;      // ... that carry a compressive force or a bond
+  double active_bond_fraction = 0;     // active bonds over touching contacts; 0 if no contacts
+  double remaining_bond_fraction = 0;  // active initial bonds over initial bonds; 1 if none
   std::int64_t contacts = 0;
   std::int64_t bonds_active = 0;
   std::int64_t bonds_formed = 0;
   std::int64_t bonds_broken = 0;
-  double max_overlap = 0;             // [d]
+  double max_overlap = 0;  // [d]
   bool has_intruder = false;
-  Vec2 intruder_position{0, 0};       // [d]
-  Vec2 intruder_velocity{0, 0};       // [sqrt(g d)]
+  Vec2 intruder_position{0, 0};  // [d]
+  Vec2 intruder_velocity{0, 0};  // [sqrt(g d)]
 };
 Sample measure(const World& world);
 

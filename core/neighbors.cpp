@@ -62,7 +62,9 @@ class CellGrid {
 
  private:
   Cell cell_of(const Vec2& p) const {
-    const auto index = [](double x) { return static_cast<int>(std::clamp(std::floor(x), -1e9, 1e9)); };
+    const auto index = [](double x) {
+      return static_cast<int>(std::clamp(std::floor(x), -1e9, 1e9));
+    };
     const int x = index(world_.wrapped_x(p.x()) / size_x_);
     return {periodic_ ? std::min(x, columns_ - 1) : x, index(p.y() / size_y_)};
   }

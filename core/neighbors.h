@@ -24,9 +24,9 @@ class NeighborList {
   void append_new_disks(const World& world);
 
   std::vector<Pair> pairs_;
-  std::vector<Vec2> built_at_;        // (nd) positions when built
-  std::vector<double> radius_;        // (nd)
-  std::vector<Wall> walls_;           // (nw) when built
+  std::vector<Vec2> built_at_;  // (nd) positions when built
+  std::vector<double> radius_;  // (nd)
+  std::vector<Wall> walls_;     // (nw) when built
   Box box_;
   double skin_ = -1;
 };

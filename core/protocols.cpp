@@ -38,7 +38,9 @@ Progress Protocol::advance() {
     std::visit([&](const auto& kind) { enter(kind); }, now->kind);
   }
   std::visit([&](const auto& kind) { before_step(kind); }, now->kind);
-  const auto over = [&] { return std::visit([&](const auto& k) { return is_over(k); }, now->kind); };
+  const auto over = [&] {
+    return std::visit([&](const auto& k) { return is_over(k); }, now->kind);
+  };
   if (over()) return end_phase();
   if (!make_step(*now)) return Progress::failed;
   return over() ? end_phase() : Progress::running;
@@ -153,7 +155,8 @@ bool Protocol::at_rest(double speed, double duration) {
   });
   if (!slow) state_.rest_since = -1;
   // Nothing has moved yet before the first step of a phase.
-  else if (state_.rest_since < 0 && world_.time > state_.phase_start) state_.rest_since = world_.time;
+  else if (state_.rest_since < 0 && world_.time > state_.phase_start)
+    state_.rest_since = world_.time;
   return state_.rest_since >= 0 && due(world_.time, state_.rest_since + duration);
 }
 

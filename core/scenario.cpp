@@ -107,11 +107,12 @@ void validate(const Scenario& scenario) {
   if (scenario.box.sides == Sides::periodic && scenario.box.width < 3 * largest)
     throw InputError("box.width", "is " + number(scenario.box.width) +
                                       " d; periodic sides need at least three times the largest "
-                                      "diameter, " + number(3 * largest) + " d");
+                                      "diameter, " +
+                                      number(3 * largest) + " d");
   if (scenario.box.sides == Sides::walls && scenario.box.width < largest)
     throw InputError("box.width", "is " + number(scenario.box.width) +
-                                      " d; the largest body has a diameter of " +
-                                      number(largest) + " d");
+                                      " d; the largest body has a diameter of " + number(largest) +
+                                      " d");
   check_walls(scenario);
   check_overlaps(scenario);
   check_phases(scenario);

@@ -29,10 +29,10 @@ struct PhysicalScale {
 enum class Sides : std::uint8_t { open, periodic, walls };
 
 struct Box {
-  double width = 0;          // [d]; 0 only with open sides
-  double height = 0;         // for view and default drop height [d]
+  double width = 0;   // [d]; 0 only with open sides
+  double height = 0;  // for view and default drop height [d]
   Sides sides = Sides::periodic;
-  bool floor = true;         // a wall at y = 0
+  bool floor = true;  // a wall at y = 0
   bool operator==(const Box&) const = default;
 };
 
@@ -43,9 +43,9 @@ struct Box {
 enum class BreakRule : std::uint8_t { energy, linearised, geometric };
 
 struct StepSettings {
-  double dt = 1e-2;                               // [sqrt(d/g)]
+  double dt = 1e-2;  // [sqrt(d/g)]
   BreakRule break_rule = BreakRule::energy;
-  bool curvature_term = true;                     // second-order gap of bonded contacts
+  bool curvature_term = true;  // second-order gap of bonded contacts
   // Engaged: the step is dt divided by the power of two that lets no bonded pair turn farther in it
   // than this [rad]. Absent: every step is dt.
   std::optional<double> max_turn;
@@ -58,30 +58,30 @@ struct StepSettings {
 
 // Ballistic deposition: grains fall straight down at random places and stick where they touch.
 struct DepositPhase {
-  std::int64_t grains = 0;      // number of grains; 0: until the height is reached
-  double height = 0;            // top of the packing that ends the phase [d]; 0: by number only
-  double interval = 1e-2;       // time between grains [sqrt(d/g)]; 0: all at once, no dynamics
-  double drop_velocity = 0;     // downward, at the place of first contact [sqrt(g d)]
+  std::int64_t grains = 0;   // number of grains; 0: until the height is reached
+  double height = 0;         // top of the packing that ends the phase [d]; 0: by number only
+  double interval = 1e-2;    // time between grains [sqrt(d/g)]; 0: all at once, no dynamics
+  double drop_velocity = 0;  // downward, at the place of first contact [sqrt(g d)]
   bool operator==(const DepositPhase&) const = default;
 };
 
 // Nothing is added; ends at rest or at a time.
 struct SettlePhase {
-  double rest_speed = 1e-3;     // rest: no body faster than this ... [sqrt(g d)]
-  double rest_time = 0.5;       // ... for this long [sqrt(d/g)]
-  double max_time = 1000;       // ends the phase in any case [sqrt(d/g)]
-  bool until_rest = true;       // false: exactly max_time
-  bool bonding = false;         // whether first touches form bonds
+  double rest_speed = 1e-3;  // rest: no body faster than this ... [sqrt(g d)]
+  double rest_time = 0.5;    // ... for this long [sqrt(d/g)]
+  double max_time = 1000;    // ends the phase in any case [sqrt(d/g)]
+  bool until_rest = true;    // false: exactly max_time
+  bool bonding = false;      // whether first touches form bonds
   bool operator==(const SettlePhase&) const = default;
 };
 
 // An intruder is placed on the surface and pushed by a constant force.
 struct PushPhase {
-  double diameter = 3;          // [d]
-  double density = 0.5;         // over that of a grain [1]
-  double force = 0;             // downward, besides its weight [F_g]
-  std::optional<double> x;      // place [d]; middle of the box if absent
-  double rest_speed = 1e-3;     // as in SettlePhase
+  double diameter = 3;       // [d]
+  double density = 0.5;      // over that of a grain [1]
+  double force = 0;          // downward, besides its weight [F_g]
+  std::optional<double> x;   // place [d]; middle of the box if absent
+  double rest_speed = 1e-3;  // as in SettlePhase
   double rest_time = 0.5;
   double max_time = 1000;
   bool bonding = false;
@@ -103,18 +103,18 @@ struct Scenario {
   std::string description;
   std::uint64_t seed = 1;
   std::optional<PhysicalScale> physical;
-  std::optional<Vec2> gravity;          // vector [g]; absent: no gravity
+  std::optional<Vec2> gravity;  // vector [g]; absent: no gravity
   Box box;
-  ContactLaw grain_law;                 // grain on grain
-  std::optional<ContactLaw> wall_law;   // grain on wall; as grain_law if absent
+  ContactLaw grain_law;                    // grain on grain
+  std::optional<ContactLaw> wall_law;      // grain on wall; as grain_law if absent
   std::optional<ContactLaw> intruder_law;  // intruder on anything; as grain_law if absent
   StepSettings step;
   SolverSettings solver;
   std::vector<Disk> disks;
-  std::vector<Vec3> disk_forces;        // (disks) applied force [F_g] and torque [F_g d]
-  std::vector<Wall> walls;              // besides floor and sides of the box
+  std::vector<Vec3> disk_forces;  // (disks) applied force [F_g] and torque [F_g d]
+  std::vector<Wall> walls;        // besides floor and sides of the box
   InitialBonds initial_bonds = InitialBonds::none;
-  std::string start_from;               // checkpoint whose world is taken; empty: none
+  std::string start_from;  // checkpoint whose world is taken; empty: none
   std::vector<Phase> phases;
 };
 

@@ -80,9 +80,15 @@ SolveReport solve_gauss_seidel(const ContactProblem& problem, const SolverSettin
                                                settings.max_iterations - report.iterations);
     for (std::int64_t k = 0; k < sweeps; ++k) {
       switch (problem.components) {
-        case 1: sweep<1>(problem, inverse_delassus, state); break;
-        case 2: sweep<2>(problem, inverse_delassus, state); break;
-        default: sweep<3>(problem, inverse_delassus, state); break;
+        case 1:
+          sweep<1>(problem, inverse_delassus, state);
+          break;
+        case 2:
+          sweep<2>(problem, inverse_delassus, state);
+          break;
+        default:
+          sweep<3>(problem, inverse_delassus, state);
+          break;
       }
     }
     report.iterations += sweeps;

@@ -30,11 +30,10 @@ double violation(const ContactRow& row, const Vec3& delassus, int components, co
     return w > 0 ? std::abs(x - std::clamp(x - speed / w, low, high)) * w : 0;
   };
   const double n = std::max(0.0, p.x());
-  double worst = off(p.x(), row.gap_rate + u.x(), delassus.x(), 0,
-                     std::numeric_limits<double>::infinity());
+  double worst =
+      off(p.x(), row.gap_rate + u.x(), delassus.x(), 0, std::numeric_limits<double>::infinity());
   if (components >= 2)
-    worst = std::max(worst,
-                     off(p.y(), u.y(), delassus.y(), -row.friction * n, row.friction * n));
+    worst = std::max(worst, off(p.y(), u.y(), delassus.y(), -row.friction * n, row.friction * n));
   if (components >= 3)
     worst = std::max(worst, off(p.z(), u.z(), delassus.z(), -row.rolling * n, row.rolling * n) *
                                 std::max(row.arm_a, row.arm_b));
@@ -55,8 +54,7 @@ void InteriorPoint::start(const ContactProblem& problem, double shift, const Con
   double worst = 0;
   for (std::size_t c = 0; c < nc; ++c) {
     const ContactRow& row = problem.contacts[c];
-    delassus_[c] =
-        delassus_diagonal(row, problem.inverse_mass[row.a], problem.inverse_mass[row.b]);
+    delassus_[c] = delassus_diagonal(row, problem.inverse_mass[row.a], problem.inverse_mass[row.b]);
     worst = std::max(worst, violation(row, delassus_[c], problem.components, state.impulse[c],
                                       contact_velocity(row, velocity_)));
   }
@@ -77,8 +75,8 @@ void InteriorPoint::start(const ContactProblem& problem, double shift, const Con
 void InteriorPoint::linearise(const ContactProblem& problem) {
   for (std::size_t c = 0; c < cone_.size(); ++c) {
     const Vec3 u = contact_velocity(problem.contacts[c], velocity_);
-    stiffness_[c] = cone_[c].linearise(u, problem.contacts[c].gap_rate + u.x(),
-                                       kProximal * delassus_[c]);
+    stiffness_[c] =
+        cone_[c].linearise(u, problem.contacts[c].gap_rate + u.x(), kProximal * delassus_[c]);
   }
   matrix_.factorise(stiffness_);
 }

@@ -22,8 +22,7 @@ namespace {
 //   4. Gauss-Seidel sweeps as polish, in moderate number.
 // If all fall short, the step is repeated with half the time step (see protocols.h).
 SolveReport climb(const ContactProblem& problem, const SolverSettings& settings,
-                  InteriorPoint& interior_point,
-                  ContactState& state) {
+                  InteriorPoint& interior_point, ContactState& state) {
   constexpr double kNearShift = 1, kFarShift = 100;
   constexpr int kPolishSweeps = 500;
   SolveReport report;

@@ -22,12 +22,12 @@ namespace quicksand {
 struct ContactRow {
   int a = 0;  // body indices into the problem's arrays
   int b = 0;
-  Vec2 normal{0, 0};      // unit, from a to b
-  double arm_a = 0;       // centre of a to the contact point, along the normal [d]
-  double arm_b = 0;       // centre of b to the contact point, against the normal [d]
-  double gap_rate = 0;    // gap/dt, and the curvature term of bonded contacts [sqrt(g d)]
-  double friction = 0;    // [1]
-  double rolling = 0;     // [d]
+  Vec2 normal{0, 0};         // unit, from a to b
+  double arm_a = 0;          // centre of a to the contact point, along the normal [d]
+  double arm_b = 0;          // centre of b to the contact point, against the normal [d]
+  double gap_rate = 0;       // gap/dt, and the curvature term of bonded contacts [sqrt(g d)]
+  double friction = 0;       // [1]
+  double rolling = 0;        // [d]
   double gap_tolerance = 0;  // admissible |gap error| where N > 0 [d]
 };
 
@@ -50,11 +50,11 @@ inline Vec3 momentum_of_a(const ContactRow& c, const Vec3& p) {
 
 // Built once a step, constant while solving.
 struct ContactProblem {
-  double dt = 0;           // [sqrt(d/g)]
-  double force_scale = 1;  // forces are judged relative to this [F_g]
-  int components = 3;      // modelled: 1 normal, 2 with friction, 3 with rolling friction
-  std::vector<Vec3> inverse_mass;   // (nb) (1/m, 1/m, 1/I)
-  std::vector<Vec3> free_velocity;  // (nb) velocity at the end of the step without contacts
+  double dt = 0;                     // [sqrt(d/g)]
+  double force_scale = 1;            // forces are judged relative to this [F_g]
+  int components = 3;                // modelled: 1 normal, 2 with friction, 3 with rolling friction
+  std::vector<Vec3> inverse_mass;    // (nb) (1/m, 1/m, 1/I)
+  std::vector<Vec3> free_velocity;   // (nb) velocity at the end of the step without contacts
   std::vector<ContactRow> contacts;  // (nc)
 };
 
@@ -65,8 +65,8 @@ struct ContactState {
 
 // Distance of a state from the contact laws; see residual.h.
 struct Residual {
-  double natural = 0;    // worst projection residual over force_scale dt [1]
-  double gap = 0;        // worst |gap error| over gap_tolerance where N > 0 [1]
+  double natural = 0;  // worst projection residual over force_scale dt [1]
+  double gap = 0;      // worst |gap error| over gap_tolerance where N > 0 [1]
 };
 
 // A word in the scene for each method; `automatic` ("auto") is the ladder described in solver.cpp.
@@ -74,9 +74,9 @@ enum class Method : std::uint8_t { automatic, interior_point, gauss_seidel };
 
 struct SolverSettings {
   Method method = Method::automatic;
-  double tolerance = 1e-6;         // on Residual::natural [1]
-  int max_iterations = 20000;      // sweeps of Gauss-Seidel
-  int max_factorisations = 40;     // of one interior-point attempt
+  double tolerance = 1e-6;      // on Residual::natural [1]
+  int max_iterations = 20000;   // sweeps of Gauss-Seidel
+  int max_factorisations = 40;  // of one interior-point attempt
 
   bool operator==(const SolverSettings&) const = default;
 

@@ -119,7 +119,8 @@ void Stepper::update_bonds(World& world, const StepSettings& step, StepReport& r
   if (!s.formed.empty()) world.bonds.form(s.formed);
 }
 
-StepReport Stepper::advance(World& world, const StepSettings& step, const SolverSettings& settings) {
+StepReport Stepper::advance(World& world, const StepSettings& step,
+                            const SolverSettings& settings) {
   Scratch& s = *scratch_;
   StepReport report;
   free_velocities(world, step.dt, s.free_velocity);

@@ -68,9 +68,9 @@ World make_world(const Scenario& scenario) {
                                     world.intruder_law.cohesion_range});
     for (const Pair& pair : pairs_within(world, widest)) {
       const ContactLaw& law = world.law(pair);
-      const bool movable = !world.disks.fixed(pair.a) ||
-                           (is_wall(pair.b) ? world.wall(pair.b).mass > 0
-                                            : !world.disks.fixed(pair.b));
+      const bool movable =
+          !world.disks.fixed(pair.a) ||
+          (is_wall(pair.b) ? world.wall(pair.b).mass > 0 : !world.disks.fixed(pair.b));
       if (law.cohesion_force && movable && world.gap(pair) <= law.cohesion_range)
         bonded.push_back(pair);
     }

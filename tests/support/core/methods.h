@@ -16,9 +16,12 @@ inline auto all_methods() {
 
 inline const char* method_word(Method method) {
   switch (method) {
-    case Method::automatic: return "automatic";
-    case Method::interior_point: return "interior_point";
-    case Method::gauss_seidel: return "gauss_seidel";
+    case Method::automatic:
+      return "automatic";
+    case Method::interior_point:
+      return "interior_point";
+    case Method::gauss_seidel:
+      return "gauss_seidel";
   }
   return "unnamed";
 }
