@@ -9,7 +9,7 @@ namespace quicksand {
 
 namespace {
 
-// Impulse by which the turning of a pair loads its bond in a step, over dt. See [Brendel 2003].
+// Impulse by which the turning of a pair loads its bond in a step, over dt.
 double turning_load(const World& world, const Contact& contact, double delassus) {
   return 1.5 * turning_rate(world, contact) / delassus;
 }

@@ -107,6 +107,7 @@ double volume_fraction(const World& world, double y_low, double y_high) {
 
 std::vector<double> volume_fraction_profile(const World& world, double height, int bins) {
   std::vector<double> profile;
+  profile.reserve(static_cast<std::size_t>(bins));
   for (int k = 0; k < bins; ++k)
     profile.push_back(volume_fraction(world, height * k / bins, height * (k + 1) / bins));
   return profile;

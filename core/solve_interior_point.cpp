@@ -111,10 +111,14 @@ double InteriorPoint::longest_step() const {
 SolveReport InteriorPoint::solve(const ContactProblem& problem, const SolverSettings& settings,
                                  double shift, ContactState& state) {
   SolveReport report;
-  start(problem, shift, state);
   const double admissible = settings.tolerance * problem.force_scale * problem.dt;
   const double least_product = kLeastProduct * admissible * admissible;
-  double best = std::numeric_limits<double>::infinity();
+  // The start counts: what is handed on is never worse than what came in.
+  report.residual = residual(problem, state);
+  report.converged = settings.accepts(report.residual);
+  if (report.converged) return report;
+  start(problem, shift, state);
+  double best = settings.distance(report.residual);
   best_ = state.impulse;
   while (report.factorisations < settings.max_factorisations) {
     linearise(problem);

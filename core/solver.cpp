@@ -1,6 +1,5 @@
 #include "core/solver.h"
 
-#include "core/residual.h"
 #include "core/solve_gauss_seidel.h"
 #include "core/solve_interior_point.h"
 
@@ -16,18 +15,16 @@ ContactSolver::~ContactSolver() = default;
 namespace {
 
 // The ladder, each rung from the best state of the one before:
-//   1. nothing, if the inherited impulses already solve the problem (a packing at rest);
-//   2. interior point from the inherited impulses;
-//   3. interior point from far inside, which forgets a bad start;
-//   4. Gauss-Seidel sweeps as polish, in moderate number.
+//   1. interior point from the inherited impulses, which takes them as they are if they solve the
+//      problem already (a packing at rest);
+//   2. interior point from far inside, which forgets a bad start;
+//   3. Gauss-Seidel sweeps as polish, in moderate number.
 // If all fall short, the step is repeated with half the time step (see protocols.h).
 SolveReport climb(const ContactProblem& problem, const SolverSettings& settings,
                   InteriorPoint& interior_point, ContactState& state) {
   constexpr double kNearShift = 1, kFarShift = 100;
   constexpr int kPolishSweeps = 500;
   SolveReport report;
-  report.residual = residual(problem, state);
-  report.converged = settings.accepts(report.residual);
   for (const double shift : {kNearShift, kFarShift}) {
     if (report.converged) return report;
     report.add(interior_point.solve(problem, settings, shift, state));

@@ -81,7 +81,9 @@ TEST(Includes, OsmesaAndGlStayInTheirFiles) {
   expect_only({"GL/", "GLES"}, {"render/offscreen", "render/gl_table"});
 }
 
-TEST(Includes, PictureLibrariesStayInRender) { expect_only({"stb", "libdeflate"}, {"render/"}); }
+TEST(Includes, PictureLibrariesStayInRenderAndItsTests) {
+  expect_only({"stb", "libdeflate"}, {"render/", "tests/render/"});
+}
 
 TEST(Includes, OfOwnFilesAreWrittenFromTheRoot) {
   for (const Include& include : includes()) {
