@@ -108,7 +108,8 @@ Command add_run(CLI::App& program) {
       "DIR receives scene.json, frames/, film.mp4 (if ffmpeg is there), series.csv, summary.json\n"
       "and state.cbor. Ctrl-C ends a run after the present step with complete results.\n\n"
       "Example:\n"
-      "  quicksand run assets/scenes/collapse.json --out out/strong --set phases[1].force_over_cohesion=3");
+      "  quicksand run assets/scenes/collapse.json --out out/strong "
+      "--set phases[1].force_over_cohesion=3");
   return {command, [options] { return run(*options); }};
 }
 
