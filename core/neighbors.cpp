@@ -25,7 +25,7 @@ class CellGrid {
     columns_ = periodic_ ? std::max(1, static_cast<int>(world.box.width / cell_size)) : 0;
     size_x_ = periodic_ ? world.box.width / columns_ : cell_size;
     size_y_ = cell_size;
-    const auto buckets = std::bit_ceil(static_cast<std::size_t>(2 * nd + 16));
+    const auto buckets = std::bit_ceil(2 * static_cast<std::size_t>(nd) + 16);
     mask_ = buckets - 1;
     start_.assign(buckets + 1, 0);
     cell_.resize(static_cast<std::size_t>(nd));
