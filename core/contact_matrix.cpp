@@ -13,8 +13,8 @@ struct Jacobian {
 Jacobian jacobian(const ContactRow& c, const Vec3& ima, const Vec3& imb) {
   const Vec2 n = c.normal, t = perpendicular(c.normal);
   Jacobian h;
-  h.of_a << -n.x(), -n.y(), 0, -t.x(), -t.y(), -c.arm_a, 0, 0, -1;
-  h.of_b << n.x(), n.y(), 0, t.x(), t.y(), -c.arm_b, 0, 0, 1;
+  h.of_a << -n.x(), -n.y(), -c.spin_a.x(), -t.x(), -t.y(), -c.spin_a.y(), 0, 0, -1;
+  h.of_b << n.x(), n.y(), c.spin_b.x(), t.x(), t.y(), c.spin_b.y(), 0, 0, 1;
   for (int k = 0; k < 3; ++k) {
     if (ima[k] == 0) h.of_a.col(k).setZero();
     if (imb[k] == 0) h.of_b.col(k).setZero();

@@ -152,21 +152,24 @@ void build_problem(const World& world, const std::vector<Contact>& contacts,
     const ContactLaw& law = world.law(pair);
     ContactRow& row = problem.contacts[c];
     row = {.a = pair.a, .b = problem_body(world, pair.b), .normal = contact.normal};
-    row.arm_a = disks.radius[pair.a];
-    row.gap_rate = contact.gap / dt;
+    const double radius = disks.radius[pair.a];
+    row.spin_a.y() = row.arm = radius;
+    row.offset.x() = contact.gap / dt;
     row.friction = law.friction.value_or(0);
     if (is_wall(pair.b)) {
-      row.rolling = rolling_length_on_wall(law.rolling_friction.value_or(0), row.arm_a);
+      row.rolling = rolling_length_on_wall(law.rolling_friction.value_or(0), radius);
     } else {
-      row.arm_b = disks.radius[pair.b];
-      row.rolling = rolling_length(law.rolling_friction.value_or(0), row.arm_a, row.arm_b);
+      const double other = disks.radius[pair.b];
+      row.spin_b.y() = -other;
+      row.arm = (radius + other) / 2;
+      row.rolling = rolling_length(law.rolling_friction.value_or(0), radius, other);
     }
     row.gap_tolerance = kPlainGapTolerance;
     if (contact.cohesion == 0) continue;
 
     row.gap_tolerance = 0.1 * law.cohesion_range;
     strongest_bond = std::max(strongest_bond, contact.cohesion);
-    if (step.curvature_term) row.gap_rate += dt * turning_rate(world, contact) / 2;
+    if (step.curvature_term) row.offset.x() += dt * turning_rate(world, contact) / 2;
     const Vec3 attraction(dt * contact.cohesion, 0, 0);
     problem.free_velocity[row.a] -=
         problem.inverse_mass[row.a].cwiseProduct(momentum_of_a(row, attraction));

@@ -11,9 +11,9 @@ inline Vec3 delassus_diagonal(const ContactRow& c, const Vec3& ima, const Vec3& 
     return im.x() * n.x() * n.x() + im.y() * n.y() * n.y();
   };
   const Vec2 t = perpendicular(c.normal);
-  return {along(ima, c.normal) + along(imb, c.normal),
-          along(ima, t) + along(imb, t) + c.arm_a * c.arm_a * ima.z() + c.arm_b * c.arm_b * imb.z(),
-          ima.z() + imb.z()};
+  const auto turning = [&](double a, double b) { return a * a * ima.z() + b * b * imb.z(); };
+  return {along(ima, c.normal) + along(imb, c.normal) + turning(c.spin_a.x(), c.spin_b.x()),
+          along(ima, t) + along(imb, t) + turning(c.spin_a.y(), c.spin_b.y()), ima.z() + imb.z()};
 }
 
 // Component-wise 1/w, and 0 where a component cannot move.

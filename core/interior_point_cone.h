@@ -1,7 +1,7 @@
 // The variables of one contact inside the interior-point method, and their elimination.
 //
 // A complementarity pair x y = 0 is followed along x y = tau. Newton's equations of a contact,
-//   s dN + N ds = c_n,                ds = du_n + (gap_rate + u_n - s) + eps dN,
+//   s dN + N ds = c_n,                ds = du_n + (u_n - s) + eps dN,
 //   a dlow + low da = c_a,            dlow  = limit dN + dx + (limit N + x - low),
 //   b dhigh + high db = c_b,          dhigh = limit dN - dx + (limit N - x - high),
 //   da - db = du + (u - a + b) + eps dx,
@@ -66,10 +66,10 @@ struct ContactCone {
   double n = 0, s = 0, dn = 0, ds = 0;
   BoundedForce slide, roll;
 
-  // Starts from impulse p at relative velocity u with opening = gap_rate + u_n, kept away from zero.
-  void start(const Vec3& p, const Vec3& u, double opening, double least_n, double least_speed) {
+  // Starts from impulse p at relative velocity u (with the offset), kept away from zero.
+  void start(const Vec3& p, const Vec3& u, double least_n, double least_speed) {
     n = std::max(p.x(), least_n);
-    s = std::max(opening, least_speed);
+    s = std::max(u.x(), least_speed);
     dn = ds = 0;
     if (slide.limit > 0) slide.start(p.y(), n, u.y(), least_n, least_speed);
     if (roll.limit > 0) roll.start(p.z(), n, u.z(), least_n, least_speed);
@@ -77,8 +77,8 @@ struct ContactCone {
   Vec3 impulse() const { return {n, slide.x, roll.x}; }
 
   // Linearises here; returns D, how the impulse answers to the relative velocity (-dp/du).
-  Mat3 linearise(const Vec3& u, double opening, const Vec3& eps) {
-    defect_ = opening - s;
+  Mat3 linearise(const Vec3& u, const Vec3& eps) {
+    defect_ = u.x() - s;
     stiffness_ = 1 / (s / n + eps.x());
     Mat3 d = Mat3::Zero();
     d(0, 0) = stiffness_;

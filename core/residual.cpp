@@ -11,7 +11,7 @@ namespace quicksand {
 void velocity_from_impulses(const ContactProblem& problem, const std::vector<Vec3>& impulse,
                             std::vector<Vec3>& velocity) {
   velocity = problem.free_velocity;
-  if (problem.components == 1) {  // reads no arms
+  if (problem.components == 1) {  // reads no spins
     for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
       const ContactRow& row = problem.contacts[c];
       const Vec2 p = impulse[c].x() * row.normal;
@@ -34,11 +34,11 @@ Residual residual(const ContactProblem& problem, ContactState& state) {
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     const ContactRow& row = problem.contacts[c];
     const Vec3& p = state.impulse[c];
-    const Vec3 u = relative_velocity(row, state.velocity[row.a], state.velocity[row.b]);
+    const Vec3 u =
+        row.offset + relative_velocity(row, state.velocity[row.a], state.velocity[row.b]);
     const Vec3 step = inverse_or_zero(
         delassus_diagonal(row, problem.inverse_mass[row.a], problem.inverse_mass[row.b]));
-    const double opening = row.gap_rate + u.x();
-    double r = std::abs(p.x() - std::max(0.0, p.x() - opening * step.x()));
+    double r = std::abs(p.x() - std::max(0.0, p.x() - u.x() * step.x()));
     const double n = std::max(0.0, p.x());
     if (problem.components >= 2) {
       const double bound = row.friction * n;
@@ -46,13 +46,13 @@ Residual residual(const ContactProblem& problem, ContactState& state) {
     }
     if (problem.components >= 3) {
       const double bound = row.rolling * n;
-      const double arm = (row.arm_a + row.arm_b) / (row.arm_b > 0 ? 2 : 1);
-      r = std::max(r, std::abs(p.z() - std::clamp(p.z() - u.z() * step.z(), -bound, bound)) / arm);
+      r = std::max(r,
+                   std::abs(p.z() - std::clamp(p.z() - u.z() * step.z(), -bound, bound)) / row.arm);
     }
     finite = finite && std::isfinite(r);
     worst.natural = std::max(worst.natural, r);
     if (p.x() > 0)
-      worst.gap = std::max(worst.gap, std::abs(opening) * problem.dt / row.gap_tolerance);
+      worst.gap = std::max(worst.gap, std::abs(u.x()) * problem.dt / row.gap_tolerance);
   }
   // Any NaN of an impulse or a free velocity shows here; the maxima above may hide it.
   for (const Vec3& v : state.velocity) finite = finite && v.allFinite();

@@ -1,7 +1,7 @@
 // The one judge of every solver.
 //
-// For each contact, with W the diagonal of its own Delassus block and u the relative velocity,
-//   r_n = |N   - max(0, N - (u_n + gap_rate)/W_n)|
+// For each contact, with W the diagonal of its own Delassus block and u = H v + offset,
+//   r_n = |N   - max(0, N - u_n/W_n)|
 //   r_t = |R_t - clamp(R_t - u_t/W_t, -mu N, mu N)|
 //   r_r = |T   - clamp(T   - w/W_r,   -mu_r N, mu_r N)| / r,  r the mean arm,
 // which all vanish exactly at a solution (natural map, [Acary 2018]).

@@ -27,28 +27,32 @@ void sweep(const ContactProblem& problem, const std::vector<Vec3>& inverse_delas
 
     const Vec2 n = row.normal;
     const Vec2 t = perpendicular(n);
-    const double u_n = n.dot(vb.head<2>() - va.head<2>());
-    const double new_n = std::max(0.0, p.x() - (row.gap_rate + u_n) * inv.x());
+    double u_n = row.offset.x() + n.dot(vb.head<2>() - va.head<2>());
+    if constexpr (Components >= 2) u_n += row.spin_b.x() * vb.z() - row.spin_a.x() * va.z();
+    const double new_n = std::max(0.0, p.x() - u_n * inv.x());
     const double dn = new_n - p.x();
     p.x() = new_n;
     va.head<2>() -= dn * ima.head<2>().cwiseProduct(n);
     vb.head<2>() += dn * imb.head<2>().cwiseProduct(n);
 
     if constexpr (Components >= 2) {
-      const double u_t =
-          t.dot(vb.head<2>() - va.head<2>()) - row.arm_b * vb.z() - row.arm_a * va.z();
+      va.z() -= dn * row.spin_a.x() * ima.z();
+      vb.z() += dn * row.spin_b.x() * imb.z();
+      const double u_t = row.offset.y() + t.dot(vb.head<2>() - va.head<2>()) +
+                         row.spin_b.y() * vb.z() - row.spin_a.y() * va.z();
       const double bound = row.friction * new_n;
       const double new_t = std::clamp(p.y() - u_t * inv.y(), -bound, bound);
       const double d = new_t - p.y();
       p.y() = new_t;
       va.head<2>() -= d * ima.head<2>().cwiseProduct(t);
       vb.head<2>() += d * imb.head<2>().cwiseProduct(t);
-      va.z() -= d * row.arm_a * ima.z();
-      vb.z() -= d * row.arm_b * imb.z();
+      va.z() -= d * row.spin_a.y() * ima.z();
+      vb.z() += d * row.spin_b.y() * imb.z();
     }
     if constexpr (Components >= 3) {
       const double bound = row.rolling * new_n;
-      const double new_r = std::clamp(p.z() - (vb.z() - va.z()) * inv.z(), -bound, bound);
+      const double new_r =
+          std::clamp(p.z() - (row.offset.z() + vb.z() - va.z()) * inv.z(), -bound, bound);
       const double d = new_r - p.z();
       p.z() = new_r;
       va.z() -= d * ima.z();

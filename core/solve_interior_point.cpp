@@ -19,6 +19,7 @@ constexpr double kProximal = 1e-7;
 // Products below this share of the squared tolerance are rounding, and are not aimed at.
 constexpr double kLeastProduct = 0.1;
 
+// H velocity at a contact.
 Vec3 contact_velocity(const ContactRow& row, const std::vector<Vec3>& velocity) {
   return relative_velocity(row, velocity[row.a], velocity[row.b]);
 }
@@ -30,13 +31,12 @@ double violation(const ContactRow& row, const Vec3& delassus, int components, co
     return w > 0 ? std::abs(x - std::clamp(x - speed / w, low, high)) * w : 0;
   };
   const double n = std::max(0.0, p.x());
-  double worst =
-      off(p.x(), row.gap_rate + u.x(), delassus.x(), 0, std::numeric_limits<double>::infinity());
+  double worst = off(p.x(), u.x(), delassus.x(), 0, std::numeric_limits<double>::infinity());
   if (components >= 2)
     worst = std::max(worst, off(p.y(), u.y(), delassus.y(), -row.friction * n, row.friction * n));
   if (components >= 3)
-    worst = std::max(worst, off(p.z(), u.z(), delassus.z(), -row.rolling * n, row.rolling * n) *
-                                std::max(row.arm_a, row.arm_b));
+    worst = std::max(worst,
+                     off(p.z(), u.z(), delassus.z(), -row.rolling * n, row.rolling * n) * row.arm);
   return worst;
 }
 
@@ -56,7 +56,7 @@ void InteriorPoint::start(const ContactProblem& problem, double shift, const Con
     const ContactRow& row = problem.contacts[c];
     delassus_[c] = delassus_diagonal(row, problem.inverse_mass[row.a], problem.inverse_mass[row.b]);
     worst = std::max(worst, violation(row, delassus_[c], problem.components, state.impulse[c],
-                                      contact_velocity(row, velocity_)));
+                                      row.offset + contact_velocity(row, velocity_)));
   }
   const double least_speed = std::max(shift * worst, 1e-12);
   for (std::size_t c = 0; c < nc; ++c) {
@@ -64,9 +64,8 @@ void InteriorPoint::start(const ContactProblem& problem, double shift, const Con
     ContactCone& cone = cone_[c];
     if (problem.components >= 2 && delassus_[c].y() > 0) cone.slide.limit = row.friction;
     if (problem.components >= 3 && delassus_[c].z() > 0) cone.roll.limit = row.rolling;
-    const Vec3 u = contact_velocity(row, velocity_);
-    cone.start(state.impulse[c], u, row.gap_rate + u.x(), least_speed / delassus_[c].x(),
-               least_speed);
+    const Vec3 u = row.offset + contact_velocity(row, velocity_);
+    cone.start(state.impulse[c], u, least_speed / delassus_[c].x(), least_speed);
     impulse_[c] = cone.impulse();
   }
   velocity_from_impulses(problem, impulse_, velocity_);
@@ -74,9 +73,9 @@ void InteriorPoint::start(const ContactProblem& problem, double shift, const Con
 
 void InteriorPoint::linearise(const ContactProblem& problem) {
   for (std::size_t c = 0; c < cone_.size(); ++c) {
-    const Vec3 u = contact_velocity(problem.contacts[c], velocity_);
-    stiffness_[c] =
-        cone_[c].linearise(u, problem.contacts[c].gap_rate + u.x(), kProximal * delassus_[c]);
+    const ContactRow& row = problem.contacts[c];
+    const Vec3 u = row.offset + contact_velocity(row, velocity_);
+    stiffness_[c] = cone_[c].linearise(u, kProximal * delassus_[c]);
   }
   matrix_.factorise(stiffness_);
 }

@@ -1,7 +1,7 @@
 // Primal-dual interior point on the exact, non-associated problem, with Mehrotra's predictor and
 // corrector [Mehrotra 1992], in velocity space.
 //
-// In two dimensions the laws are products of non-negative pairs: with s = gap_rate + u_n,
+// In two dimensions the laws are products of non-negative pairs: with s = u_n,
 //   N s = 0
 //   (mu N + R_t) a = 0,  (mu N - R_t) b = 0,   u_t = a - b
 //   (mu_r N + T) a' = 0, (mu_r N - T) b' = 0,  w = a' - b'.

@@ -100,10 +100,10 @@ void Stepper::update_bonds(World& world, const StepSettings& step, StepReport& r
     if (bond->state == BondState::broken) continue;
     const Vec3& va = s.state.velocity[row.a];
     const Vec3& vb = s.state.velocity[row.b];
-    double gap = step.dt * (row.gap_rate + relative_velocity(row, va, vb).x());
+    double gap = step.dt * (row.offset.x() + relative_velocity(row, va, vb).x());
     if (step.break_rule == BreakRule::geometric && !is_wall(pair.b)) {
       const Vec2 apart = world.separation(pair.a, pair.b) + step.dt * (vb - va).head<2>();
-      gap = apart.norm() - row.arm_a - row.arm_b;
+      gap = apart.norm() - world.disks.radius[pair.a] - world.disks.radius[pair.b];
     }
     const bool by_energy = std::ranges::binary_search(s.breaks, pair, {}, &BondBreak::pair);
     if (!by_energy && gap <= world.law(pair).cohesion_range) continue;

@@ -63,8 +63,9 @@ TEST(ContactProblem, RowsSpeakOfTheirPair) {
   EXPECT_EQ(disks.a, 0);
   EXPECT_EQ(disks.b, 1);
   EXPECT_LE(distance(disks.normal, Vec2(0, 1)), tolerance::rounding()) << "from a to b";
-  EXPECT_EQ(disks.arm_a, 2);
-  EXPECT_EQ(disks.arm_b, 1);
+  EXPECT_EQ(disks.spin_a, Vec2(0, 2));
+  EXPECT_EQ(disks.spin_b, Vec2(0, -1));
+  EXPECT_EQ(disks.arm, 1.5);
   EXPECT_EQ(disks.friction, 0.3);
   EXPECT_NEAR(disks.rolling, 0.2 * 4.0 / 3, tolerance::rounding());
   EXPECT_NEAR(disks.gap_tolerance, 0.1 * 5e-5, tolerance::rounding());
@@ -96,10 +97,10 @@ TEST(ContactProblem, OnlyNamedTermsAreModelled) {
 TEST(ContactProblem, TheCurvatureTermIsTheCentripetalGapOfATurningBond) {
   Scenario scene = spinning_pair(Method::automatic, 4, 100);
   const double dt = scene.step.dt;
-  EXPECT_NEAR(build(scene, {{0, 1}}).problem.contacts[0].gap_rate, dt * 4 * 4 / 2,
+  EXPECT_NEAR(build(scene, {{0, 1}}).problem.contacts[0].offset.x(), dt * 4 * 4 / 2,
               tolerance::rounding());
   scene.step.curvature_term = false;
-  EXPECT_NEAR(build(scene, {{0, 1}}).problem.contacts[0].gap_rate, 0, tolerance::rounding());
+  EXPECT_NEAR(build(scene, {{0, 1}}).problem.contacts[0].offset.x(), 0, tolerance::rounding());
 }
 
 TEST(ContactProblem, PlainPairsThatCannotTouchWithinTheStepAreLeftOut) {

@@ -71,7 +71,7 @@ TEST(Residual, MeasuresAnImpulseOnAnOpenContact) {
 
 TEST(Residual, MeasuresAGapThatIsNotYetClosed) {
   ContactProblem problem = disk_on_floor({0, -2, 0}, 0.3, 0.05);
-  problem.contacts[0].gap_rate = 0.5;
+  problem.contacts[0].offset.x() = 0.5;
   EXPECT_NEAR(natural(problem, {1.5, 0, 0}), 0, tolerance::rounding());
   EXPECT_NEAR(natural(problem, {2, 0, 0}), 0.5 / 0.1, tolerance::rounding());
 }

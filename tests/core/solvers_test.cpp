@@ -91,6 +91,13 @@ TEST_P(Solver, AgreesWithTheReferenceWhereNothingIsFixed) {
   EXPECT_LE(a.unconverged, may_give_up(GetParam()));
 }
 
+TEST_P(Solver, AgreesWithTheReferenceForBodiesOfAnyShape) {
+  const Agreement a =
+      compare(GetParam(), {.bodies = 4, .contacts = 3, .components = 3, .disks = false}, 200, 9);
+  EXPECT_LE(a.unconverged, may_give_up(GetParam()));
+  EXPECT_GE(a.compared, 80);
+}
+
 TEST_P(Solver, SlowAgreesWithTheReferenceForFourRollingContacts) {
   const Agreement a = compare(GetParam(), {.bodies = 4, .contacts = 4, .components = 3}, 40, 7);
   EXPECT_LE(a.unconverged, may_give_up(GetParam()));
@@ -178,7 +185,7 @@ TEST_P(Solver, NeverCallsAProblemWithANotANumberConverged) {
 
 TEST_P(Solver, AnOverlapIsPushedApartWithinTheStep) {
   ContactProblem problem = disk_on_floor({0, -2, 0}, 0.3, 0.05);
-  problem.contacts[0].gap_rate = -0.5;
+  problem.contacts[0].offset.x() = -0.5;
   ContactState state = zero_state(problem);
   EXPECT_TRUE(solve(problem, tight(GetParam()), state).converged);
   EXPECT_NEAR(state.velocity[0].y(), 0.5, tolerance::solved());
@@ -202,8 +209,9 @@ TEST_P(Solver, ACrystalPatchAtRestStaysAtRest) {
     problem.contacts.push_back({.a = a,
                                 .b = b,
                                 .normal = normal,
-                                .arm_a = arm_a,
-                                .arm_b = 0.5,
+                                .spin_a = {0, arm_a},
+                                .spin_b = {0, -0.5},
+                                .arm = 0.5,
                                 .friction = 0.3,
                                 .rolling = 0.05,
                                 .gap_tolerance = 1e-3});

@@ -28,10 +28,19 @@ ContactProblem random_problem(const ProblemShape& shape, Random& random) {
     const int a = static_cast<int>(random.uniform() * b);
     const double angle = between(0, 2 * std::numbers::pi);
     ContactRow row{.a = a, .b = b, .normal = {std::cos(angle), std::sin(angle)}};
-    row.arm_a = radius[static_cast<std::size_t>(a)];
-    row.arm_b = radius[static_cast<std::size_t>(b)];
+    const double radius_a = radius[static_cast<std::size_t>(a)];
+    const double radius_b = radius[static_cast<std::size_t>(b)];
+    row.spin_a = {0, radius_a};
+    row.spin_b = {0, -radius_b};
+    row.arm = (radius_a + radius_b) / 2;
     // Never an overlap: those against a fixed body may leave no solution.
-    row.gap_rate = random.uniform() < 0.5 ? 0 : between(0, 0.5);
+    row.offset.x() = random.uniform() < 0.5 ? 0 : between(0, 0.5);
+    if (!shape.disks) {
+      row.spin_a.x() = between(-1, 1);
+      row.spin_b.x() = between(-1, 1);
+      row.offset.y() = between(-0.2, 0.2);
+      row.offset.z() = between(-0.2, 0.2);
+    }
     row.friction = between(0, shape.largest_friction);
     row.rolling = between(0, 0.5);
     row.gap_tolerance = 1e-3;
@@ -49,7 +58,8 @@ ContactProblem disk_on_floor(const Vec3& free_velocity, double friction, double 
   problem.contacts = {{.a = 0,
                        .b = 1,
                        .normal = {0, -1},
-                       .arm_a = 0.5,
+                       .spin_a = {0, 0.5},
+                       .arm = 0.5,
                        .friction = friction,
                        .rolling = rolling,
                        .gap_tolerance = 1e-3}};
@@ -74,7 +84,7 @@ void poison_unused_coefficients(ContactProblem& problem) {
 
 void poison_unused_arms(ContactProblem& problem) {
   if (problem.components >= 2) return;
-  for (ContactRow& row : problem.contacts) row.arm_a = row.arm_b = kNan;
+  for (ContactRow& row : problem.contacts) row.arm = row.spin_a.y() = row.spin_b.y() = kNan;
 }
 
 }  // namespace quicksand

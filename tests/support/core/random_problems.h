@@ -13,9 +13,10 @@ struct ProblemShape {
   double largest_friction = 1;
   double mass_ratio = 1;   // masses between 1 and this
   bool fixed_body = true;  // body 0 does not move
+  bool disks = true;  // else bodies of any shape, and known relative velocities in all directions
 };
 
-// Disks of unequal size in random positions, with random free velocities; contact geometry need not
+// Bodies of unequal size in random positions, with random free velocities; contact geometry need not
 // fit into the plane, the laws do not ask for it.
 ContactProblem random_problem(const ProblemShape& shape, Random& random);
 

@@ -25,8 +25,8 @@ struct Dense {
 // Rows of the relative velocity of one contact by the velocity of a and of b, from their definition.
 void jacobian(const ContactRow& c, Eigen::Matrix3d& of_a, Eigen::Matrix3d& of_b) {
   const double nx = c.normal.x(), ny = c.normal.y();
-  of_b << nx, ny, 0, -ny, nx, -c.arm_b, 0, 0, 1;
-  of_a << -nx, -ny, 0, ny, -nx, -c.arm_a, 0, 0, -1;
+  of_b << nx, ny, c.spin_b.x(), -ny, nx, c.spin_b.y(), 0, 0, 1;
+  of_a << -nx, -ny, -c.spin_a.x(), ny, -nx, -c.spin_a.y(), 0, 0, -1;
 }
 
 Dense assemble(const ContactProblem& problem) {
@@ -46,7 +46,10 @@ Dense assemble(const ContactProblem& problem) {
     h.block<3, 3>(3 * c, 3 * row.a) = of_a;
     h.block<3, 3>(3 * c, 3 * row.b) = of_b;
   }
-  return {h * inverse_mass * h.transpose(), h * v};
+  Vector free = h * v;
+  for (Eigen::Index c = 0; c < nc; ++c)
+    free.segment<3>(3 * c) += problem.contacts[static_cast<std::size_t>(c)].offset;
+  return {h * inverse_mass * h.transpose(), free};
 }
 
 // Every mode of a contact: 1 + 3 * 3 with rolling friction, 1 + 3 with friction, 2 without.
@@ -72,7 +75,7 @@ std::optional<Vector> impulses(const ContactProblem& problem, const Dense& dense
     const ContactRow& row = problem.contacts[c];
     const auto n = static_cast<Eigen::Index>(3 * c);
     a.row(n) = dense.operator_.row(n);
-    rhs[n] = -dense.free[n] - row.gap_rate;
+    rhs[n] = -dense.free[n];
     const auto bounded = [&](Eigen::Index k, Sign sign, double bound) {
       if (sign == Sign::stuck) {
         a.row(k) = dense.operator_.row(k);
@@ -98,7 +101,7 @@ bool lawful(const ContactProblem& problem, const std::vector<Mode>& modes, const
   for (std::size_t c = 0; c < modes.size(); ++c) {
     const ContactRow& row = problem.contacts[c];
     const auto n = static_cast<Eigen::Index>(3 * c);
-    if (u[n] + row.gap_rate < -kSlack || p[n] < -kSlack) return false;
+    if (u[n] < -kSlack || p[n] < -kSlack) return false;
     const auto obeys = [&](Eigen::Index k, Sign sign, double bound) {
       if (!modes[c].closed) return true;
       if (sign == Sign::stuck) return std::abs(p[k]) <= bound * p[n] + kSlack;
@@ -158,7 +161,7 @@ double law_violation(const ContactProblem& problem, const std::vector<Vec3>& imp
   for (std::size_t c = 0; c < impulse.size(); ++c) {
     const ContactRow& row = problem.contacts[c];
     const auto n = static_cast<Eigen::Index>(3 * c);
-    worst = std::max(worst, std::abs(std::min(p[n], u[n] + row.gap_rate)));
+    worst = std::max(worst, std::abs(std::min(p[n], u[n])));
     const auto dry = [&](Eigen::Index k, double bound) {
       const double outside = std::abs(p[k]) - bound;
       const double not_opposite = std::abs(p[k] + std::copysign(bound, u[k]));
