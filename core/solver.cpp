@@ -2,10 +2,12 @@
 
 #include "core/solve_gauss_seidel.h"
 #include "core/solve_interior_point.h"
+#include "core/solve_local.h"
 
 namespace quicksand {
 
 struct ContactSolver::Methods {
+  LocalSolver local;
   InteriorPoint interior_point;
 };
 
@@ -20,11 +22,11 @@ namespace {
 //   2. interior point from far inside, which forgets a bad start;
 //   3. Gauss-Seidel sweeps as polish, in moderate number.
 // If all fall short, the step is repeated with half the time step (see protocols.h).
-SolveReport climb(const ContactProblem& problem, const SolverSettings& settings,
+SolveReport climb(const ContactProblem& problem, const SolverSettings& settings, LocalSolver& local,
                   InteriorPoint& interior_point, ContactState& state) {
   constexpr double kNearShift = 1, kFarShift = 100;
   constexpr int kPolishSweeps = 500;
-  SolveReport report;
+  SolveReport report = local.solve(problem, settings, state);
   for (const double shift : {kNearShift, kFarShift}) {
     if (report.converged) return report;
     report.add(interior_point.solve(problem, settings, shift, state));
@@ -42,7 +44,7 @@ SolveReport ContactSolver::solve(const ContactProblem& problem, const SolverSett
                                  ContactState& state) {
   switch (settings.method) {
     case Method::automatic:
-      return climb(problem, settings, methods_->interior_point, state);
+      return climb(problem, settings, methods_->local, methods_->interior_point, state);
     case Method::interior_point:
       return methods_->interior_point.solve(problem, settings, 1, state);
     case Method::gauss_seidel:
