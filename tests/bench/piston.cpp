@@ -39,7 +39,7 @@ Outcome piston(const Options& options) {
       {.kind = SettlePhase{.max_time = 1e9, .until_rest = false}, .dt = kStep, .sample_every = {}}};
   const World start = under_piston(options);
   const WindowSettings settings{
-      .steps = 4000, .patience = options.quick ? 10.0 : 600.0, .reached = [](const World& world) {
+      .steps = 4000, .patience = options.quick ? 4.0 : 600.0, .reached = [](const World& world) {
         return world.step % 10 == 0 && measure(world).coordination >= kCoordination;
       }};
   Outcome outcome;

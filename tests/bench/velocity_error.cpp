@@ -10,7 +10,7 @@ namespace quicksand::bench {
 
 namespace {
 
-constexpr double kReferenceTolerance = 1e-10;
+constexpr double kReferenceTolerance = 1e-12;
 constexpr int kReferenceFactorisations = 150;
 constexpr int kPolishSweeps = 200;
 constexpr double kGapUnit = 0.1;  // of Residual::gap [d_c]
