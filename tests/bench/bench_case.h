@@ -60,6 +60,7 @@ struct Figure {
   bool more_is_better = false;
   bool at_least = false;  // the true value is no smaller
   bool valid = true;      // false: something besides speed is missing, see the notes
+  int run = -1;           // index of the run that stands for it in the table; -1: none
   std::vector<double> values;
 };
 

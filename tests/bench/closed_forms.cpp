@@ -46,6 +46,7 @@ Outcome first_step(const Scenario& scene, double goal, const Options& options) {
     time.valid = time.valid && report.converged;
     time.values.push_back(1e3 * run.seconds.cpu);
     outcome.runs.push_back(run);
+    time.run = static_cast<int>(outcome.runs.size()) - 1;
   }
   outcome.figures = {time};
   compare_with_gauss_seidel(step, scene.solver, solution, options, outcome);
@@ -56,10 +57,10 @@ Outcome first_step(const Scenario& scene, double goal, const Options& options) {
   std::snprintf(
       text.data(), text.size(),
       "the reference is the closed form, rest; solved tightly (residual %.1e) it is %.1e g dt "
-      "away, and a second route %.1e",
+      "away, by two routes %.1e apart",
       tight.residual.natural, velocity_distance(step.problem, tight.velocity, solution.velocity),
       tight.doubt);
-  outcome.notes.back() = text.data();
+  outcome.notes.emplace_back(text.data());
   return outcome;
 }
 

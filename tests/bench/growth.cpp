@@ -38,6 +38,7 @@ Outcome growth(const Options& options) {
       growing.valid = growing.valid && report.converged;
       seconds[static_cast<std::size_t>(repeat)].push_back(run.seconds.cpu);
       outcome.runs.push_back(run);
+      growing.run = static_cast<int>(outcome.runs.size()) - 1;
     }
     const Run& last = outcome.runs.back();
     outcome.notes.push_back(std::to_string(size) +

@@ -107,10 +107,15 @@ Checkpoint settled(const Options& options) {
 
 Checkpoint at_rest(const Options& options) {
   constexpr double kLongest = 100;  // [sqrt(d/g)]
+  constexpr double kWider = 8;      // than the paper's box, and as many grains a step
   Scenario scene = paper_scene(options);
-  scene.phases = {{.kind = SettlePhase{.max_time = kLongest}, .dt = {}, .sample_every = {}}};
+  DepositPhase deposit = std::get<DepositPhase>(scene.phases.at(0).kind);
+  deposit.interval /= kWider;
+  scene.box.width *= kWider;
+  scene.phases = {{.kind = deposit, .dt = {}, .sample_every = {}},
+                  {.kind = SettlePhase{.max_time = kLongest}, .dt = {}, .sample_every = {}}};
   return stored(options, "at_rest", scene, [&] {
-    return run_until(options, scene, settled(options).world, {},
+    return run_until(options, scene, make_world(scene), {},
                      [](const Protocol& p) { return p.phase() == nullptr; });
   });
 }

@@ -35,6 +35,7 @@ void add(const Window& window, const Scenario& scene, int repeat, Figure& figure
     outcome.notes.push_back(window.failure);
   }
   outcome.runs.push_back(run);
+  figure.run = static_cast<int>(outcome.runs.size()) - 1;
 }
 
 }  // namespace

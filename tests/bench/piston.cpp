@@ -52,6 +52,7 @@ Outcome piston(const Options& options) {
     run.repeat = repeat;
     run.tolerance = scene.solver.tolerance;
     outcome.runs.push_back(run);
+    figure.run = static_cast<int>(outcome.runs.size()) - 1;
     end = protocol.world();
     const double z = measure(end).coordination;
     figure.values.push_back(static_cast<double>(run.steps) / run.seconds.cpu);

@@ -30,22 +30,12 @@ double worst(const Figure& figure) {
   return figure.more_is_better ? std::ranges::min(figure.values) : std::ranges::max(figure.values);
 }
 
-// The run that stands for the case: the last of those that its figure is made of.
-const Run* main_run(const Outcome& outcome) {
-  const Run* found = nullptr;
-  for (const char* part : {"solve", "step", "steps"}) {
-    for (const Run& run : outcome.runs)
-      if (run.part == part) found = &run;
-  }
-  return found;
-}
-
-std::string velocity_error(const Outcome& outcome) {
-  std::string text = "-";
-  for (const Run& run : outcome.runs)
-    if (run.velocity_error && run.part != "gauss_seidel")
-      text = number("%.1e", *run.velocity_error);
-  return text;
+// The velocity error that goes with a run: its own, or that of a problem of its state.
+std::string velocity_error(const Outcome& outcome, const Run& run) {
+  if (run.velocity_error) return number("%.1e", *run.velocity_error);
+  for (const Run& solved : outcome.runs)
+    if (solved.part == "solve") return number("%.1e", *solved.velocity_error);
+  return "-";
 }
 
 }  // namespace
@@ -67,7 +57,6 @@ std::string table_rows(const Result& result, const Options& options) {
   if (!result.error.empty()) return row({result.name, "FAILED"});
   std::string text;
   const Outcome& outcome = result.outcome;
-  const Run* run = main_run(outcome);
   for (const Figure& figure : outcome.figures) {
     const bool first = &figure == &outcome.figures.front();
     const std::string at_least = figure.at_least ? ">" : "";
@@ -80,14 +69,15 @@ std::string table_rows(const Result& result, const Options& options) {
                                   options.quick      ? "-"
                                   : goal_met(figure) ? "yes"
                                                      : "no"};
-    if (first && run != nullptr) {
-      const auto steps = static_cast<double>(std::max<std::int64_t>(1, run->steps));
-      c[7] = number("%.2f", static_cast<double>(run->factorisations) / steps);
-      c[8] = number("%.4g", static_cast<double>(run->iterations) / steps);
-      c[9] = std::to_string(run->unconverged);
-      c[10] = number("%.1e", run->residual);
-      c[11] = number("%.1e", run->gap_error);
-      c[12] = velocity_error(outcome);
+    if (figure.run >= 0) {
+      const Run& run = outcome.runs.at(static_cast<std::size_t>(figure.run));
+      const auto steps = static_cast<double>(std::max<std::int64_t>(1, run.steps));
+      c[7] = number("%.2f", static_cast<double>(run.factorisations) / steps);
+      c[8] = number("%.4g", static_cast<double>(run.iterations) / steps);
+      c[9] = std::to_string(run.unconverged);
+      c[10] = number("%.1e", run.residual);
+      c[11] = number("%.1e", run.gap_error);
+      c[12] = velocity_error(outcome, run);
       if (outcome.over_gauss_seidel)
         c[13] = (outcome.over_gauss_seidel->at_least ? ">" : "") +
                 number("%.4g", outcome.over_gauss_seidel->factor);
