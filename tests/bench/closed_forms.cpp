@@ -50,8 +50,6 @@ Outcome first_step(const Scenario& scene, double goal, const Options& options) {
   }
   outcome.figures = {time};
   compare_with_gauss_seidel(step, scene.solver, solution, options, outcome);
-  outcome.notes.emplace_back(
-      "the reference is the closed form, rest; the second route was not run");
   const Reference tight = solve_tightly(step);
   std::array<char, 160> text{};
   std::snprintf(

@@ -10,12 +10,10 @@ namespace quicksand::bench {
 
 namespace {
 
-constexpr double kWideAwake = 1e9;  // [sqrt(d/g)], longer than any window
-
-// A phase in which nothing is added and which no rest ends.
-Phase watching() {
-  return {.kind = SettlePhase{.max_time = kWideAwake, .until_rest = false},
-          .dt = {},
+// A phase of as many steps in which nothing is added and which no rest ends.
+Phase watching(std::int64_t steps, double dt) {
+  return {.kind = SettlePhase{.max_time = static_cast<double>(steps) * dt, .until_rest = false},
+          .dt = dt,
           .sample_every = {}};
 }
 
@@ -62,14 +60,14 @@ Outcome deposition(const Options& options) {
 
 Outcome rest(const Options& options) {
   Scenario scene = paper_scene(options, options.method);
-  scene.phases = {watching()};
+  const std::int64_t steps = options.quick ? 200 : 2000;
+  scene.phases = {watching(steps, scene.step.dt)};
   const World world = at_rest(options).world;
   Outcome outcome;
   Figure figure = steps_per_second(2000);
   for (int repeat = 0; repeat < options.repeats_or(3); ++repeat) {
     Protocol protocol(scene, world);
-    add(measure_window(protocol, {.steps = options.quick ? 200 : 2000}, options), scene, repeat,
-        figure, outcome);
+    add(measure_window(protocol, {.steps = steps}, options), scene, repeat, figure, outcome);
   }
   outcome.figures = {figure};
   const StepProblem step = next_problem(world, scene.step);
@@ -79,18 +77,24 @@ Outcome rest(const Options& options) {
 
 Outcome plough(const Options& options) {
   constexpr double kGapError = 0.1;  // [d_c]
-  const Scenario scene = paper_scene(options, options.method);
+  const std::int64_t steps = options.quick ? 20 : 200;
+  Scenario scene = paper_scene(options, options.method);
   const Checkpoint start = ploughing(options);
+  // The phase ends with the window at the latest, so that the time left can be told.
+  const StepSettings step_settings = step_in_phase(scene, start.protocol.phase);
+  std::get<PushPhase>(scene.phases.at(static_cast<std::size_t>(start.protocol.phase)).kind)
+      .max_time =
+      start.world.time - start.protocol.phase_start + static_cast<double>(steps) * step_settings.dt;
   Outcome outcome;
   Figure figure = steps_per_second(100);
   for (int repeat = 0; repeat < options.repeats_or(3); ++repeat) {
     Protocol protocol(scene, start.world, start.protocol);
-    const Window window = measure_window(protocol, {.steps = options.quick ? 20 : 200}, options);
+    const Window window = measure_window(protocol, {.steps = steps}, options);
     add(window, scene, repeat, figure, outcome);
     figure.valid = figure.valid && window.run.gap_error <= kGapError;
   }
   outcome.figures = {figure};
-  const StepProblem step = next_problem(start.world, step_in_phase(scene, start.protocol.phase));
+  const StepProblem step = next_problem(start.world, step_settings);
   compare_with_gauss_seidel(step, scene.solver, solve_tightly(step), options, outcome);
   return outcome;
 }

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kPressure = 3e5 / 51, kMassPerWidth = 500.0 / 51;  // of the piston [F_g/d], [m/d]
 constexpr double kStep = 5e-3;                                      // [sqrt(d/g)]
+constexpr double kLongest = 20;                                     // [sqrt(d/g)]
 constexpr double kCoordination = 3.2;
 
 // The settled packing with a piston on its top; contacts made from now on are plain.
@@ -35,8 +36,9 @@ World under_piston(const Options& options) {
 Outcome piston(const Options& options) {
   Scenario scene = paper_scene(options, options.method);
   scene.step.max_turn.reset();
-  scene.phases = {
-      {.kind = SettlePhase{.max_time = 1e9, .until_rest = false}, .dt = kStep, .sample_every = {}}};
+  scene.phases = {{.kind = SettlePhase{.max_time = kLongest, .until_rest = false},
+                   .dt = kStep,
+                   .sample_every = {}}};
   const World start = under_piston(options);
   const WindowSettings settings{
       .steps = 4000, .patience = options.quick ? 4.0 : 600.0, .reached = [](const World& world) {
