@@ -1,5 +1,7 @@
 // How the cost of a step grows with the number of grains: the first step of fresh deposits in boxes of
 // one shape, search for contacts included.
+#include <algorithm>
+
 #include "core/step.h"
 #include "tests/bench/cases.h"
 #include "tests/bench/paper_states.h"
@@ -15,7 +17,7 @@ Outcome growth(const Options& options) {
   const int repeats = options.repeats_or(3);
   Outcome outcome;
   Figure growing{.what = "exponent", .unit = "1", .goal = 1.15};
-  std::vector<double> grains;
+  std::vector<double> grains, per_factorisation;
   std::vector<std::vector<double>> seconds(static_cast<std::size_t>(repeats));
   for (const std::int64_t size : sizes) {
     const World fresh = fresh_deposit(options, size);
@@ -41,11 +43,15 @@ Outcome growth(const Options& options) {
       growing.run = static_cast<int>(outcome.runs.size()) - 1;
     }
     const Run& last = outcome.runs.back();
+    per_factorisation.push_back(
+        last.seconds.cpu / static_cast<double>(std::max<std::int64_t>(1, last.factorisations)));
     outcome.notes.push_back(std::to_string(size) +
                             " grains: " + std::to_string(1e3 * last.seconds.cpu) + " ms, " +
                             std::to_string(last.factorisations) + " factorisations" +
                             (last.unconverged > 0 ? ", NOT converged" : ""));
   }
+  outcome.notes.push_back("exponent of the cost per factorisation: " +
+                          std::to_string(exponent(grains, per_factorisation)));
   for (const std::vector<double>& of_repeat : seconds)
     growing.values.push_back(exponent(grains, of_repeat));
   outcome.figures = {growing};
