@@ -32,7 +32,7 @@ Outcome first_step(const Scenario& scene, double goal, const Options& options) {
     const StepReport report = stepper.advance(moved, scene.step, scene.solver);
     Run run{.part = "step", .method = options.method, .repeat = repeat};
     run.seconds = watch.elapsed();
-    run.grains = world.disks.size();
+    run.grains = mobile_disks(step.problem);
     run.contacts = static_cast<std::int64_t>(step.problem.contacts.size());
     run.tolerance = scene.solver.tolerance;
     run.steps = 1;

@@ -31,7 +31,7 @@ void solve_cold(const std::string& network, const World& world, const Scenario& 
   for (const double tolerance : kTolerances) {
     settings.tolerance = tolerance;
     Run run = measure_solution(step, step.start, settings, reference, options);
-    run.part = network + ", tolerance";
+    run.part = network + "_tolerance";
     time.valid = *run.velocity_error < kError;
     outcome.runs.push_back(run);
     if (time.valid) break;
@@ -45,7 +45,7 @@ void solve_cold(const std::string& network, const World& world, const Scenario& 
   }
   time.run = static_cast<int>(outcome.runs.size()) - 1;
   Run swept = measure_gauss_seidel(step, step.start, kError, reference, options);
-  swept.part = network + ", gauss_seidel";
+  swept.part = network + "_gauss_seidel";
   outcome.runs.push_back(swept);
   ratio.valid = time.valid;
   ratio.at_least = swept.unconverged > 0;
@@ -57,7 +57,7 @@ void solve_cold(const std::string& network, const World& world, const Scenario& 
                 "%s: tolerance %.0e%s; Gauss-Seidel %.1e g dt off after %lld sweeps and %.3g s; "
                 "reference at residual %.1e, two routes %.1e g dt apart",
                 network.c_str(), settings.tolerance,
-                time.valid ? "" : ", and no looser or tighter one reaches 1e-3 g dt",
+                time.valid ? "" : ", and no looser one reaches 1e-3 g dt either",
                 *swept.velocity_error, static_cast<long long>(swept.iterations), swept.seconds.cpu,
                 reference.residual.natural, reference.doubt);
   outcome.notes.emplace_back(text.data());

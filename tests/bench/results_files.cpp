@@ -1,6 +1,7 @@
 // results.csv and results.json.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 #include "app/json_text.h"
@@ -42,6 +43,7 @@ constexpr std::array kColumns{
 
 std::string csv_cell(const Json& value) {
   if (value.is_null()) return {};
+  if (value.is_number_float() && !std::isfinite(value.get<double>())) return "inf";
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 

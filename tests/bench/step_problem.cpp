@@ -32,6 +32,10 @@ StepProblem next_problem(const World& world, const StepSettings& settings) {
   return result;
 }
 
+std::int64_t mobile_disks(const ContactProblem& problem) {
+  return std::ranges::count_if(problem.inverse_mass, [](const Vec3& m) { return m.z() > 0; });
+}
+
 StepSettings step_in_phase(const Scenario& scenario, int phase) {
   StepSettings step = scenario.step;
   step.dt = scenario.phases.at(static_cast<std::size_t>(phase)).dt.value_or(step.dt);

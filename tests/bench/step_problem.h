@@ -16,6 +16,9 @@ struct StepProblem {
 // The step is shortened as its max_turn demands.
 StepProblem next_problem(const World& world, const StepSettings& settings);
 
+// Bodies that turn freely: disks that are not fixed.
+std::int64_t mobile_disks(const ContactProblem& problem);
+
 // The step settings of a scene in one of its phases.
 StepSettings step_in_phase(const Scenario& scenario, int phase);
 

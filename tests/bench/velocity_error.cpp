@@ -19,7 +19,7 @@ constexpr double kGapUnit = 0.1;  // of Residual::gap [d_c]
 Run row_of(const StepProblem& step, const SolveReport& report, const ContactState& state,
            const Reference& reference) {
   Run run;
-  run.grains = static_cast<std::int64_t>(step.problem.inverse_mass.size());
+  run.grains = mobile_disks(step.problem);
   run.contacts = static_cast<std::int64_t>(step.problem.contacts.size());
   run.iterations = report.iterations;
   run.factorisations = report.factorisations;
