@@ -1,0 +1,61 @@
+// How the cost of a step grows with the number of grains: the first step of fresh deposits in boxes of
+// one shape, search for contacts included.
+#include <algorithm>
+
+#include "core/step.h"
+#include "tests/bench/cases.h"
+#include "tests/bench/paper_states.h"
+#include "tests/bench/statistics.h"
+
+namespace quicksand::bench {
+
+Outcome growth(const Options& options) {
+  const std::vector<std::int64_t> sizes =
+      options.quick ? std::vector<std::int64_t>{200, 400, 800}
+                    : std::vector<std::int64_t>{1000, 3162, 10000, 31623, 100000};
+  const Scenario scene = paper_scene(options, options.method);
+  const int repeats = options.repeats_or(3);
+  Outcome outcome;
+  Figure growing{.what = "exponent", .unit = "1", .goal = 1.15};
+  std::vector<double> grains, per_factorisation;
+  std::vector<std::vector<double>> seconds(static_cast<std::size_t>(repeats));
+  for (const std::int64_t size : sizes) {
+    const World fresh = fresh_deposit(options, size);
+    grains.push_back(static_cast<double>(size));
+    for (int repeat = 0; repeat < repeats; ++repeat) {
+      World world = fresh;
+      Stepper stepper;
+      const Stopwatch watch;
+      const StepReport report = stepper.advance(world, scene.step, scene.solver);
+      Run run{.part = "step", .method = options.method, .repeat = repeat, .grains = size};
+      run.seconds = watch.elapsed();
+      run.contacts = static_cast<std::int64_t>(world.contacts.size());
+      run.tolerance = scene.solver.tolerance;
+      run.steps = 1;
+      run.iterations = report.solve.iterations;
+      run.factorisations = report.solve.factorisations;
+      run.unconverged = report.converged ? 0 : 1;
+      run.residual = report.solve.residual.natural;
+      run.gap_error = 0.1 * report.solve.residual.gap;
+      growing.valid = growing.valid && report.converged;
+      seconds[static_cast<std::size_t>(repeat)].push_back(run.seconds.cpu);
+      outcome.runs.push_back(run);
+      growing.run = static_cast<int>(outcome.runs.size()) - 1;
+    }
+    const Run& last = outcome.runs.back();
+    per_factorisation.push_back(
+        last.seconds.cpu / static_cast<double>(std::max<std::int64_t>(1, last.factorisations)));
+    outcome.notes.push_back(std::to_string(size) +
+                            " grains: " + std::to_string(1e3 * last.seconds.cpu) + " ms, " +
+                            std::to_string(last.factorisations) + " factorisations" +
+                            (last.unconverged > 0 ? ", NOT converged" : ""));
+  }
+  outcome.notes.push_back("exponent of the cost per factorisation: " +
+                          std::to_string(exponent(grains, per_factorisation)));
+  for (const std::vector<double>& of_repeat : seconds)
+    growing.values.push_back(exponent(grains, of_repeat));
+  outcome.figures = {growing};
+  return outcome;
+}
+
+}  // namespace quicksand::bench

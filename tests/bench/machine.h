@@ -1,0 +1,15 @@
+// What figures were measured on.
+#pragma once
+
+#include <string>
+
+namespace quicksand::bench {
+
+struct Machine {
+  std::string processor;  // as the system names it
+  int cores = 0;
+  double load = 0;  // mean number of running processes over the last minute; our own is one
+};
+Machine machine();
+
+}  // namespace quicksand::bench

@@ -1,0 +1,25 @@
+// The contact problem of a world's next step, as the step itself poses it first.
+#pragma once
+
+#include "core/scenario.h"
+#include "core/solver.h"
+#include "core/world.h"
+
+namespace quicksand::bench {
+
+struct StepProblem {
+  ContactProblem problem;
+  std::vector<Vec3> start;     // (nc) impulses inherited from the last step
+  std::vector<Vec3> no_force;  // (nc) N = F_c dt where bonded: no contact gives any force
+};
+
+// The step is shortened as its max_turn demands.
+StepProblem next_problem(const World& world, const StepSettings& settings);
+
+// Bodies that turn freely: disks that are not fixed.
+std::int64_t mobile_disks(const ContactProblem& problem);
+
+// The step settings of a scene in one of its phases.
+StepSettings step_in_phase(const Scenario& scenario, int phase);
+
+}  // namespace quicksand::bench

@@ -1,0 +1,26 @@
+// Measures a run of time steps: as many as asked for, timed one by one without what surrounds them.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "core/protocols.h"
+#include "tests/bench/bench_case.h"
+
+namespace quicksand::bench {
+
+struct Window {
+  Run run;              // a step that was tried as two halves counts once
+  std::string failure;  // why it ended early; empty if it did not
+};
+
+struct WindowSettings {
+  std::int64_t steps = 0;                          // at most
+  double patience = 1e9;                           // wall time after which it is stopped [s]
+  std::function<bool(const World&)> reached = {};  // ends it before that; asked after each step
+};
+
+// Advances the protocol, whose world and state hold the outcome.
+Window measure_window(Protocol& protocol, const WindowSettings& settings, const Options& options);
+
+}  // namespace quicksand::bench
