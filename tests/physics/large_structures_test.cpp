@@ -83,8 +83,6 @@ TEST_P(LongChain, ForcesAreRightToTheToleranceTimesTheLengthSquared) {
 }
 
 // The moment of n grains about the first contact, n^2/2 d m g, against mu_r F_c with mu_r = 0.05 d.
-// The errors of its contacts add up to n^4 times the tolerance: at 1e-6 the one of 31 sinks by 0.017 d
-// and the one of 32 falls four times as far as it should.
 Simulation loaded_cantilever(Method method, int n, double cohesion, double dt, double time) {
   Scenario scene = cantilever(method, n, cohesion);
   scene.step.dt = dt;
@@ -116,6 +114,25 @@ TEST_P(LongCantilever, OfThirtyTwoTurnsWithWhatRollingFrictionLeaves) {
   }
 }
 
+// Of bending the errors of the contacts add up to n^4 times the tolerance, as an acceleration: what it
+// does within the first steps is proportional to dt^2, 0.017 d at 1e-2 and 1.7e-4 d at 1e-3. Then it
+// rests. (One of 32 falls four times as far as it should at 1e-2.)
+TEST_P(LongCantilever, OfThirtyOneSinksAtTheDefaultToleranceOnceAndRests) {
+  for (double dt : {1e-2, 1e-3}) {
+    Scenario scene = cantilever(GetParam(), 31, 1e4);
+    scene.solver.tolerance = SolverSettings{}.tolerance;
+    scene.step.dt = dt;
+    Simulation run(scene);
+    run.advance(100);
+    const double sunk = tip(run);
+    EXPECT_NEAR(sunk, 0, tolerance::sampled(250 * dt * dt)) << dt;
+    run.advance(200);
+    EXPECT_NEAR(tip(run), sunk, tolerance::sampled(5 * dt * dt)) << dt;
+    EXPECT_EQ(run.unconverged, 0);
+    EXPECT_EQ(run.bonds_broken, 0);
+  }
+}
+
 TEST_P(LongCantilever, OfSixtyHoldsAndYieldsWithinOnePercentOfItsLimit) {
   const double limit = 60 * 60 / 2.0 / 0.05;
   EXPECT_NEAR(tip(loaded_cantilever(GetParam(), 60, limit / 0.99, 1e-2, 1)), 0,
@@ -136,7 +153,7 @@ TEST_P(TallColumn, OfAThousandStandsWithoutDrift) {
     for (int k = 1; k < n; ++k)
       ASSERT_NEAR(contact_force(run.world, {k - 1, k}).norm(), n - k, tolerance::exact(n)) << k;
     for (int k = 0; k < n; ++k) {
-      ASSERT_LE(distance(run.world.disks.position[k], Vec2(0, 0.5 + k)), tolerance::exact(n)) << k;
+      ASSERT_LE(distance(run.world.disks.position[k], Vec2(0, 0.5 + k)), tolerance::exact()) << k;
       ASSERT_LE(run.world.disks.velocity[k].norm(), tolerance::exact()) << k;
     }
   }
