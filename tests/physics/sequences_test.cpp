@@ -12,7 +12,7 @@
 namespace quicksand {
 namespace {
 
-constexpr int kGrains = 330;
+constexpr int kGrains = 330, kFewGrains = 100;
 constexpr double kCohesion = 1e4;
 
 Scenario paper_scene() {
@@ -45,14 +45,16 @@ struct Sequence {
   Progress progress = Progress::running;
 };
 
-Scenario with_phase(const Phase& phase) {
+Scenario with_phase(const Phase& phase, double width = 20) {
   Scenario scene = paper_scene();
+  scene.box.width = width;
   scene.phases = {phase};
   return scene;
 }
 
-World deposit() {
-  const Scenario scene = with_phase({DepositPhase{.grains = kGrains, .interval = 3e-2}, 1e-2});
+World deposit(int grains, double width) {
+  const Scenario scene =
+      with_phase({DepositPhase{.grains = grains, .interval = 3e-2}, 1e-2}, width);
   return Sequence(scene, make_world(scene), 1000000).protocol.world();
 }
 
@@ -65,16 +67,38 @@ TEST(ThousandSteps, OfADepositionConverge) {
 }
 
 TEST(ThousandSteps, OfRestConverge) {
-  Sequence run(with_phase({SettlePhase{.max_time = 10, .until_rest = false}, 1e-2}), deposit(),
-               1000);
+  Sequence run(with_phase({SettlePhase{.max_time = 10, .until_rest = false}, 1e-2}),
+               deposit(kGrains, 20), 1000);
   run.expect_sound(1000);
   EXPECT_LE(measure(run.protocol.world()).max_speed, 1e-2);
 }
 
 TEST(ThousandSteps, SlowOfAPushConverge) {
-  Sequence run(with_phase({PushPhase{.force = kCohesion}, 1e-3}), deposit(), 1000);
+  Sequence run(with_phase({PushPhase{.force = kCohesion}, 1e-3}), deposit(kGrains, 20), 1000);
   run.expect_sound(1000);
   EXPECT_GT(run.protocol.world().bonds.broken, 100) << "the intruder ploughs";
+}
+
+// A wall of ten grain masses per length presses with 0.6 F_c per length, which crushes the branches.
+void collapse_under_a_piston(int grains, double width) {
+  World world = deposit(grains, width);
+  const double top = packing_top(world);
+  world.walls.push_back({.point = {0, top},
+                         .normal = {0, -1},
+                         .mass = 10 * width,
+                         .force = 0.6 * kCohesion * width,
+                         .role = WallRole::piston});
+  world.bonding = false;
+  world.bonds.mark_initial();
+  const Phase collapse{SettlePhase{.max_time = 5, .until_rest = false}, 5e-3};
+  Sequence run(with_phase(collapse, width), world, 1000);
+  run.expect_sound(1000);
+  EXPECT_LT(packing_top(run.protocol.world()), 0.7 * top);
+  EXPECT_LT(measure(run.protocol.world()).remaining_bond_fraction, 0.5);
+}
+
+TEST(ThousandSteps, SlowOfASmallCollapseUnderAPistonConverge) {
+  collapse_under_a_piston(kFewGrains, 10);
 }
 
 }  // namespace
