@@ -91,6 +91,35 @@ TEST_P(ImpactLimit, IsTheEnergyOfTheBondAtCoarseSteps) {
   }
 }
 
+// Unequal masses, a held partner, and any direction: only the energy of the opening mode counts.
+TEST_P(ImpactLimit, IsTheEnergyOfTheBondForAnyMassesInAnyDirection) {
+  struct Partner {
+    double density;
+    bool fixed;
+    double reduced_mass;
+  };
+  for (const Partner& partner :
+       {Partner{1, true, 1}, Partner{4, false, 0.8}, Partner{1e4, false, 1e4 / (1e4 + 1)},
+        Partner{0.01, false, 0.01 / 1.01}}) {
+    for (double angle : {0.0, 0.7, 2.5}) {
+      const auto breaks = [&](double share) {
+        Scenario scene = pulled_pair(GetParam(), 0, kCohesion);
+        scene.disk_forces.clear();
+        scene.disks[0].density = partner.density;
+        scene.disks[0].fixed = partner.fixed;
+        scene.disks[1].velocity.x() =
+            std::sqrt(share * 2 * kCohesion * kRange / partner.reduced_mass);
+        Simulation run(rotated(scene, angle));
+        run.advance(10);
+        EXPECT_EQ(run.unconverged, 0);
+        return run.bonds_broken > 0;
+      };
+      EXPECT_NEAR(threshold(0.7, 3, breaks), 1, tolerance::sampled(2e-3))
+          << partner.reduced_mass << " " << angle;
+    }
+  }
+}
+
 // How far implicit Euler lets the pair open: every step takes F_c W dt from the speed before it moves.
 double implicit_euler_opening(double share, double dt) {
   double speed = opening_speed(share), gap = 0;
