@@ -120,6 +120,29 @@ TEST_P(ImpactLimit, IsTheEnergyOfTheBondForAnyMassesInAnyDirection) {
   }
 }
 
+// A pair that `load` F_c has pulled for a while, and then an impact with a share of what is left of the
+// bond's energy, (F_c - F) d_c; pressed for a negative load.
+bool loaded_pair_breaks(Method method, double load, double share, double dt) {
+  Simulation run(pulled_pair(method, load * kCohesion, kCohesion));
+  run.advance(5);
+  EXPECT_EQ(run.bonds_broken, 0);
+  run.step.dt = dt;
+  run.world.disks.velocity[1].x() += std::sqrt(share * 2 * (1 - load) * kCohesion * kRange);
+  run.advance(20);
+  EXPECT_EQ(run.unconverged, 0);
+  return run.bonds_broken > 0;
+}
+
+TEST_P(ImpactLimit, IsWhatALoadLeavesOfTheEnergy) {
+  for (double load : {0.2, 0.5, 0.9}) {
+    for (double dt : {1e-2, 3e-3, 1e-3}) {
+      const double limit = threshold(
+          0.7, 3, [&](double share) { return loaded_pair_breaks(GetParam(), load, share, dt); });
+      EXPECT_NEAR(limit, 1, tolerance::sampled(2e-3)) << load << " at " << dt;
+    }
+  }
+}
+
 // How far implicit Euler lets the pair open: every step takes F_c W dt from the speed before it moves.
 double implicit_euler_opening(double share, double dt) {
   double speed = opening_speed(share), gap = 0;
