@@ -44,17 +44,17 @@ void refine_by_modes(const ContactProblem& problem, ContactState& state) {
       const ContactRow& row = problem.contacts[c];
       const Vec3 w =
           delassus_diagonal(row, problem.inverse_mass[row.a], problem.inverse_mass[row.b]);
-      const Vec3 u = relative_velocity(row, state.velocity[row.a], state.velocity[row.b]);
+      const Vec3 u =
+          row.offset + relative_velocity(row, state.velocity[row.a], state.velocity[row.b]);
       const Vec3& p = state.impulse[c];
       Mat3& d = stiffness[c];
       Vec3& r = change[c];
       d.setZero();
       r = -p;  // open
-      const double opening = row.gap_rate + u.x();
-      const double q_n = p.x() - opening / w.x();
+      const double q_n = p.x() - u.x() / w.x();
       if (q_n <= 0) continue;
       r.setZero();
-      r.x() = -opening / (kProximal * w.x());
+      r.x() = -u.x() / (kProximal * w.x());
       d(0, 0) = 1 / (kProximal * w.x());
       if (problem.components >= 2)
         tangential(p.y(), u.y(), w.y(), row.friction, q_n, p.x(), 1, r, d);

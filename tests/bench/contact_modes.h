@@ -2,8 +2,8 @@
 // a state near the solution, and the equations that are linear once this is known are solved directly.
 //
 // With q = p - u/W (natural map), a contact is closed where q_n > 0, sticks where |q_t| <= friction q_n
-// and does not roll where |q_r| <= rolling q_n. Closed and sticking components obey u = 0 (u_n =
-// -gap_rate), met by the proximal iteration p := p - u/(eps W); sliding ones obey R_t = +-friction N.
+// and does not roll where |q_r| <= rolling q_n. Closed and sticking components obey u = 0, met
+// by the proximal iteration p := p - u/(eps W); sliding ones obey R_t = +-friction N.
 // Modes are read again after each solution, which makes it a Newton method without a central path.
 #pragma once
 

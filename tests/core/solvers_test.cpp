@@ -2,12 +2,10 @@
 
 #include <cmath>
 #include <limits>
-#include <set>
 
 #include "core/residual.h"
+#include "tests/support/core/agreement.h"
 #include "tests/support/core/methods.h"
-#include "tests/support/core/random_problems.h"
-#include "tests/support/core/reference_solver.h"
 #include "tests/support/core/tolerance.h"
 
 namespace quicksand {
@@ -15,42 +13,9 @@ namespace {
 
 QUICKSAND_PER_SOLVER(Solver);
 
-SolverSettings tight(Method method) {
-  return {.method = method, .tolerance = tolerance::kTight, .max_iterations = 2000000};
-}
-
 // Of 200 problems with rolling or strong friction. Gauss-Seidel may run in circles there and an interior
 // point get stuck, which they must say; the ladder of both may not.
 int may_give_up(Method method) { return method == Method::automatic ? 0 : 3; }
-
-struct Agreement {
-  int compared = 0;
-  int unconverged = 0;
-  std::set<Mode> modes;  // of all contacts
-};
-
-// Solves random problems from a cold start. What converged must obey the laws and, where they leave no
-// choice, have the velocities that trying every mode finds.
-Agreement compare(Method method, const ProblemShape& shape, int problems, std::uint64_t seed) {
-  Agreement agreement;
-  Random random{seed};
-  for (int k = 0; k < problems; ++k) {
-    const ContactProblem problem = random_problem(shape, random);
-    ContactState state = zero_state(problem);
-    if (!solve(problem, tight(method), state).converged) {
-      ++agreement.unconverged;
-      continue;
-    }
-    EXPECT_LE(law_violation(problem, state.impulse), tolerance::solved()) << "problem " << k;
-    const auto [solutions, complete] = reference_solutions(problem);
-    if (!complete || solutions.empty()) continue;
-    EXPECT_LE(distance_to_nearest(solutions, state.velocity), tolerance::solved())
-        << "problem " << k << ", " << solutions.size() << " solutions";
-    ++agreement.compared;
-    for (const Mode& mode : solutions.front().modes) agreement.modes.insert(mode);
-  }
-  return agreement;
-}
 
 TEST_P(Solver, AgreesWithTheReferenceWithoutFriction) {
   const Agreement a = compare(GetParam(), {.bodies = 5, .contacts = 6, .components = 1}, 200, 1);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <ostream>
 #include <string>
 
@@ -13,6 +14,9 @@ namespace quicksand {
 inline auto all_methods() {
   return testing::Values(Method::automatic, Method::interior_point, Method::gauss_seidel);
 }
+
+// Those for large problems: a sweep of Gauss-Seidel passes a force on by one contact.
+inline constexpr std::array kGlobalMethods{Method::automatic, Method::interior_point};
 
 inline const char* method_word(Method method) {
   switch (method) {
@@ -41,3 +45,8 @@ class PerSolver : public testing::TestWithParam<Method> {};
 #define QUICKSAND_PER_SOLVER(Suite)  \
   class Suite : public PerSolver {}; \
   INSTANTIATE_TEST_SUITE_P(Solvers, Suite, all_methods(), method_name)
+
+// The same with the solvers for large problems only.
+#define QUICKSAND_PER_GLOBAL_SOLVER(Suite) \
+  class Suite : public PerSolver {};       \
+  INSTANTIATE_TEST_SUITE_P(Solvers, Suite, testing::ValuesIn(kGlobalMethods), method_name)

@@ -10,7 +10,7 @@ namespace quicksand {
 
 namespace {
 
-constexpr double kSlack = 1e-9;     // inequalities hold up to this
+constexpr double kSlack = 1e-9;     // inequalities hold up to this, impulses over the largest
 constexpr double kSingular = 1e-9;  // smallest pivot over the largest
 
 using Matrix = Eigen::MatrixXd;
@@ -87,24 +87,37 @@ std::optional<Vector> impulses(const ContactProblem& problem, const Dense& dense
     if (problem.components >= 2) bounded(n + 1, modes[c].slip, row.friction);
     if (problem.components >= 3) bounded(n + 2, modes[c].roll, row.rolling);
   }
+  // Impulses count over the square root of the mass that they meet, so that pivots are comparable
+  // whatever the masses.
+  Vector unit = Vector::Ones(size);
+  for (Eigen::Index k = 0; k < size; ++k)
+    if (dense.operator_(k, k) > 0) unit[k] = 1 / std::sqrt(dense.operator_(k, k));
+  for (Eigen::Index k = 0; k < size; ++k) {
+    const bool is_velocity = a.row(k) == dense.operator_.row(k);
+    const double by = is_velocity ? unit[k] : 1 / unit[k];
+    a.row(k) *= by;
+    rhs[k] *= by;
+  }
+  a *= unit.asDiagonal();
   const Eigen::FullPivLU<Matrix> lu(a);
   const auto pivots = lu.matrixLU().diagonal().cwiseAbs();
   const Vector p = lu.solve(rhs);
-  if (pivots.minCoeff() >= kSingular * pivots.maxCoeff()) return p;
-  if ((a * p - rhs).norm() <= kSlack) complete = false;
+  if (pivots.minCoeff() >= kSingular * pivots.maxCoeff()) return unit.cwiseProduct(p);
+  if ((a * p - rhs).norm() <= kSlack * std::max(1.0, rhs.norm())) complete = false;
   return {};
 }
 
 // Whether the inequalities of the modes hold.
 bool lawful(const ContactProblem& problem, const std::vector<Mode>& modes, const Vector& p,
             const Vector& u) {
+  const double slack = kSlack * std::max(1.0, p.cwiseAbs().maxCoeff());  // of impulses
   for (std::size_t c = 0; c < modes.size(); ++c) {
     const ContactRow& row = problem.contacts[c];
     const auto n = static_cast<Eigen::Index>(3 * c);
-    if (u[n] < -kSlack || p[n] < -kSlack) return false;
+    if (u[n] < -kSlack || p[n] < -slack) return false;
     const auto obeys = [&](Eigen::Index k, Sign sign, double bound) {
       if (!modes[c].closed) return true;
-      if (sign == Sign::stuck) return std::abs(p[k]) <= bound * p[n] + kSlack;
+      if (sign == Sign::stuck) return std::abs(p[k]) <= bound * p[n] + slack;
       return u[k] * static_cast<double>(sign) <= kSlack;  // against the slip
     };
     if (problem.components >= 2 && !obeys(n + 1, modes[c].slip, row.friction)) return false;

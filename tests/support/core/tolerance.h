@@ -20,6 +20,8 @@ inline double scaled(double tolerance) {
 inline double rounding(double magnitude = 1) { return scaled(1e-12 * magnitude); }
 // What a solver leaves that converged to kTight.
 inline double solved(double magnitude = 1) { return scaled(1e-6 * magnitude); }
+// Equilibria that a direct factorisation meets to nearly all digits.
+inline double exact(double magnitude = 1) { return scaled(1e-9 * magnitude); }
 // A discretised motion against its continuous closed form.
 inline double discretised(double magnitude = 1) { return scaled(1e-3 * magnitude); }
 // Measured on a finite random sample.
