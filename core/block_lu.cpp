@@ -10,18 +10,20 @@ namespace quicksand {
 namespace {
 
 // Inverse by elimination with row pivoting. A pivot block holds stiffnesses from 1 to 1e7: cofactors
-// would lose the soft directions.
-Mat3 inverse(Mat3 a) {
+// would lose the soft directions. Flips `negative` if the determinant is below zero.
+Mat3 inverse(Mat3 a, bool& negative) {
   Mat3 b = Mat3::Identity();
   for (int k = 0; k < 3; ++k) {
     int best = k;
     for (int i = k + 1; i < 3; ++i)
       if (std::abs(a(i, k)) > std::abs(a(best, k))) best = i;
     if (best != k) {
+      negative = !negative;
       a.row(k).swap(a.row(best));
       b.row(k).swap(b.row(best));
     }
     const double pivot = 1 / a(k, k);
+    if (pivot < 0) negative = !negative;
     a.row(k) *= pivot;
     b.row(k) *= pivot;
     for (int i = 0; i < 3; ++i) {
@@ -120,6 +122,7 @@ void BlockLu::clear() {
 
 void BlockLu::factorise() {
   std::ranges::fill(head_, -1);
+  negative_ = false;
   for (int k = 0; k < n_; ++k) {
     for (int q = start_[k]; q < start_[k + 1]; ++q) place_[row_[q]] = q;
     Mat3 pivot = pivot_[k];
@@ -141,7 +144,7 @@ void BlockLu::factorise() {
       }
       j = following;
     }
-    pivot_[k] = inverse(pivot);
+    pivot_[k] = inverse(pivot, negative_);
     for (int q = start_[k]; q < start_[k + 1]; ++q) lower_[q] = lower_[q] * pivot_[k];
     cursor_[k] = start_[k];
     if (start_[k] < start_[k + 1]) {

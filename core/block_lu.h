@@ -39,6 +39,9 @@ class BlockLu {
   // x (n) := A^-1 x.
   void solve(std::vector<Vec3>& x);
 
+  // Whether the determinant of the factorised matrix is negative.
+  bool negative() const { return negative_; }
+
   // Blocks in L, without the diagonal.
   std::size_t fill() const { return row_.size(); }
 
@@ -47,6 +50,7 @@ class BlockLu {
   void find_structure(const std::vector<Edge>& edges);
 
   int n_ = -1;
+  bool negative_ = false;
   std::vector<Edge> edges_;
   std::vector<int> position_;       // (n) place of a block row in the elimination order
   std::vector<int> start_;          // (n + 1) columns of L in row_, lower_, upper_

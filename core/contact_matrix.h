@@ -20,6 +20,9 @@ class ContactMatrix {
   // dv (nb) := (M + H^T D H)^-1 H^T impulse for impulses (nc); zero for immobile bodies.
   void velocity_change(const std::vector<Vec3>& impulse, std::vector<Vec3>& dv);
 
+  // Whether the determinant of the factorised matrix is negative.
+  bool negative() const { return lu_.negative(); }
+
   std::size_t fill() const { return lu_.fill(); }
 
  private:

@@ -18,6 +18,13 @@ constexpr double kBoundaryShare = 0.995;
 constexpr double kProximal = 1e-7;
 // Products below this share of the squared tolerance are rounding, and are not aimed at.
 constexpr double kLeastProduct = 0.1;
+// A step shorter than this is not taken; the products are aligned instead, at this share of their mean.
+constexpr double kShortStep = 0.3;
+constexpr double kAlignedShare = 0.5;
+// Beyond a fold of the path, products aim at this many times their mean.
+constexpr double kGrowth = 20;
+// No product may fall below this share of the mean: one pair at the boundary would block all others.
+constexpr double kLeastShare = 1e-2;
 
 Vec3 contact_velocity(const ContactRow& row, const std::vector<Vec3>& velocity) {
   return relative_velocity(row, velocity[row.a], velocity[row.b]);
@@ -108,6 +115,23 @@ double InteriorPoint::longest_step() const {
   return 1 / std::max(fastest, 1e-3);
 }
 
+// Finds the next direction along the path, and how far to go.
+double InteriorPoint::find_step(const ContactProblem& problem, double product,
+                                double least_product) {
+  const auto length = [&] { return std::min(1.0, kBoundaryShare * longest_step()); };
+  if (matrix_.negative()) {
+    find_direction(problem, kGrowth * product, false);
+    return length();
+  }
+  find_direction(problem, 0, false);
+  const double affine = mean_product(std::min(1.0, longest_step()));
+  const double centring = std::pow(std::max(0.0, affine / product), 3);
+  find_direction(problem, std::max(centring * product, least_product), true);
+  if (const double alpha = length(); alpha >= kShortStep) return alpha;
+  find_direction(problem, std::max(kAlignedShare * product, least_product), false);
+  return length();
+}
+
 SolveReport InteriorPoint::solve(const ContactProblem& problem, const SolverSettings& settings,
                                  double shift, ContactState& state) {
   SolveReport report;
@@ -124,13 +148,10 @@ SolveReport InteriorPoint::solve(const ContactProblem& problem, const SolverSett
     linearise(problem);
     ++report.factorisations;
     const double product = mean_product(0);
-    find_direction(problem, 0, false);
-    const double affine = mean_product(std::min(1.0, longest_step()));
-    const double centring = std::pow(std::max(0.0, affine / product), 3);
-    find_direction(problem, std::max(centring * product, least_product), true);
-    const double alpha = std::min(1.0, kBoundaryShare * longest_step());
+    const double alpha = find_step(problem, product, least_product);
     for (std::size_t c = 0; c < cone_.size(); ++c) {
       cone_[c].move(alpha);
+      cone_[c].lift(kLeastShare * product);
       impulse_[c] = cone_[c].impulse();
       state.impulse[c] = cone_[c].admissible_impulse(delassus_[c].x());
     }

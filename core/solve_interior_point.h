@@ -5,7 +5,11 @@
 //   N s = 0
 //   (mu N + R_t) a = 0,  (mu N - R_t) b = 0,   u_t = a - b
 //   (mu_r N + T) a' = 0, (mu_r N - T) b' = 0,  w = a' - b'.
-// All products are driven together to zero. The variables of a contact are eliminated by hand (see
+// All products are driven together to zero, along a path that starts at large ones. Where contacts slide
+// the problem is not monotone and the path may fold: products that are asked to shrink further have no
+// solution near. Beyond a fold the path goes on with growing products, until it folds again. Its
+// direction is that of the determinant of Newton's matrix, positive at the start, so the products are
+// made to grow where that is negative [Allgower 1990]. The variables of a contact are eliminated by hand (see
 // interior_point_cone.h), which leaves (M + H^T D H) dv = H^T dp with one 3x3 block D a contact; it is
 // not symmetric where a contact slides.
 #pragma once
@@ -30,6 +34,7 @@ class InteriorPoint {
   void start(const ContactProblem& problem, double shift, const ContactState& state);
   void linearise(const ContactProblem& problem);
   void find_direction(const ContactProblem& problem, double tau, bool correct);
+  double find_step(const ContactProblem& problem, double product, double least_product);
   double mean_product(double alpha) const;
   double longest_step() const;
 
