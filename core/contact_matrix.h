@@ -1,5 +1,6 @@
 // The matrix M + H^T D H of a Newton step in the velocities: H maps body velocities to the relative
-// velocities of the contacts, D (3x3 a contact) is how an impulse answers to them, -dp/du.
+// velocities of the contacts, D (3x3 a contact) is how an impulse answers to them, -dp/du; besides the
+// diagonal it has only its first column, the bounds' dependence on N.
 #pragma once
 
 #include <vector>

@@ -14,6 +14,7 @@
 // not symmetric where a contact slides.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/contact_matrix.h"
@@ -33,12 +34,14 @@ class InteriorPoint {
  private:
   void start(const ContactProblem& problem, double shift, const ContactState& state);
   void linearise(const ContactProblem& problem);
-  void find_direction(const ContactProblem& problem, double tau, bool correct);
+  // Heads for products tau; returns the step that reaches the boundary.
+  double find_direction(const ContactProblem& problem, double tau, bool correct);
   double find_step(const ContactProblem& problem, double product, double least_product);
-  double mean_product(double alpha) const;
-  double longest_step() const;
+  double mean_product(double alpha) const;  // after a step of alpha along the direction
 
   ContactMatrix matrix_;
+  std::array<double, 3> product_{};  // their sum after a step of alpha, by powers of alpha
+  std::size_t pairs_ = 0;
   std::vector<Vec3> delassus_;     // (nc) diagonal of each contact's own block
   std::vector<ContactCone> cone_;  // (nc)
   std::vector<Mat3> stiffness_;    // (nc)
