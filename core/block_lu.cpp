@@ -10,18 +10,20 @@ namespace quicksand {
 namespace {
 
 // Inverse by elimination with row pivoting. A pivot block holds stiffnesses from 1 to 1e7: cofactors
-// would lose the soft directions.
-Mat3 inverse(Mat3 a) {
+// would lose the soft directions. Flips `negative` if the determinant is below zero.
+Mat3 inverse(Mat3 a, bool& negative) {
   Mat3 b = Mat3::Identity();
   for (int k = 0; k < 3; ++k) {
     int best = k;
     for (int i = k + 1; i < 3; ++i)
       if (std::abs(a(i, k)) > std::abs(a(best, k))) best = i;
     if (best != k) {
+      negative = !negative;
       a.row(k).swap(a.row(best));
       b.row(k).swap(b.row(best));
     }
     const double pivot = 1 / a(k, k);
+    if (pivot < 0) negative = !negative;
     a.row(k) *= pivot;
     b.row(k) *= pivot;
     for (int i = 0; i < 3; ++i) {
@@ -33,6 +35,9 @@ Mat3 inverse(Mat3 a) {
   }
   return b;
 }
+
+// c -= a b
+void subtract_product(Mat3& c, const Mat3& a, const Mat3& b) { c -= a.lazyProduct(b); }
 
 }  // namespace
 
@@ -46,10 +51,6 @@ void BlockLu::analyse(int n, const std::vector<Edge>& edges) {
   pivot_.resize(size);
   lower_.resize(row_.size());
   upper_.resize(row_.size());
-  cursor_.resize(size);
-  next_.resize(size);
-  head_.resize(size);
-  place_.resize(size);
   work_.resize(size);
 }
 
@@ -101,13 +102,22 @@ void BlockLu::find_structure(const std::vector<Edge>& edges) {
     start_[k + 1] = static_cast<int>(row_.size());
     if (!column.empty()) children[column.front()].push_back(k);
   }
+  // Where the products of a column's rows go: entry (i, j) with j < i of column k adds to row i of
+  // column j.
+  const auto slot = [&](int row, int of_column) {
+    const auto first = row_.begin() + start_[of_column];
+    const auto last = row_.begin() + start_[of_column + 1];
+    return static_cast<int>(std::lower_bound(first, last, row) - row_.begin());
+  };
+  target_.clear();
+  for (int k = 0; k < n_; ++k)
+    for (int q = start_[k]; q < start_[k + 1]; ++q)
+      for (int p = start_[k]; p < q; ++p) target_.push_back(slot(row_[q], row_[p]));
   edge_slot_.resize(edges.size());
   edge_flipped_.resize(edges.size());
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const int p = position_[edges[e].i], q = position_[edges[e].j];
-    const auto first = row_.begin() + start_[std::min(p, q)];
-    const auto last = row_.begin() + start_[std::min(p, q) + 1];
-    edge_slot_[e] = static_cast<int>(std::lower_bound(first, last, std::max(p, q)) - row_.begin());
+    edge_slot_[e] = slot(std::max(p, q), std::min(p, q));
     edge_flipped_[e] = p > q ? 1 : 0;
   }
 }
@@ -119,34 +129,23 @@ void BlockLu::clear() {
 }
 
 void BlockLu::factorise() {
-  std::ranges::fill(head_, -1);
+  negative_ = false;
+  const int* target = target_.data();
   for (int k = 0; k < n_; ++k) {
-    for (int q = start_[k]; q < start_[k + 1]; ++q) place_[row_[q]] = q;
-    Mat3 pivot = pivot_[k];
-    // head_[k] lists the earlier columns whose next row is k.
-    for (int j = head_[k]; j >= 0;) {
-      const int following = next_[j];
-      const int at = cursor_[j]++;
-      const Mat3 l = lower_[at];
-      const Mat3 u = upper_[at];
-      pivot.noalias() -= l * u;
-      for (int q = at + 1; q < start_[j + 1]; ++q) {
-        const int t = place_[row_[q]];
-        lower_[t].noalias() -= lower_[q] * u;
-        upper_[t].noalias() -= l * upper_[q];
+    const Mat3 pivot = inverse(pivot_[k], negative_);
+    pivot_[k] = pivot;
+    const int first = start_[k], last = start_[k + 1];
+    for (int q = first; q < last; ++q) {
+      const Mat3 l = lower_[q].lazyProduct(pivot);
+      const Mat3 u = upper_[q];
+      lower_[q] = l;
+      subtract_product(pivot_[row_[q]], l, u);
+      // The rows before this one are scaled already, this one's products with them are due.
+      for (int p = first; p < q; ++p) {
+        const int t = *target++;
+        subtract_product(lower_[t], l, upper_[p]);
+        subtract_product(upper_[t], lower_[p], u);
       }
-      if (cursor_[j] < start_[j + 1]) {
-        next_[j] = head_[row_[cursor_[j]]];
-        head_[row_[cursor_[j]]] = j;
-      }
-      j = following;
-    }
-    pivot_[k] = inverse(pivot);
-    for (int q = start_[k]; q < start_[k + 1]; ++q) lower_[q] = lower_[q] * pivot_[k];
-    cursor_[k] = start_[k];
-    if (start_[k] < start_[k + 1]) {
-      next_[k] = head_[row_[start_[k]]];
-      head_[row_[start_[k]]] = k;
     }
   }
 }
@@ -155,11 +154,11 @@ void BlockLu::solve(std::vector<Vec3>& x) {
   for (int i = 0; i < n_; ++i) work_[position_[i]] = x[i];
   for (int k = 0; k < n_; ++k)
     for (int q = start_[k]; q < start_[k + 1]; ++q)
-      work_[row_[q]].noalias() -= lower_[q] * work_[k];
+      work_[row_[q]] -= lower_[q].lazyProduct(work_[k]);
   for (int k = n_ - 1; k >= 0; --k) {
     Vec3 sum = work_[k];
-    for (int q = start_[k]; q < start_[k + 1]; ++q) sum.noalias() -= upper_[q] * work_[row_[q]];
-    work_[k].noalias() = pivot_[k] * sum;
+    for (int q = start_[k]; q < start_[k + 1]; ++q) sum -= upper_[q].lazyProduct(work_[row_[q]]);
+    work_[k] = pivot_[k].lazyProduct(sum);
   }
   for (int i = 0; i < n_; ++i) x[i] = work_[position_[i]];
 }

@@ -3,7 +3,7 @@
 //
 // The network of a loose packing is nearly a tree, so a minimum-degree ordering [Amestoy 1996] leaves
 // almost no fill; no pivoting between blocks, which suits M + H^T D H (see contact_matrix.h).
-// Left-looking by columns; the symbolic part is kept while the graph stays the same.
+// Right-looking by columns, with the place of every product known beforehand; this is kept while the graph stays the same.
 #pragma once
 
 #include <Eigen/Core>
@@ -39,6 +39,9 @@ class BlockLu {
   // x (n) := A^-1 x.
   void solve(std::vector<Vec3>& x);
 
+  // Whether the determinant of the factorised matrix is negative.
+  bool negative() const { return negative_; }
+
   // Blocks in L, without the diagonal.
   std::size_t fill() const { return row_.size(); }
 
@@ -47,17 +50,18 @@ class BlockLu {
   void find_structure(const std::vector<Edge>& edges);
 
   int n_ = -1;
+  bool negative_ = false;
   std::vector<Edge> edges_;
   std::vector<int> position_;       // (n) place of a block row in the elimination order
   std::vector<int> start_;          // (n + 1) columns of L in row_, lower_, upper_
   std::vector<int> row_;            // rows below the diagonal, ascending in a column
+  std::vector<int> target_;         // places of the products of factorise(), in its order
   std::vector<int> edge_slot_;      // (edges) place in lower_ and upper_
   std::vector<char> edge_flipped_;  // (edges) whether j comes before i in the order
   std::vector<Mat3> pivot_;         // (n) diagonal blocks, inverted by factorise()
   std::vector<Mat3> lower_;         // L by columns (unit diagonal)
   std::vector<Mat3> upper_;         // U by rows, same places as the transposed entry of L
-  std::vector<int> cursor_, next_, head_, place_;  // scratch of factorise() (n)
-  std::vector<Vec3> work_;                         // (n)
+  std::vector<Vec3> work_;          // (n)
 };
 
 }  // namespace quicksand

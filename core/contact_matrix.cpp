@@ -22,6 +22,24 @@ Jacobian jacobian(const ContactRow& c, const Vec3& ima, const Vec3& imb) {
   return h;
 }
 
+// D h, in which only the first column and the diagonal of D are not zero (see interior_point_cone.h).
+[[gnu::always_inline]] inline Mat3 answer(const Mat3& d, const Mat3& h) {
+  Mat3 result;
+  for (int k = 0; k < 3; ++k) {
+    result(0, k) = d(0, 0) * h(0, k);
+    result(1, k) = d(1, 0) * h(0, k) + d(1, 1) * h(1, k);
+    result(2, k) = d(2, 0) * h(0, k) + d(2, 2) * h(2, k);
+  }
+  return result;
+}
+
+// sum += h^T b. Spelled out: for Eigen's product the compiler makes a call.
+[[gnu::always_inline]] inline void add_product(const Mat3& h, const Mat3& b, Mat3& sum) {
+  for (int k = 0; k < 3; ++k)
+    for (int i = 0; i < 3; ++i)
+      sum(i, k) += h(0, i) * b(0, k) + h(1, i) * b(1, k) + h(2, i) * b(2, k);
+}
+
 }  // namespace
 
 void ContactMatrix::attach(const ContactProblem& problem) {
@@ -55,12 +73,12 @@ void ContactMatrix::factorise(const std::vector<Mat3>& stiffness) {
     const ContactRow& row = problem.contacts[c];
     const Jacobian h = jacobian(row, problem.inverse_mass[row.a], problem.inverse_mass[row.b]);
     const int i = row_of_body_[row.a], j = row_of_body_[row.b];
-    const Mat3 da = stiffness[c] * h.of_a, db = stiffness[c] * h.of_b;
-    if (i >= 0) lu_.diagonal(i).noalias() += h.of_a.transpose() * da;
-    if (j >= 0) lu_.diagonal(j).noalias() += h.of_b.transpose() * db;
+    const Mat3 da = answer(stiffness[c], h.of_a), db = answer(stiffness[c], h.of_b);
+    if (i >= 0) add_product(h.of_a, da, lu_.diagonal(i));
+    if (j >= 0) add_product(h.of_b, db, lu_.diagonal(j));
     if (const int e = edge_of_contact_[c]; e >= 0) {
-      lu_.upper(e).noalias() += h.of_a.transpose() * db;
-      lu_.lower(e).noalias() += h.of_b.transpose() * da;
+      add_product(h.of_a, db, lu_.upper(e));
+      add_product(h.of_b, da, lu_.lower(e));
     }
   }
   lu_.factorise();

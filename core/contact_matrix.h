@@ -1,5 +1,6 @@
 // The matrix M + H^T D H of a Newton step in the velocities: H maps body velocities to the relative
-// velocities of the contacts, D (3x3 a contact) is how an impulse answers to them, -dp/du.
+// velocities of the contacts, D (3x3 a contact) is how an impulse answers to them, -dp/du; besides the
+// diagonal it has only its first column, the bounds' dependence on N.
 #pragma once
 
 #include <vector>
@@ -19,6 +20,9 @@ class ContactMatrix {
 
   // dv (nb) := (M + H^T D H)^-1 H^T impulse for impulses (nc); zero for immobile bodies.
   void velocity_change(const std::vector<Vec3>& impulse, std::vector<Vec3>& dv);
+
+  // Whether the determinant of the factorised matrix is negative.
+  bool negative() const { return lu_.negative(); }
 
   std::size_t fill() const { return lu_.fill(); }
 

@@ -127,6 +127,16 @@ struct ContactCone {
             std::clamp(roll.x, -roll.limit * n, roll.limit * n)};
   }
 
+  // Raises the smaller factor of every product below `least`.
+  void lift(double least) {
+    const auto raise = [least](double& x, double& y) {
+      if (x * y < least) (x < y ? x : y) = least / std::max(x, y);
+    };
+    raise(n, s);
+    if (slide.limit > 0) raise(slide.low, slide.a), raise(slide.high, slide.b);
+    if (roll.limit > 0) raise(roll.low, roll.a), raise(roll.high, roll.b);
+  }
+
   // visit(x, dx, y, dy) for each pair of the contact.
   template <class Visit>
   void visit_pairs(Visit visit) const {

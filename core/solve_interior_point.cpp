@@ -18,6 +18,13 @@ constexpr double kBoundaryShare = 0.995;
 constexpr double kProximal = 1e-7;
 // Products below this share of the squared tolerance are rounding, and are not aimed at.
 constexpr double kLeastProduct = 0.1;
+// A step shorter than this is not taken; the products are aligned instead, at this share of their mean.
+constexpr double kShortStep = 0.3;
+constexpr double kAlignedShare = 0.5;
+// Beyond a fold of the path, products aim at this many times their mean.
+constexpr double kGrowth = 20;
+// No product may fall below this share of the mean: one pair at the boundary would block all others.
+constexpr double kLeastShare = 1e-4;
 
 // H velocity at a contact.
 Vec3 contact_velocity(const ContactRow& row, const std::vector<Vec3>& velocity) {
@@ -72,39 +79,52 @@ void InteriorPoint::start(const ContactProblem& problem, double shift, const Con
 }
 
 void InteriorPoint::linearise(const ContactProblem& problem) {
+  product_ = {};
+  pairs_ = 0;
   for (std::size_t c = 0; c < cone_.size(); ++c) {
     const ContactRow& row = problem.contacts[c];
     const Vec3 u = row.offset + contact_velocity(row, velocity_);
     stiffness_[c] = cone_[c].linearise(u, kProximal * delassus_[c]);
+    cone_[c].visit_pairs([&](double x, double, double y, double) {
+      product_[0] += x * y;
+      ++pairs_;
+    });
   }
   matrix_.factorise(stiffness_);
 }
 
-void InteriorPoint::find_direction(const ContactProblem& problem, double tau, bool correct) {
+double InteriorPoint::find_direction(const ContactProblem& problem, double tau, bool correct) {
   for (std::size_t c = 0; c < cone_.size(); ++c) impulse_[c] = cone_[c].head_for(tau, correct);
   matrix_.velocity_change(impulse_, change_);
-  for (std::size_t c = 0; c < cone_.size(); ++c)
+  double fastest = 1e-3;  // the largest relative decrease
+  product_[1] = product_[2] = 0;
+  for (std::size_t c = 0; c < cone_.size(); ++c) {
     cone_[c].find_direction(contact_velocity(problem.contacts[c], change_));
+    cone_[c].visit_pairs([&](double x, double dx, double y, double dy) {
+      fastest = std::max({fastest, -dx / x, -dy / y});
+      product_[1] += x * dy + y * dx;
+      product_[2] += dx * dy;
+    });
+  }
+  return 1 / fastest;
 }
 
 double InteriorPoint::mean_product(double alpha) const {
-  double sum = 0;
-  std::size_t pairs = 0;
-  for (const ContactCone& cone : cone_)
-    cone.visit_pairs([&](double x, double dx, double y, double dy) {
-      sum += (x + alpha * dx) * (y + alpha * dy);
-      ++pairs;
-    });
-  return pairs > 0 ? sum / static_cast<double>(pairs) : 0;
+  const double sum = product_[0] + alpha * (product_[1] + alpha * product_[2]);
+  return pairs_ > 0 ? sum / static_cast<double>(pairs_) : 0;
 }
 
-double InteriorPoint::longest_step() const {
-  double fastest = 0;  // the largest relative decrease
-  for (const ContactCone& cone : cone_)
-    cone.visit_pairs([&](double x, double dx, double y, double dy) {
-      fastest = std::max({fastest, -dx / x, -dy / y});
-    });
-  return 1 / std::max(fastest, 1e-3);
+// Finds the next direction along the path, and how far to go.
+double InteriorPoint::find_step(const ContactProblem& problem, double product,
+                                double least_product) {
+  const auto length = [](double longest) { return std::min(1.0, kBoundaryShare * longest); };
+  if (matrix_.negative()) return length(find_direction(problem, kGrowth * product, false));
+  const double affine = mean_product(std::min(1.0, find_direction(problem, 0, false)));
+  const double centring = std::pow(std::max(0.0, affine / product), 3);
+  const double aim = std::max(centring * product, least_product);
+  if (const double alpha = length(find_direction(problem, aim, true)); alpha >= kShortStep)
+    return alpha;
+  return length(find_direction(problem, std::max(kAlignedShare * product, least_product), false));
 }
 
 SolveReport InteriorPoint::solve(const ContactProblem& problem, const SolverSettings& settings,
@@ -123,13 +143,10 @@ SolveReport InteriorPoint::solve(const ContactProblem& problem, const SolverSett
     linearise(problem);
     ++report.factorisations;
     const double product = mean_product(0);
-    find_direction(problem, 0, false);
-    const double affine = mean_product(std::min(1.0, longest_step()));
-    const double centring = std::pow(std::max(0.0, affine / product), 3);
-    find_direction(problem, std::max(centring * product, least_product), true);
-    const double alpha = std::min(1.0, kBoundaryShare * longest_step());
+    const double alpha = find_step(problem, product, least_product);
     for (std::size_t c = 0; c < cone_.size(); ++c) {
       cone_[c].move(alpha);
+      cone_[c].lift(kLeastShare * product);
       impulse_[c] = cone_[c].impulse();
       state.impulse[c] = cone_[c].admissible_impulse(delassus_[c].x());
     }

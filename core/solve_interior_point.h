@@ -5,11 +5,16 @@
 //   N s = 0
 //   (mu N + R_t) a = 0,  (mu N - R_t) b = 0,   u_t = a - b
 //   (mu_r N + T) a' = 0, (mu_r N - T) b' = 0,  w = a' - b'.
-// All products are driven together to zero. The variables of a contact are eliminated by hand (see
+// All products are driven together to zero, along a path that starts at large ones. Where contacts slide
+// the problem is not monotone and the path may fold: products that are asked to shrink further have no
+// solution near. Beyond a fold the path goes on with growing products, until it folds again. Its
+// direction is that of the determinant of Newton's matrix, positive at the start, so the products are
+// made to grow where that is negative [Allgower 1990]. The variables of a contact are eliminated by hand (see
 // interior_point_cone.h), which leaves (M + H^T D H) dv = H^T dp with one 3x3 block D a contact; it is
 // not symmetric where a contact slides.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/contact_matrix.h"
@@ -29,11 +34,14 @@ class InteriorPoint {
  private:
   void start(const ContactProblem& problem, double shift, const ContactState& state);
   void linearise(const ContactProblem& problem);
-  void find_direction(const ContactProblem& problem, double tau, bool correct);
-  double mean_product(double alpha) const;
-  double longest_step() const;
+  // Heads for products tau; returns the step that reaches the boundary.
+  double find_direction(const ContactProblem& problem, double tau, bool correct);
+  double find_step(const ContactProblem& problem, double product, double least_product);
+  double mean_product(double alpha) const;  // after a step of alpha along the direction
 
   ContactMatrix matrix_;
+  std::array<double, 3> product_{};  // their sum after a step of alpha, by powers of alpha
+  std::size_t pairs_ = 0;
   std::vector<Vec3> delassus_;     // (nc) diagonal of each contact's own block
   std::vector<ContactCone> cone_;  // (nc)
   std::vector<Mat3> stiffness_;    // (nc)

@@ -81,7 +81,7 @@ struct SolverSettings {
   Method method = Method::automatic;
   double tolerance = 1e-6;      // on Residual::natural [1]
   int max_iterations = 20000;   // sweeps of Gauss-Seidel
-  int max_factorisations = 40;  // of one interior-point attempt
+  int max_factorisations = 80;  // of one interior-point attempt
 
   bool operator==(const SolverSettings&) const = default;
 
