@@ -14,10 +14,8 @@ namespace {
 // Share of the way to the boundary that a step may go.
 constexpr double kBoundaryShare = 0.995;
 // Proximal term over the contact's Delassus diagonal. Over a whole ploughing run, 1e-9 left one step
-// in six unconverged for lack of digits, 1e-8 to 1e-6 one in a thousand. In factorisations, ploughing
-// and collapse: 17.5 and 20.5 at 1e-8, 17.7 and 19.6 at 1e-7, 16.7 and 17.3 at 1e-6, 20.7 and 18.2 at
-// 1e-5.
-constexpr double kProximal = 1e-6;
+// in six unconverged for lack of digits, 1e-8 to 1e-6 one in a thousand.
+constexpr double kProximal = 1e-7;
 // Products below this share of the squared tolerance are rounding, and are not aimed at.
 constexpr double kLeastProduct = 0.1;
 // A step shorter than this is not taken; the products are aligned instead, at this share of their mean.
