@@ -22,6 +22,18 @@ double normal_delassus(const World& world, const Contact& contact) {
       .x();
 }
 
+// Where a solution without external forces is looked for: nothing but the cohesion, and friction that
+// acts to its limit as before.
+Vec3 without_load(const ContactRow& row, const Contact& contact, double dt) {
+  constexpr double kAtLimit = 0.999;
+  const Vec3& p = contact.impulse;
+  const double n = dt * contact.cohesion;
+  const auto at_limit = [&](double x, double coefficient) {
+    return std::abs(x) < kAtLimit * coefficient * p.x() ? 0 : std::copysign(coefficient * n, x);
+  };
+  return {n, at_limit(p.y(), row.friction), at_limit(p.z(), row.rolling)};
+}
+
 }  // namespace
 
 void EnergyRule::find_suspects(const World& world, const std::vector<Contact>& contacts,
@@ -37,12 +49,15 @@ void EnergyRule::find_suspects(const World& world, const std::vector<Contact>& c
     const double tension = known ? before->cohesion - before->impulse.x() / world.impulse_dt : 0;
     const double tension_before = std::clamp(tension, 0.0, contact.cohesion);
     const double w = normal_delassus(world, contact);
-    const double impact = dt * contact.cohesion - contact.impulse.x() - dt * tension_before -
+    // What the step adds to the tension, or takes off the pressure.
+    const double impact = dt * contact.cohesion - contact.impulse.x() - dt * tension -
                           dt * turning_load(world, contact, w);
     const double energy_left =
         (contact.cohesion - tension_before) * world.law(contact.pair).cohesion_range;
-    if (impact > 0 && impact * impact * w / 2 > energy_left)
-      suspects_.push_back({.contact = c, .tension_before = tension_before});
+    const double least_impact = std::sqrt(2 * energy_left / w);
+    if (impact > least_impact)
+      suspects_.push_back(
+          {.contact = c, .tension_before = tension_before, .least_impact = least_impact});
   }
 }
 
@@ -56,28 +71,34 @@ const std::vector<BondBreak>& EnergyRule::judge(const World& world,
   if (suspects_.empty()) return breaks_;
 
   start_velocities(world, velocity_);
-  const auto solve_with = [&](const std::vector<Contact>& these) {
-    build_problem(world, these, velocity_, step, problem_);
-    state_.impulse.resize(these.size());
-    for (std::size_t c = 0; c < these.size(); ++c) state_.impulse[c] = these[c].impulse;
+  const auto solve = [&] {
     cost.add(solver.solve(problem_, settings, state_));
     return cost.converged;
   };
   // The impact's own impulse: the step without external forces.
-  if (!solve_with(contacts)) return breaks_;
+  build_problem(world, contacts, velocity_, step, problem_);
+  state_.impulse.resize(contacts.size());
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    state_.impulse[c] = without_load(problem_.contacts[c], contacts[c], step.dt);
+  if (!solve()) return breaks_;
   for (Suspect& s : suspects_) {
     const Contact& contact = contacts[s.contact];
     s.impact = step.dt * contact.cohesion - state_.impulse[s.contact].x() -
                step.dt * turning_load(world, contact, normal_delassus(world, contact));
   }
+  // An opening bond moves at most as freely as the two bodies alone.
+  std::erase_if(suspects_, [](const Suspect& s) { return s.impact <= s.least_impact; });
+  if (suspects_.empty()) return breaks_;
   // The velocity of opening: the same without the suspected bonds.
   without_ = contacts;
   for (const Suspect& s : suspects_) {
     Contact& contact = without_[s.contact];
-    contact.impulse.x() = std::max(0.0, contact.impulse.x() - step.dt * contact.cohesion);
+    Vec3& p = state_.impulse[s.contact];
+    p.x() = std::max(0.0, p.x() - step.dt * contact.cohesion);
     contact.cohesion = 0;
   }
-  if (!solve_with(without_)) return breaks_;
+  build_problem(world, without_, velocity_, step, problem_);
+  if (!solve()) return breaks_;
   for (const Suspect& s : suspects_) {
     const ContactRow& row = problem_.contacts[s.contact];
     const double opening =

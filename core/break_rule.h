@@ -38,6 +38,7 @@ class EnergyRule {
   struct Suspect {
     std::size_t contact = 0;
     double tension_before = 0;  // F_s [F_g]
+    double least_impact = 0;    // J that has the energy E if only the two bodies move [m sqrt(g d)]
     double impact = 0;          // J [m sqrt(g d)]
   };
   void find_suspects(const World& world, const std::vector<Contact>& contacts, double dt);

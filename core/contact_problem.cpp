@@ -36,13 +36,15 @@ double turning_rate(const World& world, const Contact& contact) {
 }
 
 double fastest_turning(const World& world) {
-  double squared = 0;
-  for (const Contact& contact : world.contacts) {
-    if (contact.cohesion == 0 || is_wall(contact.pair.b)) continue;
-    const double distance = world.separation(contact.pair.a, contact.pair.b).norm();
-    squared = std::max(squared, turning_rate(world, contact) / distance);
+  double fastest = 0;
+  for (const Bond& bond : world.bonds.list) {
+    const auto [a, b] = bond.pair;
+    if (bond.state == BondState::broken || is_wall(b)) continue;
+    const Vec2 apart = world.separation(a, b);
+    const Vec2 u = (world.disks.velocity[b] - world.disks.velocity[a]).head<2>();
+    fastest = std::max(fastest, std::abs(perpendicular(apart).dot(u)) / apart.squaredNorm());
   }
-  return std::sqrt(squared);
+  return fastest;
 }
 
 void free_velocities(const World& world, double dt, std::vector<Vec3>& velocity) {

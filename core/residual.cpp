@@ -27,13 +27,10 @@ void velocity_from_impulses(const ContactProblem& problem, const std::vector<Vec
   }
 }
 
-double contact_residual(const ContactProblem& problem, std::size_t contact, const Vec3& p,
+double contact_residual(const ContactProblem& problem, const ContactRow& row, const Vec3& p,
                         const Vec3& u) {
-  const ContactRow& row = problem.contacts[contact];
-  const Vec3 step =
-      inverse_or_zero(problem.weights.empty() ? delassus_diagonal(row, problem.inverse_mass[row.a],
-                                                                  problem.inverse_mass[row.b])
-                                              : problem.weights[contact]);
+  const Vec3 step = inverse_or_zero(
+      delassus_diagonal(row, problem.inverse_mass[row.a], problem.inverse_mass[row.b]));
   double r = std::abs(p.x() - std::max(0.0, p.x() - u.x() * step.x()));
   const double n = std::max(0.0, p.x());
   if (problem.components >= 2) {
@@ -57,7 +54,7 @@ Residual residual(const ContactProblem& problem, ContactState& state) {
     const Vec3& p = state.impulse[c];
     const Vec3 u =
         row.offset + relative_velocity(row, state.velocity[row.a], state.velocity[row.b]);
-    const double r = contact_residual(problem, c, p, u);
+    const double r = contact_residual(problem, row, p, u);
     finite = finite && std::isfinite(r);
     worst.natural = std::max(worst.natural, r);
     if (p.x() > 0)

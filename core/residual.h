@@ -13,7 +13,7 @@ namespace quicksand {
 
 // The largest of the three of one contact with impulse p and relative velocity u = H v + offset, given
 // the masses of its bodies. [impulse]
-double contact_residual(const ContactProblem& problem, std::size_t contact, const Vec3& p,
+double contact_residual(const ContactProblem& problem, const ContactRow& row, const Vec3& p,
                         const Vec3& u);
 
 // Judges the impulses. The velocities are set to those that the impulses give, so that no solver can

@@ -16,8 +16,8 @@ constexpr double kBoundaryShare = 0.995;
 // Proximal term over the contact's Delassus diagonal. Over a whole ploughing run, 1e-9 left one step
 // in six unconverged for lack of digits, 1e-8 to 1e-6 one in a thousand.
 constexpr double kProximal = 1e-7;
-// Products below this share of the squared tolerance are rounding, and are not aimed at.
-constexpr double kLeastProduct = 0.1;
+// Products below this share of what the tolerances ask for are rounding, and are not aimed at.
+constexpr double kLeastProduct = 0.05;
 // A step shorter than this is not taken; the products are aligned instead, at this share of their mean.
 constexpr double kShortStep = 0.3;
 constexpr double kAlignedShare = 0.5;
@@ -48,6 +48,19 @@ double violation(const ContactRow& row, const Vec3& delassus, int components, co
 }
 
 }  // namespace
+
+// The smallest product of an admissible error of an impulse and one of a speed.
+double InteriorPoint::admissible_product(const ContactProblem& problem, double admissible) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+    const ContactRow& row = problem.contacts[c];
+    double softest = delassus_[c].x();
+    if (cone_[c].slide.limit > 0) softest = std::min(softest, delassus_[c].y());
+    if (cone_[c].roll.limit > 0) softest = std::min(softest, delassus_[c].z() * row.arm * row.arm);
+    least = std::min({least, admissible * softest, row.gap_tolerance / problem.dt});
+  }
+  return admissible * least;
+}
 
 void InteriorPoint::start(const ContactProblem& problem, double shift, const ContactState& state) {
   const std::size_t nc = problem.contacts.size();
@@ -131,12 +144,12 @@ SolveReport InteriorPoint::solve(const ContactProblem& problem, const SolverSett
                                  double shift, ContactState& state) {
   SolveReport report;
   const double admissible = settings.tolerance * problem.force_scale * problem.dt;
-  const double least_product = kLeastProduct * admissible * admissible;
   // The start counts: what is handed on is never worse than what came in.
   report.residual = residual(problem, state);
   report.converged = settings.accepts(report.residual);
   if (report.converged) return report;
   start(problem, shift, state);
+  const double least_product = kLeastProduct * admissible_product(problem, admissible);
   double best = settings.distance(report.residual);
   best_ = state.impulse;
   while (report.factorisations < settings.max_factorisations) {

@@ -33,6 +33,7 @@ class InteriorPoint {
 
  private:
   void start(const ContactProblem& problem, double shift, const ContactState& state);
+  double admissible_product(const ContactProblem& problem, double admissible) const;
   void linearise(const ContactProblem& problem);
   // Heads for products tau; returns the step that reaches the boundary.
   double find_direction(const ContactProblem& problem, double tau, bool correct);

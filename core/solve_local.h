@@ -27,7 +27,8 @@ class LocalSolver {
  private:
   enum class Role : char { frozen, open, active };
 
-  void assign_roles(const ContactProblem& problem, double admissible, ContactState& state);
+  // False if too much is active for locality to pay.
+  bool assign_roles(const ContactProblem& problem, double admissible, ContactState& state);
   void find_components(const ContactProblem& problem);
   bool solve_components(const ContactProblem& problem, const SolverSettings& settings,
                         std::vector<Vec3>& impulse, SolveReport& report);

@@ -59,8 +59,6 @@ struct ContactProblem {
   std::vector<Vec3> inverse_mass;    // (nb) (1/m, 1/m, 1/I)
   std::vector<Vec3> free_velocity;   // (nb) velocity at the end of the step without contacts
   std::vector<ContactRow> contacts;  // (nc)
-  // (nc) Delassus diagonals by which the residual weighs velocities, or empty: the contacts' own.
-  std::vector<Vec3> weights;
 };
 
 struct ContactState {
