@@ -107,6 +107,14 @@ TEST_P(MaxTurn, ASmallTurnGivesThePairItsClosedForm) {
   }
 }
 
+// Bonds are known before any contact has been solved.
+TEST_P(MaxTurn, TheFirstStepOfASceneIsLimitedToo) {
+  const Scenario scene = limited(spinning_pair(GetParam(), std::sqrt(0.99 * 2e4), 1e4), 0.05);
+  Protocol protocol(scene, make_world(scene));
+  EXPECT_LT(next_step(protocol), 1e-3);
+  EXPECT_EQ(protocol.world().bonds.broken, 0);
+}
+
 // Chain, cantilever and column: tension, bending and pressure. Impulses belong to a step; scaled to
 // the next they solve it as they are. (Gaps do not scale: an error e of a gap is an acceleration e/dt^2
 // in the next step, so that a jump to a thousandth of the step may need an iteration.)
