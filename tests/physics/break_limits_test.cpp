@@ -143,6 +143,14 @@ TEST_P(ImpactLimit, IsWhatALoadLeavesOfTheEnergy) {
   }
 }
 
+// Pressure alone does not keep a bond: pressed with F_c, an impact must do 2 F_c d_c of work to open it.
+TEST_P(ImpactLimit, OfAPressedBondIsNotFarAboveItsEnergy) {
+  for (double dt : {1e-2, 1e-3}) {
+    EXPECT_FALSE(loaded_pair_breaks(GetParam(), -1, 0.45, dt)) << dt;
+    EXPECT_TRUE(loaded_pair_breaks(GetParam(), -1, 1.05, dt)) << dt;
+  }
+}
+
 // How far implicit Euler lets the pair open: every step takes F_c W dt from the speed before it moves.
 double implicit_euler_opening(double share, double dt) {
   double speed = opening_speed(share), gap = 0;
