@@ -8,6 +8,9 @@ namespace quicksand {
 void Recorder::count(const ProtocolState& before, const Protocol& after) {
   const ProtocolState& now = after.state();
   pending_.residual = std::max(pending_.residual, after.last_step().solve.residual.natural);
+  pending_.gap_error = std::max(pending_.gap_error, after.last_step().solve.residual.gap);
+  pending_.velocity_change =
+      std::max(pending_.velocity_change, after.last_step().solve.velocity_change);
   pending_.iterations += now.iterations - before.iterations;
   pending_.factorisations += now.factorisations - before.factorisations;
   pending_.unconverged += now.unconverged_steps - before.unconverged_steps;

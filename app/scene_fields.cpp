@@ -104,6 +104,10 @@ void describe_step(Fields& f, StepSettings& step) {
 void describe_solver(Fields& f, SolverSettings& solver) {
   f.choice({"method", "contact solver"}, kMethods, solver.method);
   f.number({"tolerance", "residual that counts as converged"}, above(0, 1, "1"), solver.tolerance);
+  f.number({"velocity_tolerance",
+            "change of velocity in an iteration that counts as settled, over the "
+            "mean velocity of the step"},
+           above(0, 1e6, "1"), solver.velocity_tolerance);
   const auto count = [&](const Field& field, int& value) {
     std::int64_t wide = value;
     f.integer(field, 1, kMaxIterations, wide);

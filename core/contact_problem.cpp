@@ -180,16 +180,18 @@ void build_problem(const World& world, const std::vector<Contact>& contacts,
   }
 
   // Forces are judged relative to the strongest bond, or the mean force or momentum of a body.
-  double force = 0;
+  double force = 0, mass = 0;
   int mobile = 0;
   for (int i = 0; i < disks.size(); ++i) {
     if (disks.fixed(i)) continue;
     ++mobile;
+    mass += disks.mass[i];
     force += disks.mass[i] *
              std::max((free_velocity[i] - disks.velocity[i]).head<2>().norm(),
                       disks.velocity[i].head<2>().norm()) /
              dt;
   }
+  problem.velocity_scale = force > 0 ? dt * force / mass : 1;
   if (mobile > 0) force /= mobile;
   problem.force_scale = std::max(strongest_bond, force);
   if (problem.force_scale == 0) problem.force_scale = 1;

@@ -79,6 +79,7 @@ SolveReport solve_gauss_seidel(const ContactProblem& problem, const SolverSettin
     return report.converged;
   };
   judge();
+  if (!report.converged) report.rung = Rung::polish;
   while (!report.converged && report.iterations < settings.max_iterations) {
     const auto sweeps = std::min<std::int64_t>(kSweepsBetweenJudgements,
                                                settings.max_iterations - report.iterations);

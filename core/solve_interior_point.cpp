@@ -11,6 +11,8 @@ namespace quicksand {
 
 namespace {
 
+// Iterations after acceptance in which velocities may settle.
+constexpr int kSettling = 3;
 // Share of the way to the boundary that a step may go.
 constexpr double kBoundaryShare = 0.995;
 // Proximal term over the contact's Delassus diagonal. Over a whole ploughing run, 1e-9 left one step
@@ -127,6 +129,19 @@ double InteriorPoint::mean_product(double alpha) const {
   return pairs_ > 0 ? sum / static_cast<double>(pairs_) : 0;
 }
 
+double InteriorPoint::fastest_change(const ContactProblem& problem) const {
+  double squared = 0;
+  for (const ContactRow& row : problem.contacts) {
+    const auto at_contact = [&](const Vec3& v, const Vec2& spin) {
+      const Vec2 in_frame(row.normal.dot(v.head<2>()), perpendicular(row.normal).dot(v.head<2>()));
+      return (in_frame + v.z() * spin).squaredNorm();
+    };
+    squared = std::max(
+        {squared, at_contact(change_[row.a], row.spin_a), at_contact(change_[row.b], row.spin_b)});
+  }
+  return std::sqrt(squared);
+}
+
 // Finds the next direction along the path, and how far to go.
 double InteriorPoint::find_step(const ContactProblem& problem, double product,
                                 double least_product) {
@@ -152,6 +167,8 @@ SolveReport InteriorPoint::solve(const ContactProblem& problem, const SolverSett
   const double least_product = kLeastProduct * admissible_product(problem, admissible);
   double best = settings.distance(report.residual);
   best_ = state.impulse;
+  report.rung = shift > 1 ? Rung::far_start : Rung::interior_point;
+  int settling = 0;
   while (report.factorisations < settings.max_factorisations) {
     linearise(problem);
     ++report.factorisations;
@@ -167,7 +184,10 @@ SolveReport InteriorPoint::solve(const ContactProblem& problem, const SolverSett
     velocity_from_impulses(problem, impulse_, velocity_);
     report.residual = residual(problem, state);
     report.converged = settings.accepts(report.residual);
-    if (report.converged) return report;
+    report.velocity_change = fastest_change(problem) / problem.velocity_scale;
+    if (report.converged &&
+        (report.velocity_change <= settings.velocity_tolerance || ++settling > kSettling))
+      return report;
     if (!std::isfinite(product)) break;
     const double distance = settings.distance(report.residual);
     if (distance < best) {
@@ -177,6 +197,7 @@ SolveReport InteriorPoint::solve(const ContactProblem& problem, const SolverSett
   }
   state.impulse = best_;
   report.residual = residual(problem, state);
+  report.converged = settings.accepts(report.residual);
   return report;
 }
 

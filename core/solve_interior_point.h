@@ -38,6 +38,7 @@ class InteriorPoint {
   // Heads for products tau; returns the step that reaches the boundary.
   double find_direction(const ContactProblem& problem, double tau, bool correct);
   double find_step(const ContactProblem& problem, double product, double least_product);
+  double fastest_change(const ContactProblem& problem) const;  // of a body at a contact [sqrt(g d)]
   double mean_product(double alpha) const;  // after a step of alpha along the direction
 
   ContactMatrix matrix_;

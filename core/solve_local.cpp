@@ -104,6 +104,7 @@ void LocalSolver::pose_component(const ContactProblem& problem, std::size_t firs
                                  const std::vector<Vec3>& impulse) {
   part_.dt = problem.dt;
   part_.force_scale = problem.force_scale;
+  part_.velocity_scale = problem.velocity_scale;
   part_.components = problem.components;
   part_.inverse_mass.clear();
   part_.free_velocity.clear();
@@ -122,6 +123,7 @@ void LocalSolver::pose_component(const ContactProblem& problem, std::size_t firs
 bool LocalSolver::solve_components(const ContactProblem& problem, const SolverSettings& settings,
                                    std::vector<Vec3>& impulse, SolveReport& report) {
   cluster_velocity_.clear();
+  velocity_change_ = 0;
   for (int k = 0; k < clusters_.size(); ++k)
     cluster_velocity_.push_back(clusters_.free_velocity(k));
   local_.assign(static_cast<std::size_t>(clusters_.size()), -1);
@@ -129,6 +131,7 @@ bool LocalSolver::solve_components(const ContactProblem& problem, const SolverSe
     const std::size_t first = component_start_[part], last = component_start_[part + 1];
     pose_component(problem, first, last, impulse);
     report.add(interior_point_.solve(part_, settings, 1, part_state_));
+    velocity_change_ = std::max(velocity_change_, report.velocity_change);
     for (std::size_t k = first; k < last; ++k)
       impulse[by_component_[k]] = part_state_.impulse[k - first];
     for (std::size_t k = 0; k < part_cluster_.size(); ++k) {
@@ -203,6 +206,8 @@ SolveReport LocalSolver::solve(const ContactProblem& problem, const SolverSettin
     if (activate_violated(problem, admissible, state) <= 0) break;
   }
   // A component that converged does not make a solution: the whole problem is judged.
+  report.rung = Rung::locality;
+  report.velocity_change = velocity_change_;
   report.residual = residual(problem, state);
   if (settings.distance(start) < settings.distance(report.residual)) {
     state.impulse = start_impulse_;

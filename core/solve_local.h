@@ -46,7 +46,8 @@ class LocalSolver {
   std::vector<std::size_t> by_component_, component_start_;
   std::vector<double> violation_, worst_at_;  // (nc), (nb)
   std::vector<Vec3> start_impulse_;
-  ContactProblem part_;  // one component
+  double velocity_change_ = 0;  // of the component that settled least, in the last round
+  ContactProblem part_;         // one component
   ContactState part_state_;
   std::vector<int> part_cluster_, local_;  // cluster of a body of the part, and back
 };

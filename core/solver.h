@@ -53,9 +53,10 @@ inline Vec3 momentum_of_a(const ContactRow& c, const Vec3& p) {
 
 // Built once a step, constant while solving.
 struct ContactProblem {
-  double dt = 0;           // [sqrt(d/g)]
-  double force_scale = 1;  // forces are judged relative to this [F_g]
-  int components = 3;      // modelled: 1 normal (of disks), 2 and friction, 3 and rolling friction
+  double dt = 0;              // [sqrt(d/g)]
+  double force_scale = 1;     // forces are judged relative to this [F_g]
+  double velocity_scale = 1;  // and velocities relative to this [sqrt(g d)]
+  int components = 3;  // modelled: 1 normal (of disks), 2 and friction, 3 and rolling friction
   std::vector<Vec3> inverse_mass;    // (nb) (1/m, 1/m, 1/I)
   std::vector<Vec3> free_velocity;   // (nb) velocity at the end of the step without contacts
   std::vector<ContactRow> contacts;  // (nc)
@@ -77,28 +78,40 @@ enum class Method : std::uint8_t { automatic, interior_point, gauss_seidel };
 
 struct SolverSettings {
   Method method = Method::automatic;
-  double tolerance = 1e-6;      // on Residual::natural [1]
-  int max_iterations = 20000;   // sweeps of Gauss-Seidel
-  int max_factorisations = 80;  // of one interior-point attempt
+  double tolerance = 1e-6;          // on Residual::natural [1]
+  double velocity_tolerance = 0.1;  // on SolveReport::velocity_change [1]
+  int max_iterations = 20000;       // sweeps of Gauss-Seidel
+  int max_factorisations = 80;      // of one interior-point attempt
 
   bool operator==(const SolverSettings&) const = default;
 
-  // At most 1 where a solution is accepted: both the residual and the gap error count.
+  // At most 1 where a solution is accepted: both the residual and the gap error count. The interior
+  // point goes on for a few iterations, as far as they help, until velocities have settled too.
   double distance(const Residual& r) const { return std::max(r.natural / tolerance, r.gap); }
   bool accepts(const Residual& r) const { return distance(r) <= 1; }
 };
 
+// What found the solution; see solver.cpp.
+enum class Rung : std::uint8_t { start, locality, interior_point, far_start, polish };
+
 // Not converging is an answer: the caller decides.
 struct SolveReport {
   bool converged = false;
+  Rung rung = Rung::start;
   Residual residual;
+  // Fastest change of velocity at a contact in the last iteration of Newton's method, over the scale. As
+  // it converges quadratically, the error left is far smaller. 0 where nothing was iterated, and not
+  // known of Gauss-Seidel, which leaves it.
+  double velocity_change = 0;
   std::int64_t iterations = 0;
   std::int64_t factorisations = 0;
 
   // Takes over the outcome of a further solution and sums up the work.
   void add(const SolveReport& further) {
     converged = further.converged;
+    rung = further.rung;
     residual = further.residual;
+    velocity_change = further.velocity_change;
     iterations += further.iterations;
     factorisations += further.factorisations;
   }

@@ -1,6 +1,7 @@
 #include "core/step.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "core/break_rule.h"
@@ -122,6 +123,7 @@ void Stepper::update_bonds(World& world, const StepSettings& step, StepReport& r
 StepReport Stepper::advance(World& world, const StepSettings& step,
                             const SolverSettings& settings) {
   Scratch& s = *scratch_;
+  const auto begin = std::chrono::steady_clock::now();
   StepReport report;
   free_velocities(world, step.dt, s.free_velocity);
   report.bad_body = first_not_finite(s.free_velocity);
@@ -137,8 +139,13 @@ StepReport Stepper::advance(World& world, const StepSettings& step,
     SolveReport judgement;
     judgement.converged = true;
     s.breaks = s.energy_rule.judge(world, s.contacts, step, settings, s.solver, judgement);
-    judgement.residual = report.solve.residual;
+    const SolveReport of_step = report.solve;
     report.solve.add(judgement);
+    // What is reported is the step's own solution.
+    report.solve.converged = judgement.converged;
+    report.solve.rung = of_step.rung;
+    report.solve.residual = of_step.residual;
+    report.solve.velocity_change = of_step.velocity_change;
     for (const BondBreak& broken : s.breaks)
       std::ranges::lower_bound(s.contacts, broken.pair, {}, &Contact::pair)->cohesion =
           broken.last_force;
@@ -154,6 +161,7 @@ StepReport Stepper::advance(World& world, const StepSettings& step,
   world.impulse_dt = step.dt;
   world.time += step.dt;
   ++world.step;
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return report;
 }
 

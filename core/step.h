@@ -14,6 +14,7 @@ struct StepReport {
   bool finite = true;  // false: not taken
   int bad_body = -1;   // the first body whose velocity is not finite
   SolveReport solve;
+  double seconds = 0;  // that the step took
   std::int64_t bonds_formed = 0;
   std::int64_t bonds_broken = 0;     // always 0 if not converged
   std::int64_t breaks_withheld = 0;  // bonds beyond their range in an unconverged step
