@@ -113,10 +113,12 @@ int add_missed_contacts(const World& world, const std::vector<Pair>& candidates,
   for (const Pair& pair : candidates) {
     while (next < known && contacts[static_cast<std::size_t>(next)].pair < pair) ++next;
     if (next < known && contacts[static_cast<std::size_t>(next)].pair == pair) continue;
+    const Vec3 u = velocity[problem_body(world, pair.b)] - velocity[pair.a];
+    const double way = dt * u.head<2>().norm();
+    if (way < kAlwaysWithin) continue;  // what is nearer is a contact already
     Contact contact{.pair = pair};
     contact.gap = world.gap(pair, &contact.normal);
-    const Vec3 u = velocity[problem_body(world, pair.b)] - velocity[pair.a];
-    if (contact.gap + tolerance > dt * u.head<2>().norm()) continue;
+    if (contact.gap + tolerance > way) continue;
     double after = 0;
     if (is_wall(pair.b)) {
       after = contact.gap + dt * contact.normal.dot(u.head<2>());

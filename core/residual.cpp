@@ -27,24 +27,6 @@ void velocity_from_impulses(const ContactProblem& problem, const std::vector<Vec
   }
 }
 
-double contact_residual(const ContactProblem& problem, const ContactRow& row, const Vec3& p,
-                        const Vec3& u) {
-  const Vec3 step = inverse_or_zero(
-      delassus_diagonal(row, problem.inverse_mass[row.a], problem.inverse_mass[row.b]));
-  double r = std::abs(p.x() - std::max(0.0, p.x() - u.x() * step.x()));
-  const double n = std::max(0.0, p.x());
-  if (problem.components >= 2) {
-    const double bound = row.friction * n;
-    r = std::max(r, std::abs(p.y() - std::clamp(p.y() - u.y() * step.y(), -bound, bound)));
-  }
-  if (problem.components >= 3) {
-    const double bound = row.rolling * n;
-    r = std::max(r,
-                 std::abs(p.z() - std::clamp(p.z() - u.z() * step.z(), -bound, bound)) / row.arm);
-  }
-  return r;
-}
-
 Residual residual(const ContactProblem& problem, ContactState& state) {
   velocity_from_impulses(problem, state.impulse, state.velocity);
   Residual worst;

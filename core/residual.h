@@ -7,14 +7,33 @@
 // which all vanish exactly at a solution (natural map, [Acary 2018]).
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
+#include "core/delassus.h"
 #include "core/solver.h"
 
 namespace quicksand {
 
 // The largest of the three of one contact with impulse p and relative velocity u = H v + offset, given
 // the masses of its bodies. [impulse]
-double contact_residual(const ContactProblem& problem, const ContactRow& row, const Vec3& p,
-                        const Vec3& u);
+inline double contact_residual(const ContactProblem& problem, const ContactRow& row, const Vec3& p,
+                               const Vec3& u) {
+  const Vec3 step = inverse_or_zero(
+      delassus_diagonal(row, problem.inverse_mass[row.a], problem.inverse_mass[row.b]));
+  double r = std::abs(p.x() - std::max(0.0, p.x() - u.x() * step.x()));
+  const double n = std::max(0.0, p.x());
+  if (problem.components >= 2) {
+    const double bound = row.friction * n;
+    r = std::max(r, std::abs(p.y() - std::clamp(p.y() - u.y() * step.y(), -bound, bound)));
+  }
+  if (problem.components >= 3) {
+    const double bound = row.rolling * n;
+    r = std::max(r,
+                 std::abs(p.z() - std::clamp(p.z() - u.z() * step.z(), -bound, bound)) / row.arm);
+  }
+  return r;
+}
 
 // Judges the impulses. The velocities are set to those that the impulses give, so that no solver can
 // mislead by velocities that do not belong to its impulses. Infinite if anything is not finite.

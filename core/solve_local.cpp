@@ -17,7 +17,7 @@ constexpr double kShareInside = 1e-3;
 constexpr double kMarginInside = 10;
 // The start is taken as it is if its distance from acceptance is this; a solution costs little where all
 // sticks, and is exact there.
-constexpr double kAsItIs = 1e-2;
+constexpr double kAsItIs = 1e-5;
 // Share of contacts that must be frozen or open for locality to be tried.
 constexpr double kLeastQuiet = 0.5;
 
