@@ -1,0 +1,66 @@
+#include "core/solve_local.h"
+
+#include <gtest/gtest.h>
+
+#include "core/residual.h"
+#include "tests/support/core/scenes.h"
+#include "tests/support/core/simulation.h"
+#include "tests/support/core/tolerance.h"
+
+namespace quicksand {
+namespace {
+
+TEST(Locality, ASagOfAHangingChainIsTakenBackWithoutAFactorisation) {
+  Simulation run(hanging_chain(Method::automatic, 300, 1e4));
+  run.solver.tolerance = 1e-6;
+  run.advance(4);  // the first step is far from any memory
+  run.world.disks.velocity[300].y() = -1e-4;
+  run.advance();
+  EXPECT_EQ(run.last.solve.rung, Rung::locality);
+  EXPECT_EQ(run.last.solve.factorisations, 0);
+  EXPECT_TRUE(run.last.converged);
+  for (int k = 0; k < 300; ++k)
+    ASSERT_NEAR(contact_force(run.world, {k, k + 1}).y(), 300 - k + 1e-4 / run.step.dt,
+                tolerance::exact(1e4));
+}
+
+// The same steps of a collapsing packing solved over clusters and in full.
+TEST(Locality, GivesTheVelocitiesOfTheFullSolution) {
+  Simulation run(falling_cluster(Method::automatic, 120, 3, paper_law(300)));
+  run.world.bonding = true;
+  run.solver.tolerance = 1e-9;
+  SolverSettings full = run.solver;
+  full.method = Method::interior_point;
+  int local = 0, compared = 0;
+  for (int k = 0; k < 400; ++k) {
+    World other = run.world;
+    Stepper stepper;
+    const StepReport report = stepper.advance(other, run.step, full);
+    run.advance();
+    if (run.last.solve.rung != Rung::locality || !report.converged) continue;
+    ASSERT_TRUE(run.last.converged) << k;
+    ++local;
+    double worst = 0;
+    for (std::size_t i = 0; i < other.disks.velocity.size(); ++i)
+      worst = std::max(worst, distance(other.disks.velocity[i], run.world.disks.velocity[i]));
+    // Friction may leave more than one solution; then the residual alone decides.
+    if (worst <= tolerance::solved(10)) ++compared;
+  }
+  EXPECT_GE(local, 100) << "locality was hardly used";
+  EXPECT_GE(compared, 95 * local / 100);
+}
+
+TEST(Locality, LeavesWhatItCannotSolveAsItWas) {
+  // Without rolling friction nothing is rigid.
+  Scenario scene = hanging_chain(Method::automatic, 20, 1e4);
+  scene.grain_law.rolling_friction.reset();
+  Simulation run(scene);
+  run.advance(3);
+  run.world.disks.velocity[20].y() = -1e-3;
+  run.advance();
+  EXPECT_NE(run.last.solve.rung, Rung::locality);
+  EXPECT_TRUE(run.last.converged);
+}
+
+}  // namespace
+}  // namespace quicksand
