@@ -9,6 +9,8 @@ namespace quicksand {
 struct ContactSolver::Methods {
   LocalSolver local;
   InteriorPoint interior_point;
+  std::vector<Vec3> inherited;  // (nc)
+  ContactState best;
 };
 
 ContactSolver::ContactSolver() : methods_(std::make_unique<Methods>()) {}
@@ -25,27 +27,30 @@ namespace {
 // gain a factor of 20 to 30 and more sweeps gain little. What has jammed is a bad start for another
 // path: each begins at the inherited impulses, and ends elsewhere. If all fall short, the best state
 // counts, and the step is repeated with half the time step (see protocols.h).
-SolveReport climb(const ContactProblem& problem, const SolverSettings& settings, LocalSolver& local,
-                  InteriorPoint& interior_point, ContactState& state) {
-  constexpr double kNearShift = 1, kFarShift = 10;
-  constexpr int kPolishSweeps = 500;
-  SolveReport report = local.solve(problem, settings, state);
+template <class Methods>
+SolveReport climb(const ContactProblem& problem, const SolverSettings& settings, Methods& methods,
+                  ContactState& state) {
+  constexpr double kNearShift = 1, kFarShift = 100;
+  constexpr std::int64_t kPolishSweeps = 500;
+  SolveReport report = methods.local.solve(problem, settings, state);
   if (report.converged) return report;
-  const std::vector<Vec3> inherited = state.impulse;
-  SolverSettings polish = settings;
-  polish.max_iterations = std::min(kPolishSweeps, settings.max_iterations);
-  ContactState best = state;
+  methods.inherited = state.impulse;
+  methods.best = state;
   Residual least = report.residual;
   for (const double shift : {kNearShift, kFarShift}) {
-    state.impulse = inherited;
-    report.add(interior_point.solve(problem, settings, shift, state));
-    if (!report.converged) report.add(solve_gauss_seidel(problem, polish, state));
+    state.impulse = methods.inherited;
+    report.add(methods.interior_point.solve(problem, settings, shift, state));
+    if (report.converged) return report;
+    SolverSettings polish = settings;
+    polish.max_iterations =
+        static_cast<int>(std::min(kPolishSweeps, settings.max_iterations - report.iterations));
+    report.add(solve_gauss_seidel(problem, polish, state));
     if (report.converged) return report;
     if (settings.distance(report.residual) > settings.distance(least)) continue;
     least = report.residual;
-    best = state;
+    methods.best = state;
   }
-  state = best;
+  state = methods.best;
   report.residual = least;
   return report;
 }
@@ -56,7 +61,7 @@ SolveReport ContactSolver::solve(const ContactProblem& problem, const SolverSett
                                  ContactState& state) {
   switch (settings.method) {
     case Method::automatic:
-      return climb(problem, settings, methods_->local, methods_->interior_point, state);
+      return climb(problem, settings, *methods_, state);
     case Method::interior_point:
       return methods_->interior_point.solve(problem, settings, 1, state);
     case Method::gauss_seidel:
