@@ -37,13 +37,19 @@ void EnergyRule::find_suspects(const World& world, const std::vector<Contact>& c
     const double tension = known ? before->cohesion - before->impulse.x() / world.impulse_dt : 0;
     const double tension_before = std::clamp(tension, 0.0, contact.cohesion);
     const double w = normal_delassus(world, contact);
-    const double impact = dt * contact.cohesion - contact.impulse.x() - dt * tension_before -
-                          dt * turning_load(world, contact, w);
-    const double energy_left =
-        (contact.cohesion - tension_before) * world.law(contact.pair).cohesion_range;
-    if (impact > 0 && impact * impact * w / 2 > energy_left)
-      suspects_.push_back({.contact = c, .tension_before = tension_before});
+    const Suspect suspect{.contact = c,
+                          .tension_before = tension_before,
+                          .impact = dt * contact.cohesion - contact.impulse.x() -
+                                    dt * tension_before - dt * turning_load(world, contact, w)};
+    if (may_break(world, contact, suspect)) suspects_.push_back(suspect);
   }
+}
+
+bool EnergyRule::may_break(const World& world, const Contact& contact, const Suspect& suspect) {
+  const double energy_left =
+      (contact.cohesion - suspect.tension_before) * world.law(contact.pair).cohesion_range;
+  const double j = suspect.impact;
+  return j > 0 && j * j * normal_delassus(world, contact) / 2 > energy_left;
 }
 
 const std::vector<BondBreak>& EnergyRule::judge(const World& world,
@@ -70,6 +76,10 @@ const std::vector<BondBreak>& EnergyRule::judge(const World& world,
     s.impact = step.dt * contact.cohesion - state_.impulse[s.contact].x() -
                step.dt * turning_load(world, contact, normal_delassus(world, contact));
   }
+  // Often the external forces alone had made the suspicion.
+  if (std::ranges::none_of(
+          suspects_, [&](const Suspect& s) { return may_break(world, contacts[s.contact], s); }))
+    return breaks_;
   // The velocity of opening: the same without the suspected bonds.
   without_ = contacts;
   for (const Suspect& s : suspects_) {
