@@ -23,15 +23,17 @@ namespace {
 //      (a packing at rest);
 //   2. interior point from near the inherited impulses, and Gauss-Seidel sweeps from where it jams;
 //   3. both again from farther inside.
-// In a jammed packing the interior point ends at folds of its path, where a few hundred sweeps still
-// gain a factor of 20 to 30 and more sweeps gain little. What has jammed is a bad start for another
-// path: each begins at the inherited impulses, and ends elsewhere. If all fall short, the best state
-// counts, and the step is repeated with half the time step (see protocols.h).
+// In a jammed packing the interior point ends at folds of its path, where some hundred sweeps still
+// gain a factor of 20 to 30, the more of them the larger the packing. What has jammed is a bad start
+// for another path: each begins at the inherited impulses, and ends elsewhere. If all fall short, the
+// best state counts, and the step is repeated with half the time step (see protocols.h).
 template <class Methods>
 SolveReport climb(const ContactProblem& problem, const SolverSettings& settings, Methods& methods,
                   ContactState& state) {
   constexpr double kNearShift = 1, kFarShift = 100;
-  constexpr std::int64_t kPolishSweeps = 500;
+  // So many sweeps at once, and again while the distance falls below this share of what it was.
+  constexpr std::int64_t kPolishSweeps = 1000;
+  constexpr double kPolishGain = 0.7;
   SolveReport report = methods.local.solve(problem, settings, state);
   if (report.converged) return report;
   methods.inherited = state.impulse;
@@ -41,11 +43,15 @@ SolveReport climb(const ContactProblem& problem, const SolverSettings& settings,
     state.impulse = methods.inherited;
     report.add(methods.interior_point.solve(problem, settings, shift, state));
     if (report.converged) return report;
-    SolverSettings polish = settings;
-    polish.max_iterations =
-        static_cast<int>(std::min(kPolishSweeps, settings.max_iterations - report.iterations));
-    report.add(solve_gauss_seidel(problem, polish, state));
-    if (report.converged) return report;
+    double before = 0;
+    do {
+      SolverSettings polish = settings;
+      polish.max_iterations =
+          static_cast<int>(std::min(kPolishSweeps, settings.max_iterations - report.iterations));
+      before = settings.distance(report.residual);
+      report.add(solve_gauss_seidel(problem, polish, state));
+      if (report.converged) return report;
+    } while (settings.distance(report.residual) < kPolishGain * before);
     if (settings.distance(report.residual) > settings.distance(least)) continue;
     least = report.residual;
     methods.best = state;
