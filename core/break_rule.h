@@ -6,10 +6,11 @@
 // bonded pair, the part of an impact is
 //   J = T - F_s dt - 1.5 dt kappa/W,
 // and a bond is suspected if J^2 W/2 > (F_c - F_s) d_c. The step is then solved without external
-// forces, which gives the impact's own J, and without the suspected bonds, which gives the velocity
-// u_open with which they would open. A bond breaks if the energy of the opening mode, J u_open/2, is
-// more than what is left of its own, E = (F_c - F_s) d_c. In the step in which it breaks it gives the
-// impulse F_s dt + J (1 - sqrt(1 - 2 E/(J u_open))), which takes just E out of the mode.
+// forces, which gives the impact's own J, and, if any bond stays suspect by this J, without the
+// suspected bonds, which gives the velocity u_open with which they would open. A bond breaks if the
+// energy of the opening mode, J u_open/2, is more than what is left of its own, E = (F_c - F_s) d_c. In
+// the step in which it breaks it gives the impulse F_s dt + J (1 - sqrt(1 - 2 E/(J u_open))), which
+// takes just E out of the mode.
 #pragma once
 
 #include <vector>

@@ -20,6 +20,9 @@ constexpr double kMarginInside = 10;
 constexpr double kAsItIs = 1e-5;
 // Share of contacts that must be frozen or open for locality to be tried.
 constexpr double kLeastQuiet = 0.5;
+// Factorisations of the whole problem whose work locality may spend. Where nearly all moves, the rounds
+// would cost several times the full solution, which takes 25 to 80.
+constexpr double kWorth = 25;
 
 bool whole(const Vec3& im) { return im.isZero(0) || (im.minCoeff() > 0 && im.x() == im.y()); }
 
@@ -130,8 +133,14 @@ bool LocalSolver::solve_components(const ContactProblem& problem, const SolverSe
   for (std::size_t part = 0; part + 1 < component_start_.size(); ++part) {
     const std::size_t first = component_start_[part], last = component_start_[part + 1];
     pose_component(problem, first, last, impulse);
-    report.add(interior_point_.solve(part_, settings, 1, part_state_));
-    velocity_change_ = std::max(velocity_change_, report.velocity_change);
+    const double size = static_cast<double>(last - first);
+    SolverSettings affordable = settings;
+    affordable.max_factorisations =
+        std::min(settings.max_factorisations, static_cast<int>(std::ceil(budget_ / size)));
+    const SolveReport solved = interior_point_.solve(part_, affordable, 1, part_state_);
+    budget_ -= static_cast<double>(solved.factorisations) * size;
+    report.add(solved);
+    velocity_change_ = std::max(velocity_change_, solved.velocity_change);
     for (std::size_t k = first; k < last; ++k)
       impulse[by_component_[k]] = part_state_.impulse[k - first];
     for (std::size_t k = 0; k < part_cluster_.size(); ++k) {
@@ -194,6 +203,7 @@ SolveReport LocalSolver::solve(const ContactProblem& problem, const SolverSettin
     state.impulse = start_impulse_;
     return report;
   }
+  budget_ = kWorth * static_cast<double>(role_.size());
   for (int round = 0; round < kMaxRounds; ++round) {
     frozen_.resize(role_.size());
     std::ranges::transform(role_, frozen_.begin(), [](Role r) { return r == Role::frozen; });

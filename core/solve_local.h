@@ -37,6 +37,7 @@ class LocalSolver {
   int local_body(int cluster);
   int activate_violated(const ContactProblem& problem, double admissible, ContactState& state);
 
+  double budget_ = 0;  // factorisations times contacts that are left
   RigidClusters clusters_;
   InteriorPoint interior_point_;
   std::vector<Role> role_;              // (nc)

@@ -101,5 +101,7 @@ TEST(ThousandSteps, SlowOfASmallCollapseUnderAPistonConverge) {
   collapse_under_a_piston(kFewGrains, 10);
 }
 
+TEST(ThousandSteps, SlowOfACollapseUnderAPistonConverge) { collapse_under_a_piston(kGrains, 20); }
+
 }  // namespace
 }  // namespace quicksand
