@@ -31,9 +31,10 @@ template <class Methods>
 SolveReport climb(const ContactProblem& problem, const SolverSettings& settings, Methods& methods,
                   ContactState& state) {
   constexpr double kNearShift = 1, kFarShift = 100;
-  // So many sweeps at once, and again while the distance falls below this share of what it was.
+  // So many sweeps at once, and again while the distance falls below this share of what it was. Patience
+  // pays: of a jammed piston run, steps that no halving repaired at 0.7 need no halving at 0.98.
   constexpr std::int64_t kPolishSweeps = 1000;
-  constexpr double kPolishGain = 0.7;
+  constexpr double kPolishGain = 0.98;
   SolveReport report = methods.local.solve(problem, settings, state);
   if (report.converged) return report;
   methods.inherited = state.impulse;
