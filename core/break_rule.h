@@ -5,7 +5,8 @@
 // tension force before it, W the contact's Delassus diagonal and kappa = u_ct^2/D the turning of a
 // bonded pair, the part of an impact is
 //   J = T - F_s dt - 1.5 dt kappa/W,
-// and a bond is suspected if J^2 W/2 > (F_c - F_s) d_c. The step is then solved without external
+// and a bond is suspected if J^2 W/2 > (F_c - F_s) d_c; a pressure before the step is a negative F_s in
+// J, and none in the energy. The step is then solved without external
 // forces, which gives the impact's own J, and, if any bond stays suspect by this J, without the
 // suspected bonds, which gives the velocity u_open with which they would open. A bond breaks if the
 // energy of the opening mode, J u_open/2, is more than what is left of its own, E = (F_c - F_s) d_c. In
