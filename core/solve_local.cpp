@@ -19,7 +19,7 @@ constexpr double kMarginInside = 10;
 // sticks, and is exact there.
 constexpr double kAsItIs = 1e-5;
 // Share of contacts that must be frozen or open for locality to be tried.
-constexpr double kLeastQuiet = 0.5;
+constexpr double kLeastQuiet = 0.8;
 // Factorisations of the whole problem whose work locality may spend. Where nearly all moves, the rounds
 // would cost several times the full solution, which takes 25 to 80.
 constexpr double kWorth = 25;
