@@ -1,6 +1,5 @@
 #include "core/rigid_clusters.h"
 
-#include <ranges>
 #include <span>
 
 namespace quicksand {
@@ -173,7 +172,8 @@ void RigidClusters::recover(const ContactProblem& problem, const std::vector<Vec
     lack_[row.a] -= momentum_of_a(row, impulse[c]);
     lack_[row.b] -= momentum_of_b(row, impulse[c]);
   }
-  for (const int i : std::views::reverse(order_)) {
+  for (auto last = order_.rbegin(); last != order_.rend(); ++last) {
+    const int i = *last;
     if (parent_contact_[i] == kNone) continue;
     const int c = parent_contact_[i];
     const ContactRow& row = problem.contacts[c];

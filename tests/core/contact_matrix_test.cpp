@@ -53,11 +53,12 @@ std::vector<Vec3> dense_velocity_change(const ContactProblem& problem,
         mobile.push_back(at(i) + k);
         mass.push_back(1 / inverse);
       }
+  std::vector<Vec3> dv(problem.inverse_mass.size(), Vec3(0, 0, 0));
+  if (mobile.empty()) return dv;
   Matrix reduced = all(mobile, mobile);
   for (std::size_t k = 0; k < mobile.size(); ++k)
     reduced(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(k)) += mass[k];
   const Vector solution = reduced.fullPivLu().solve(momentum(mobile));
-  std::vector<Vec3> dv(problem.inverse_mass.size(), Vec3(0, 0, 0));
   for (std::size_t k = 0; k < mobile.size(); ++k)
     dv[static_cast<std::size_t>(mobile[k] / 3)][mobile[k] % 3] =
         solution[static_cast<Eigen::Index>(k)];
