@@ -9,6 +9,7 @@
 #include "core/step.h"
 #include "tests/bench/cases.h"
 #include "tests/bench/velocity_error.h"
+#include "tests/bench/window.h"
 
 namespace quicksand::bench {
 
@@ -27,20 +28,11 @@ Outcome first_step(const Scenario& scene, double goal, const Options& options) {
   Figure time{.what = "first step", .unit = "ms", .goal = goal};
   for (int repeat = 0; repeat < options.repeats_or(9); ++repeat) {
     World moved = world;
-    Stepper stepper;
-    const Stopwatch watch;
-    const StepReport report = stepper.advance(moved, scene.step, scene.solver);
-    Run run{.part = "step", .method = options.method, .repeat = repeat};
-    run.seconds = watch.elapsed();
+    StepReport report;
+    Run run = measure_step(moved, scene, options, report);
+    run.repeat = repeat;
     run.grains = mobile_disks(step.problem);
     run.contacts = static_cast<std::int64_t>(step.problem.contacts.size());
-    run.tolerance = scene.solver.tolerance;
-    run.steps = 1;
-    run.iterations = report.solve.iterations;
-    run.factorisations = report.solve.factorisations;
-    run.unconverged = report.converged ? 0 : 1;
-    run.residual = report.solve.residual.natural;
-    run.gap_error = 0.1 * report.solve.residual.gap;
     if (report.taken)
       run.velocity_error = velocity_distance(step.problem, moved.disks.velocity, solution.velocity);
     time.valid = time.valid && report.converged;

@@ -6,6 +6,7 @@
 #include "tests/bench/cases.h"
 #include "tests/bench/paper_states.h"
 #include "tests/bench/statistics.h"
+#include "tests/bench/window.h"
 
 namespace quicksand::bench {
 
@@ -24,19 +25,10 @@ Outcome growth(const Options& options) {
     grains.push_back(static_cast<double>(size));
     for (int repeat = 0; repeat < repeats; ++repeat) {
       World world = fresh;
-      Stepper stepper;
-      const Stopwatch watch;
-      const StepReport report = stepper.advance(world, scene.step, scene.solver);
-      Run run{.part = "step", .method = options.method, .repeat = repeat, .grains = size};
-      run.seconds = watch.elapsed();
-      run.contacts = static_cast<std::int64_t>(world.contacts.size());
-      run.tolerance = scene.solver.tolerance;
-      run.steps = 1;
-      run.iterations = report.solve.iterations;
-      run.factorisations = report.solve.factorisations;
-      run.unconverged = report.converged ? 0 : 1;
-      run.residual = report.solve.residual.natural;
-      run.gap_error = 0.1 * report.solve.residual.gap;
+      StepReport report;
+      Run run = measure_step(world, scene, options, report);
+      run.repeat = repeat;
+      run.grains = size;
       growing.valid = growing.valid && report.converged;
       seconds[static_cast<std::size_t>(repeat)].push_back(run.seconds.cpu);
       outcome.runs.push_back(run);

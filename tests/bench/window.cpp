@@ -54,4 +54,21 @@ Window measure_window(Protocol& protocol, const WindowSettings& settings, const 
   return window;
 }
 
+Run measure_step(World& world, const Scenario& scene, const Options& options, StepReport& report) {
+  Stepper stepper;
+  const Stopwatch watch;
+  report = stepper.advance(world, scene.step, scene.solver);
+  Run run{.part = "step", .method = options.method};
+  run.seconds = watch.elapsed();
+  run.contacts = static_cast<std::int64_t>(world.contacts.size());
+  run.tolerance = scene.solver.tolerance;
+  run.steps = 1;
+  run.iterations = report.solve.iterations;
+  run.factorisations = report.solve.factorisations;
+  run.unconverged = report.converged ? 0 : 1;
+  run.residual = report.solve.residual.natural;
+  run.gap_error = kGapUnit * report.solve.residual.gap;
+  return run;
+}
+
 }  // namespace quicksand::bench

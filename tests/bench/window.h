@@ -1,4 +1,5 @@
-// Measures a run of time steps: as many as asked for, timed one by one without what surrounds them.
+// Measures time steps: as many as asked for, timed one by one without what surrounds them, or a single
+// one.
 #pragma once
 
 #include <functional>
@@ -22,5 +23,8 @@ struct WindowSettings {
 
 // Advances the protocol, whose world and state hold the outcome.
 Window measure_window(Protocol& protocol, const WindowSettings& settings, const Options& options);
+
+// The next step of `world` alone, by a stepper that knows nothing yet. `report` is the step's own.
+Run measure_step(World& world, const Scenario& scene, const Options& options, StepReport& report);
 
 }  // namespace quicksand::bench

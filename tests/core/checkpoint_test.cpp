@@ -10,6 +10,7 @@
 #include "tests/support/core/checkpoint_files.h"
 #include "tests/support/core/methods.h"
 #include "tests/support/core/scenes.h"
+#include "tests/support/temporary_folder.h"
 
 namespace quicksand {
 namespace {
@@ -19,14 +20,14 @@ QUICKSAND_PER_SOLVER(Restart);
 // The unbroken run is compared, step by step to its end, with one that is written, read and continued
 // at every `stride`-th step.
 void expect_restarts_to_agree(const Scenario& scene, int stride) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   Protocol unbroken(scene, make_world(scene));
   auto broken = std::make_unique<Protocol>(scene, make_world(scene));
   int restarts = 0;
   for (int k = 0;; ++k) {
     if (k % stride == stride - 1) {
-      write_checkpoint(folder.file("state.cbor"), {broken->world(), broken->state(), "scene"});
-      const Checkpoint read = read_checkpoint(folder.file("state.cbor"));
+      write_checkpoint(folder.path() / "state.cbor", {broken->world(), broken->state(), "scene"});
+      const Checkpoint read = read_checkpoint(folder.path() / "state.cbor");
       EXPECT_EQ(read.scene, "scene");
       broken = std::make_unique<Protocol>(scene, read.world, read.protocol);
       ++restarts;
@@ -84,8 +85,8 @@ class CheckpointFile : public testing::Test {
     return "was read";
   }
 
-  TemporaryFolder folder_;
-  std::filesystem::path path_ = folder_.file("state.cbor");
+  test::TemporaryFolder folder_;
+  std::filesystem::path path_ = folder_.path() / "state.cbor";
   Checkpoint original_;
   Bytes bytes_;
 };
@@ -102,9 +103,9 @@ TEST_F(CheckpointFile, HoldsTheWholeWorld) {
 }
 
 TEST_F(CheckpointFile, IsTheSameBytesForTheSameWorld) {
-  write_checkpoint(folder_.file("again.cbor"), original_);
-  EXPECT_EQ(read_bytes(folder_.file("again.cbor")), bytes_);
-  EXPECT_FALSE(std::filesystem::exists(folder_.file("again.cbor.part")));
+  write_checkpoint(folder_.path() / "again.cbor", original_);
+  EXPECT_EQ(read_bytes(folder_.path() / "again.cbor"), bytes_);
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "again.cbor.part"));
 }
 
 TEST_F(CheckpointFile, TruncatedAnywhereIsRefused) {
@@ -148,14 +149,15 @@ TEST_F(CheckpointFile, OfAnotherVersionIsRefusedByName) {
 }
 
 TEST_F(CheckpointFile, ThatIsMissingIsAnInputError) {
-  EXPECT_THROW(read_checkpoint(folder_.file("nowhere.cbor")), InputError);
-  EXPECT_THROW(read_checkpoint(folder_.file("")), InputError) << "a folder";
+  EXPECT_THROW(read_checkpoint(folder_.path() / "nowhere.cbor"), InputError);
+  EXPECT_THROW(read_checkpoint(folder_.path() / ""), InputError) << "a folder";
 }
 
 TEST_F(CheckpointFile, IntoAFolderThatCannotBeWrittenIsAnInputError) {
-  EXPECT_THROW(write_checkpoint(folder_.file("no/such/folder/state.cbor"), original_), InputError);
+  EXPECT_THROW(write_checkpoint(folder_.path() / "no/such/folder/state.cbor", original_),
+               InputError);
   // A file is no folder; permissions would not stop the superuser.
-  EXPECT_THROW(write_checkpoint(folder_.file("state.cbor/inside.cbor"), original_), InputError);
+  EXPECT_THROW(write_checkpoint(folder_.path() / "state.cbor/inside.cbor", original_), InputError);
 }
 
 // A later error while writing must not destroy the checkpoint that is there.
