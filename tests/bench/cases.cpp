@@ -9,6 +9,8 @@ const std::vector<Case>& cases() {
       {"chain", "the first step of a hanging chain of 1000 disks, to 1e-9", hanging_chain},
       {"cantilever", "the first step of a clamped beam of 31 disks, to 1e-9", cantilever},
       {"growth", "cost of the first step of fresh deposits of 1000 to 100 000 grains", growth},
+      {"factors", "one factorisation and solution against Eigen's, on a standing network",
+       factorisation},
       {"deposition", "5000 grains deposited one a step of 1e-2, mean from empty to full",
        deposition},
       {"rest", "2000 steps of the packing at rest", rest},

@@ -17,5 +17,6 @@ Outcome piston(const Options& options);
 Outcome hanging_chain(const Options& options);
 Outcome cantilever(const Options& options);
 Outcome growth(const Options& options);
+Outcome factorisation(const Options& options);
 
 }  // namespace quicksand::bench
