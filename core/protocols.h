@@ -54,16 +54,27 @@ class Protocol {
   const std::string& failure() const { return failure_; }
 
  private:
+  // Each kind of phase has its own in phase_<kind>.cpp: what happens at its beginning and before each
+  // step, whether it is over, and how much of it is done, as far as it can be known.
   void enter(const DepositPhase& phase);
-  void enter(const SettlePhase& phase);
-  void enter(const PushPhase& phase);
   void before_step(const DepositPhase& phase);
-  void before_step(const SettlePhase&) {}
-  void before_step(const PushPhase&) {}
   bool is_over(const DepositPhase& phase) const;
-  bool is_over(const SettlePhase& phase);
-  bool is_over(const PushPhase& phase);
+  double progress(const DepositPhase& phase) const;
   bool drop_grain(const DepositPhase& phase);
+
+  void enter(const SettlePhase& phase);
+  void before_step(const SettlePhase&) {}
+  bool is_over(const SettlePhase& phase);
+  double progress(const SettlePhase& phase) const;
+
+  void enter(const PushPhase& phase);
+  void before_step(const PushPhase&) {}
+  bool is_over(const PushPhase& phase);
+  double progress(const PushPhase& phase) const;
+
+  bool due(double moment) const;       // whether the world's time has reached it
+  bool lasted(double duration) const;  // whether the present phase has
+  // Whether all bodies have been slower than `speed` for `duration`.
   bool at_rest(double speed, double duration);
   bool make_step(const Phase& phase);
   bool try_step(const StepSettings& step, int halvings_left);

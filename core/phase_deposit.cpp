@@ -1,0 +1,58 @@
+// The phase "deposit": grains fall one by one and stick where they touch.
+#include <algorithm>
+
+#include "core/ballistic.h"
+#include "core/measures.h"
+#include "core/protocols.h"
+
+namespace quicksand {
+
+void Protocol::enter(const DepositPhase&) {
+  world_.bonding = true;
+  state_.dropped = 0;
+  state_.full = false;
+  state_.next_drop = world_.time;
+}
+
+// Drops one grain at a random place; false if there is no place left below the height.
+bool Protocol::drop_grain(const DepositPhase& phase) {
+  constexpr double kRadius = 0.5;
+  const Box& box = world_.box;
+  const double margin = box.sides == Sides::walls ? kRadius : 0;
+  // A surface is never flat: the packing is full when as many grains in a row as the box is wide
+  // found no place.
+  const int tries = phase.height > 0 ? std::max(10, static_cast<int>(box.width)) : 1;
+  for (int k = 0; k < tries; ++k) {
+    const double x = margin + world_.random.uniform() * (box.width - 2 * margin);
+    const std::optional<Landing> landing = land(world_, x, kRadius);
+    if (!landing || (phase.height > 0 && landing->centre.y() + kRadius > phase.height)) continue;
+    const int grain = world_.disks.add(
+        {.position = landing->centre, .radius = kRadius, .velocity = {0, -phase.drop_velocity}});
+    const int touched = landing->touched;
+    const Pair pair = is_wall(touched) ? Pair{grain, touched} : Pair{touched, grain};
+    if (world_.law(pair).cohesion_force) world_.bonds.form({pair});
+    ++state_.dropped;
+    return true;
+  }
+  return false;
+}
+
+void Protocol::before_step(const DepositPhase& phase) {
+  while (!state_.full && (phase.grains == 0 || state_.dropped < phase.grains) &&
+         due(state_.next_drop)) {
+    state_.full = !drop_grain(phase);
+    state_.next_drop += phase.interval;
+  }
+}
+
+bool Protocol::is_over(const DepositPhase& phase) const {
+  const bool all = state_.full || (phase.grains > 0 && state_.dropped >= phase.grains);
+  return all && due(state_.next_drop);
+}
+
+double Protocol::progress(const DepositPhase& phase) const {
+  return phase.grains > 0 ? static_cast<double>(state_.dropped) / static_cast<double>(phase.grains)
+                          : packing_top(world_) / phase.height;
+}
+
+}  // namespace quicksand
