@@ -23,11 +23,10 @@ double normal_delassus(const World& world, const Contact& contact) {
 }
 
 // Where a solution without external forces is looked for: nothing but the cohesion, and friction that
-// acts to its limit as before.
-Vec3 without_load(const ContactRow& row, const Contact& contact, double dt) {
+// acts to its limit as in the step's solution p.
+Vec3 without_load(const ContactRow& row, double cohesion, const Vec3& p, double dt) {
   constexpr double kAtLimit = 0.999;
-  const Vec3& p = contact.impulse;
-  const double n = dt * contact.cohesion;
+  const double n = dt * cohesion;
   const auto at_limit = [&](double x, double coefficient) {
     return std::abs(x) < kAtLimit * coefficient * p.x() ? 0 : std::copysign(coefficient * n, x);
   };
@@ -54,10 +53,11 @@ void EnergyRule::find_suspects(const World& world, const std::vector<Contact>& c
                           dt * turning_load(world, contact, w);
     const double energy_left =
         (contact.cohesion - tension_before) * world.law(contact.pair).cohesion_range;
-    const double least_impact = std::sqrt(2 * energy_left / w);
-    if (impact > least_impact)
-      suspects_.push_back(
-          {.contact = c, .tension_before = tension_before, .least_impact = least_impact});
+    if (impact <= std::sqrt(2 * energy_left / w)) continue;
+    suspects_.push_back({.contact = c,
+                         .tension_before = tension_before,
+                         .impact = impact,
+                         .energy_left = energy_left});
   }
 }
 
@@ -70,44 +70,24 @@ const std::vector<BondBreak>& EnergyRule::judge(const World& world,
   find_suspects(world, contacts, step.dt);
   if (suspects_.empty()) return breaks_;
 
+  // The step without external forces and without the suspected bonds.
+  without_ = contacts;
+  for (const Suspect& s : suspects_) without_[s.contact].cohesion = 0;
   start_velocities(world, velocity_);
-  const auto solve = [&] {
-    cost.add(solver.solve(problem_, settings, state_));
-    return cost.converged;
-  };
-  // The impact's own impulse: the step without external forces.
-  build_problem(world, contacts, velocity_, step, problem_);
+  build_problem(world, without_, velocity_, step, problem_);
   state_.impulse.resize(contacts.size());
   for (std::size_t c = 0; c < contacts.size(); ++c)
-    state_.impulse[c] = without_load(problem_.contacts[c], contacts[c], step.dt);
-  if (!solve()) return breaks_;
-  for (Suspect& s : suspects_) {
-    const Contact& contact = contacts[s.contact];
-    s.impact = step.dt * contact.cohesion - state_.impulse[s.contact].x() -
-               step.dt * turning_load(world, contact, normal_delassus(world, contact));
-  }
-  // Often the external forces alone had made the suspicion: none opens if all is as free as two bodies.
-  if (std::ranges::none_of(suspects_, [](const Suspect& s) { return s.impact > s.least_impact; }))
-    return breaks_;
-  // The velocity of opening: the same without the suspected bonds.
-  without_ = contacts;
-  for (const Suspect& s : suspects_) {
-    Contact& contact = without_[s.contact];
-    Vec3& p = state_.impulse[s.contact];
-    p.x() = std::max(0.0, p.x() - step.dt * contact.cohesion);
-    contact.cohesion = 0;
-  }
-  build_problem(world, without_, velocity_, step, problem_);
-  if (!solve()) return breaks_;
+    state_.impulse[c] =
+        without_load(problem_.contacts[c], without_[c].cohesion, contacts[c].impulse, step.dt);
+  cost.add(solver.solve(problem_, settings, state_, cost.rung));
+  if (!cost.converged) return breaks_;
   for (const Suspect& s : suspects_) {
     const ContactRow& row = problem_.contacts[s.contact];
     const double opening =
         relative_velocity(row, state_.velocity[row.a], state_.velocity[row.b]).x();
+    const double spent = s.energy_left / (s.impact * opening / 2);
+    if (opening <= 0 || spent >= 1) continue;
     const Contact& contact = contacts[s.contact];
-    const double energy_left =
-        (contact.cohesion - s.tension_before) * world.law(contact.pair).cohesion_range;
-    const double spent = energy_left / (s.impact * opening / 2);
-    if (opening <= 0 || s.impact <= 0 || spent >= 1) continue;
     const double last_impulse = s.impact * (1 - std::sqrt(1 - spent));
     const double last_force = s.tension_before + last_impulse / step.dt;
     breaks_.push_back({contact.pair, std::min(last_force, contact.cohesion)});

@@ -5,13 +5,13 @@
 // tension force before it, W the contact's Delassus diagonal and kappa = u_ct^2/D the turning of a
 // bonded pair, the part of an impact is
 //   J = T - F_s dt - 1.5 dt kappa/W,
-// and a bond is suspected if J^2 W/2 > (F_c - F_s) d_c; a pressure before the step is a negative F_s in
-// J, and none in the energy. The step is then solved without external
-// forces, which gives the impact's own J, and, if any bond stays suspect by this J, without the
-// suspected bonds, which gives the velocity u_open with which they would open. A bond breaks if the
-// energy of the opening mode, J u_open/2, is more than what is left of its own, E = (F_c - F_s) d_c. In
-// the step in which it breaks it gives the impulse F_s dt + J (1 - sqrt(1 - 2 E/(J u_open))), which
-// takes just E out of the mode.
+// and a bond is suspected if J^2 W/2 > (F_c - F_s) d_c, which it is where all else is free to move; a
+// pressure before the step is a negative F_s in J, and none in the energy. The step is then solved
+// without external forces and without the suspected bonds, which gives the velocity u_open with which
+// the impact would open them. A bond breaks if the energy of the opening mode, J u_open/2, is more than
+// what is left of its own, E = (F_c - F_s) d_c. In the step in which it breaks it gives the impulse
+// F_s dt + J (1 - sqrt(1 - 2 E/(J u_open))), which takes just E out of the mode. (What a load that is
+// new in the step adds to J is of the order of dt, and opens nothing by itself.)
 #pragma once
 
 #include <vector>
@@ -30,8 +30,9 @@ struct BondBreak {
 class EnergyRule {
  public:
   // Judges the bonds among `contacts`, the solved step of `world`, whose impulses they hold. Returns
-  // the breaks in the order of the contacts. Adds its solutions to `cost`, whose `converged` becomes
-  // false if one did not converge; then there are no breaks.
+  // the breaks in the order of the contacts. `cost` holds the rung that solved the step, below which
+  // there is no use to begin; the rule's own solution is added to it. If that did not converge, nor did
+  // `cost`, and there are no breaks.
   const std::vector<BondBreak>& judge(const World& world, const std::vector<Contact>& contacts,
                                       const StepSettings& step, const SolverSettings& settings,
                                       ContactSolver& solver, SolveReport& cost);
@@ -40,8 +41,8 @@ class EnergyRule {
   struct Suspect {
     std::size_t contact = 0;
     double tension_before = 0;  // F_s [F_g]
-    double least_impact = 0;    // J that has the energy E if only the two bodies move [m sqrt(g d)]
     double impact = 0;          // J [m sqrt(g d)]
+    double energy_left = 0;     // E [F_g d]
   };
   void find_suspects(const World& world, const std::vector<Contact>& contacts, double dt);
 

@@ -9,6 +9,10 @@ namespace {
 
 // Pairs farther apart than this are contacts only if their free velocities close the gap. [d]
 constexpr double kAlwaysWithin = 5e-3;
+// Others may become faster by what happens in the step: so many times their free velocity. A contact
+// that stays open costs far less than to solve again with one that was missed: in a collapse, 2 % more
+// contacts save two thirds of the repeats.
+constexpr double kForesight = 2;
 // Admissible gap error of a loaded contact: a tenth of the cohesion range where there is one.
 constexpr double kPlainGapTolerance = 1e-3;  // [d]
 
@@ -89,7 +93,7 @@ void find_contacts(const World& world, const std::vector<Pair>& candidates,
     if (!bonded && gap > kAlwaysWithin) {
       const Vec3 u = free_velocity[problem_body(world, pair.b)] - free_velocity[pair.a];
       // The normal turns while bodies pass each other, hence their whole relative speed.
-      if (gap > dt * u.head<2>().norm()) continue;
+      if (gap > kForesight * dt * u.head<2>().norm()) continue;
     }
     if (!movable(world, pair)) continue;
     Contact& contact = contacts.emplace_back();

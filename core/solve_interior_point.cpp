@@ -18,6 +18,10 @@ constexpr double kBoundaryShare = 0.995;
 // Proximal term over the contact's Delassus diagonal. Over a whole ploughing run, 1e-9 left one step
 // in six unconverged for lack of digits, 1e-8 to 1e-6 one in a thousand.
 constexpr double kProximal = 1e-7;
+// Where the path folds the term grows by this factor, up to the most: a collapse of 4800 grains then
+// takes a fifth fewer factorisations and hardly any sweeps. From 1e-3 on the path itself slows down.
+constexpr double kProximalGrowth = 100;
+constexpr double kMostProximal = 1e-4;
 // Products below this share of what the tolerances ask for are rounding, and are not aimed at.
 constexpr double kLeastProduct = 0.05;
 // A step shorter than this is not taken; the products are aligned instead, at this share of their mean.
@@ -67,6 +71,7 @@ double InteriorPoint::admissible_product(const ContactProblem& problem, double a
 void InteriorPoint::start(const ContactProblem& problem, double shift, const ContactState& state) {
   const std::size_t nc = problem.contacts.size();
   matrix_.attach(problem);
+  proximal_ = kProximal;
   delassus_.resize(nc);
   cone_.assign(nc, {});
   stiffness_.resize(nc);
@@ -99,7 +104,7 @@ void InteriorPoint::linearise(const ContactProblem& problem) {
   for (std::size_t c = 0; c < cone_.size(); ++c) {
     const ContactRow& row = problem.contacts[c];
     const Vec3 u = row.offset + contact_velocity(row, velocity_);
-    stiffness_[c] = cone_[c].linearise(u, kProximal * delassus_[c]);
+    stiffness_[c] = cone_[c].linearise(u, proximal_ * delassus_[c]);
     cone_[c].visit_pairs([&](double x, double, double y, double) {
       product_[0] += x * y;
       ++pairs_;
@@ -168,10 +173,16 @@ SolveReport InteriorPoint::solve(const ContactProblem& problem, const SolverSett
   double best = settings.distance(report.residual);
   best_ = state.impulse;
   report.rung = shift > 1 ? Rung::far_start : Rung::interior_point;
+  const double most_proximal = shift > 1 ? kProximal : kMostProximal;
   int settling = 0;
   while (report.factorisations < settings.max_factorisations) {
     linearise(problem);
     ++report.factorisations;
+    while (matrix_.negative() && proximal_ < most_proximal) {
+      proximal_ = std::min(most_proximal, kProximalGrowth * proximal_);
+      linearise(problem);
+      ++report.factorisations;
+    }
     const double product = mean_product(0);
     const double alpha = find_step(problem, product, least_product);
     for (std::size_t c = 0; c < cone_.size(); ++c) {

@@ -42,6 +42,7 @@ class InteriorPoint {
   double mean_product(double alpha) const;  // after a step of alpha along the direction
 
   ContactMatrix matrix_;
+  double proximal_ = 0;              // over each contact's Delassus diagonal [1]
   std::array<double, 3> product_{};  // their sum after a step of alpha, by powers of alpha
   std::size_t pairs_ = 0;
   std::vector<Vec3> delassus_;     // (nc) diagonal of each contact's own block

@@ -1,5 +1,6 @@
 #include "core/solver.h"
 
+#include "core/residual.h"
 #include "core/solve_gauss_seidel.h"
 #include "core/solve_interior_point.h"
 #include "core/solve_local.h"
@@ -28,14 +29,20 @@ namespace {
 // for another path: each begins at the inherited impulses, and ends elsewhere. If all fall short, the
 // best state counts, and the step is repeated with half the time step (see protocols.h).
 template <class Methods>
-SolveReport climb(const ContactProblem& problem, const SolverSettings& settings, Methods& methods,
-                  ContactState& state) {
+SolveReport climb(const ContactProblem& problem, const SolverSettings& settings, Rung from,
+                  Methods& methods, ContactState& state) {
   constexpr double kNearShift = 1, kFarShift = 100;
   // So many sweeps at once, and again while the distance falls below this share of what it was. Patience
   // pays: of a jammed piston run, steps that no halving repaired at 0.7 need no halving at 0.98.
   constexpr std::int64_t kPolishSweeps = 1000;
   constexpr double kPolishGain = 0.98;
-  SolveReport report = methods.local.solve(problem, settings, state);
+  SolveReport report;
+  if (from > Rung::locality) {
+    report.residual = residual(problem, state);
+    report.converged = settings.accepts(report.residual);
+  } else {
+    report = methods.local.solve(problem, settings, state);
+  }
   if (report.converged) return report;
   methods.inherited = state.impulse;
   methods.best = state;
@@ -65,10 +72,10 @@ SolveReport climb(const ContactProblem& problem, const SolverSettings& settings,
 }  // namespace
 
 SolveReport ContactSolver::solve(const ContactProblem& problem, const SolverSettings& settings,
-                                 ContactState& state) {
+                                 ContactState& state, Rung from) {
   switch (settings.method) {
     case Method::automatic:
-      return climb(problem, settings, *methods_, state);
+      return climb(problem, settings, from, *methods_, state);
     case Method::interior_point:
       return methods_->interior_point.solve(problem, settings, 1, state);
     case Method::gauss_seidel:

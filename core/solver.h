@@ -126,8 +126,9 @@ class ContactSolver {
   ContactSolver(const ContactSolver&) = delete;
   ContactSolver& operator=(const ContactSolver&) = delete;
 
+  // `from`: what solved a problem much like this one; easier ways are not tried again.
   SolveReport solve(const ContactProblem& problem, const SolverSettings& settings,
-                    ContactState& state);
+                    ContactState& state, Rung from = Rung::start);
 
  private:
   struct Methods;

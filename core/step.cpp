@@ -69,7 +69,7 @@ void Stepper::solve_contacts(const World& world, const StepSettings& step,
     build_problem(world, s.contacts, s.free_velocity, step, s.problem);
     s.state.impulse.resize(s.contacts.size());
     for (std::size_t c = 0; c < s.contacts.size(); ++c) s.state.impulse[c] = s.contacts[c].impulse;
-    report.solve.add(s.solver.solve(s.problem, settings, s.state));
+    report.solve.add(s.solver.solve(s.problem, settings, s.state, report.solve.rung));
     report.bad_body = first_not_finite(s.state.velocity);
     report.finite = report.bad_body < 0;
     if (!report.finite) return;
@@ -138,6 +138,7 @@ StepReport Stepper::advance(World& world, const StepSettings& step,
   if (report.solve.converged && report.finite && step.break_rule == BreakRule::energy) {
     SolveReport judgement;
     judgement.converged = true;
+    judgement.rung = report.solve.rung;
     s.breaks = s.energy_rule.judge(world, s.contacts, step, settings, s.solver, judgement);
     const SolveReport of_step = report.solve;
     report.solve.add(judgement);
