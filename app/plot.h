@@ -43,12 +43,16 @@ struct Curve {
   std::vector<double> y_low{}, y_high{};  // (n) of a band, or ends of uneven error bars, or empty
 };
 
-// A value or an interval that is given, over the whole width (of y) or height (of x): black, dashed.
+// A value or an interval that is given, over the whole width (of y) or height (of x).
 struct Reference {
-  std::string name{};  // in the legend; empty: not in it
+  // The paper's is black and dashed, and in the legend; a guide is thin and grey, its name beside it.
+  enum class Role : std::uint8_t { paper, guide };
+
+  std::string name{};  // may be empty
   double low = 0;
   double high = 0;  // equal to `low`: a line, else a filled band
   bool of_x = false;
+  Role role = Role::paper;
 };
 
 struct Annotation {

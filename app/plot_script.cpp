@@ -23,6 +23,7 @@ constexpr std::array<int, kStyles> kOpen{6, 4, 8, 12, 10, 14};
 constexpr std::array<const char*, kStyles> kDashes{"solid",      "(16,5)", "(4,4)",
                                                    "(16,4,4,4)", "(8,4)",  "(16,4,4,4,4,4)"};
 constexpr const char* kPaperColour = "#000000";
+constexpr const char* kGreyText = " textcolor rgb '#444444'";
 constexpr const char* kPaperDash = "(14,8)";
 
 std::string style_sheet(Colour colour) {
@@ -153,29 +154,42 @@ class Script {
 
   // References and annotations.
   void given_things() {
-    for (const Reference& reference : plot_.references) {
-      const std::string low = number_text(reference.low);
-      const std::string high = number_text(reference.high);
-      if (reference.low == reference.high) {
-        line(reference.of_x
-                 ? "set arrow from first " + low + ", graph 0 to first " + low + ", graph 1"
-                 : "set arrow from graph 0, first " + low + " to graph 1, first " + low);
-        script_.back() = ' ';
-        line(std::string("nohead lw 1.4 dt ") + kPaperDash + " lc rgb '" + kPaperColour + "'");
-      } else {
-        line(reference.of_x ? "set object rectangle from first " + low + ", graph 0 to first " +
-                                  high + ", graph 1"
-                            : "set object rectangle from graph 0, first " + low +
-                                  " to graph 1, first " + high);
-        script_.back() = ' ';
-        line(std::string("behind fs transparent solid 0.15 noborder fc rgb '") + kPaperColour +
-             "'");
-      }
-    }
+    for (const Reference& reference : plot_.references) given(reference);
     for (const Annotation& a : plot_.annotations) {
       line("set label " + gnuplot_text(a.text) + " at " + number_text(a.x) + ", " +
-           number_text(a.y) + " front textcolor rgb '#333333'");
+           number_text(a.y) + " front" + kGreyText);
     }
+  }
+
+  void given(const Reference& reference) {
+    const std::string low = number_text(reference.low);
+    const std::string high = number_text(reference.high);
+    const bool guide = reference.role == Reference::Role::guide;
+    const std::string ends = reference.of_x
+                                 ? " from first " + low + ", graph 0 to first " + high + ", graph 1"
+                                 : " from graph 0, first " + low + " to graph 1, first " + high;
+    if (reference.low == reference.high) {
+      line("set arrow" + ends + " nohead" + line_of(reference));
+    } else {
+      line("set object rectangle" + ends + " behind" + filling_of(reference));
+    }
+    if (guide && !reference.name.empty()) {
+      line("set label " + gnuplot_text(reference.name) + " at " +
+           (reference.of_x ? "first " + low + ", graph 0.99 right rotate offset character 0.8, 0"
+                           : "graph 0.99, first " + high + " right offset character 0, 0.5") +
+           kGreyText);
+    }
+  }
+
+  static std::string line_of(const Reference& reference) {
+    return reference.role == Reference::Role::guide
+               ? std::string(" lw 0.8 dt solid lc rgb '#999999'")
+               : std::string(" lw 1.4 dt ") + kPaperDash + " lc rgb '" + kPaperColour + "'";
+  }
+  static std::string filling_of(const Reference& reference) {
+    const bool guide = reference.role == Reference::Role::guide;
+    return std::string(" fs transparent solid ") + (guide ? "0.07" : "0.15") +
+           " noborder fc rgb '" + kPaperColour + "'";
   }
 
   void what_is_drawn() {
@@ -272,11 +286,10 @@ class Script {
         (reference.of_x ? "(pick(" + id + ", column(2))):(" + place + ")"
                         : "(pick(" + id + ", " + place + ")):3") +
         " with lines lt nodraw notitle");
-    if (reference.name.empty()) return;
+    if (reference.name.empty() || reference.role == Reference::Role::guide) return;
     add(std::string("NaN with ") +
-        (is_line ? std::string("lines lw 1.4 dt ") + kPaperDash
-                 : std::string("filledcurves fs transparent solid 0.15 noborder")) +
-        " lc rgb '" + kPaperColour + "'" + title_of(reference.name));
+        (is_line ? "lines" + line_of(reference) : "filledcurves" + filling_of(reference)) +
+        title_of(reference.name));
   }
 
   void pictures() {
