@@ -82,7 +82,8 @@ PaperTargets read_targets(const std::filesystem::path& file) {
   try {
     PaperTargets read;
     std::vector<Entry> entries;
-    JsonReader reader(parse_json(text), "");
+    const Json json = parse_json(text);
+    JsonReader reader(json, "");
     reader.text({"source", "the paper", Presence::required}, read.source);
     reader.list({"targets", "its findings", Presence::required}, kMostTargets, entries, describe);
     reader.refuse_unknown_keys();

@@ -122,7 +122,7 @@ class Script {
     line("# 6 and 7 ends of the bar in y or of the band, 8 name.");
     line("");
     line("# Appearance");
-    if (!plot_.title.empty()) line("set title " + gnuplot_text(plot_.title));
+    if (!plot_.title.empty()) line("set title " + gnuplot_text(plot_.title) + " offset 0, 0.7");
     line(std::string("set border ") + (plot_.y2 ? "11" : "3") + " lw 0.8 lc rgb '#333333'");
     line("set tics nomirror out scale 0.6 textcolor rgb '#333333'");
     line("set grid lt 1 lw 0.4 lc rgb '#DDDDDD'");
@@ -136,8 +136,13 @@ class Script {
   }
 
   void axis(const std::string& name, const Axis& axis, const Extent& extent) {
-    line("set " + name + "label " + label_of(axis));
-    if (axis.logarithmic) line("set logscale " + name);
+    line("set " + name + "label " + label_of(axis) + (name == "x" ? " offset 0, 0.3" : ""));
+    if (axis.logarithmic) {
+      // Small tics between decades only where decades are few.
+      constexpr double kManyDecades = 1e6;
+      line("set logscale " + name);
+      if (extent.high > kManyDecades * extent.low) line("unset m" + name + "tics");
+    }
     line("set format " + name + (axis.logarithmic ? " '10^{%T}'" : " '%h'"));
     line("set " + name + "range " + range_of(axis, extent));
   }
@@ -175,7 +180,7 @@ class Script {
     }
     if (guide && !reference.name.empty()) {
       line("set label " + gnuplot_text(reference.name) + " at " +
-           (reference.of_x ? "first " + low + ", graph 0.99 right rotate offset character 0.8, 0"
+           (reference.of_x ? "first " + low + ", graph 1 left offset character 0, 0.7"
                            : "graph 0.99, first " + high + " right offset character 0, 0.5") +
            kGreyText);
     }
@@ -223,7 +228,7 @@ class Script {
     const std::string colour = " lc rgb '" + look.colour + "'";
     const std::string marker = " pt " + std::to_string(look.marker) + " ps 1.1";
     const bool fit = curve.role == Curve::Role::fit;
-    const std::string stroke = " dt " + look.dash + (fit ? " lw 1.2" : " lw 2");
+    const std::string stroke = " dt " + look.dash + (fit ? " lw 1.2" : " lw 1.8");
     switch (curve.kind) {
       case Curve::Kind::points:
         if (x_bars) return "with xyerrorbars lw 1.3" + marker + colour;
