@@ -41,6 +41,10 @@ std::string quantity_text(const Target& target) {
   return with_unit(text, target.unit);
 }
 
+std::string tolerance_text(const Target& target) {
+  return target.tolerance == 0 ? "none" : "± " + typeset(target.tolerance, 3);
+}
+
 // What a reader needs besides: how words became a bound, and what the measurement was.
 std::string note_text(const Target& target, const std::string& note) {
   std::string text = target.because;
@@ -92,15 +96,18 @@ std::string paper_text(const Target& target) {
 Table comparison_table(const PaperTargets& targets,
                        const std::map<std::string, Measured>& measured) {
   for (const auto& [id, value] : measured) targets.at(id);
-  Table table{.columns = {{.title = "quantity"},
+  Table table{.caption =
+                  "se: standard error of the mean over n realizations. Inside means: within the "
+                  "stated tolerance of what the paper admits, whatever the standard error.",
+              .columns = {{.title = "quantity"},
                           {.title = "paper", .number = true},
                           {.title = "tolerance", .number = true},
                           {.title = "ours ± standard error", .number = true},
                           {.title = "verdict"},
-                          {.title = "note"}}};
+                          {.title = "note"},
+                          {.title = "source"}}};
   for (const Target& target : targets.targets) {
-    std::vector<Cell> row{
-        {quantity_text(target)}, {paper_text(target)}, {"± " + typeset(target.tolerance, 3)}};
+    std::vector<Cell> row{{quantity_text(target)}, {paper_text(target)}, {tolerance_text(target)}};
     const auto found = measured.find(target.id);
     if (found == measured.end()) {
       row.insert(row.end(), {{}, {"not measured", Cell::Mark::undecided}, {note_text(target, {})}});
@@ -111,6 +118,7 @@ Table comparison_table(const PaperTargets& targets,
                               verdict.inside ? Cell::Mark::inside : Cell::Mark::outside},
                              {note_text(target, found->second.note)}});
     }
+    row.push_back({target.source});
     table.rows.push_back(std::move(row));
   }
   return table;

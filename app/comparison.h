@@ -33,7 +33,7 @@ Verdict judge(const Target& target, const Measured& measured);
 // "0.68", "0.40 to 0.43", "at least 0.9 (almost the bottom)".
 std::string paper_text(const Target& target);
 
-// A row a target, in their order: quantity, paper, tolerance, ours, verdict, note. Those without a
+// A row a target, in their order: quantity, paper, tolerance, ours, verdict, note, source. Those without a
 // measurement are "not measured". Throws InputError if something measured is no target.
 Table comparison_table(const PaperTargets& targets,
                        const std::map<std::string, Measured>& measured);

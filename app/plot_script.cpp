@@ -1,65 +1,22 @@
 // The gnuplot script of a plot: first how it looks, then what is drawn, then both pictures.
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "app/json_reader.h"
 #include "app/plot.h"
+#include "app/plot_look.h"
 #include "app/plot_rows.h"
 #include "app/report_text.h"
 #include "app/typeset_number.h"
-#include "render/palette.h"
 
 namespace quicksand {
 
 namespace {
 
-constexpr std::size_t kStyles = kCurveColours.size();
-// Markers that differ in shape: circle, square, triangle, diamond, triangle downward, pentagon.
-constexpr std::array<int, kStyles> kFilled{7, 5, 9, 13, 11, 15};
-constexpr std::array<int, kStyles> kOpen{6, 4, 8, 12, 10, 14};
-constexpr std::array<const char*, kStyles> kDashes{"solid",      "(16,5)", "(4,4)",
-                                                   "(16,4,4,4)", "(8,4)",  "(16,4,4,4,4,4)"};
-constexpr const char* kPaperColour = "#000000";
-constexpr const char* kGreyText = " textcolor rgb '#444444'";
-constexpr const char* kPaperDash = "(14,8)";
-
-std::string style_sheet(Colour colour) {
-  std::array<char, 8> text{};
-  std::snprintf(text.data(), text.size(), "#%02X%02X%02X", colour.r, colour.g, colour.b);
-  return text.data();
-}
-
 std::string label_of(const Axis& axis) {
   const std::string unit = typeset_unit(axis.unit);
   return gnuplot_text(axis.label + (unit.empty() ? "" : " " + unit));
-}
-
-// How a curve is told from the others.
-struct Look {
-  std::string colour;
-  int marker = 0;
-  std::string dash;
-};
-
-std::vector<Look> looks_of(const std::vector<Curve>& curves) {
-  std::vector<Look> looks;
-  std::size_t ours = 0;
-  std::size_t papers = 0;
-  for (const Curve& curve : curves) {
-    if (curve.role == Curve::Role::paper) {
-      looks.push_back({kPaperColour, kOpen.at(papers++ % kStyles), kPaperDash});
-    } else {
-      // A fit belongs to the curve before it.
-      const bool fit = curve.role == Curve::Role::fit && ours > 0;
-      const std::size_t i = (fit ? ours - 1 : ours++) % kStyles;
-      looks.push_back(
-          {style_sheet(kCurveColours.at(i)), kFilled.at(i), fit ? "solid" : kDashes.at(i)});
-    }
-  }
-  return looks;
 }
 
 // The ends of what is drawn along an axis.
@@ -186,17 +143,6 @@ class Script {
     }
   }
 
-  static std::string line_of(const Reference& reference) {
-    return reference.role == Reference::Role::guide
-               ? std::string(" lw 0.8 dt solid lc rgb '#999999'")
-               : std::string(" lw 1.4 dt ") + kPaperDash + " lc rgb '" + kPaperColour + "'";
-  }
-  static std::string filling_of(const Reference& reference) {
-    const bool guide = reference.role == Reference::Role::guide;
-    return std::string(" fs transparent solid ") + (guide ? "0.07" : "0.15") +
-           " noborder fc rgb '" + kPaperColour + "'";
-  }
-
   void what_is_drawn() {
     line("");
     line("# What is drawn; pick(i, value) is the value in rows of curve i, and nothing elsewhere");
@@ -224,29 +170,6 @@ class Script {
     return name.empty() ? " notitle" : " title " + gnuplot_text(name);
   }
 
-  static std::string with(const Curve& curve, const Look& look, bool x_bars, bool y_bars) {
-    const std::string colour = " lc rgb '" + look.colour + "'";
-    const std::string marker = " pt " + std::to_string(look.marker) + " ps 1.1";
-    const bool fit = curve.role == Curve::Role::fit;
-    const std::string stroke = " dt " + look.dash + (fit ? " lw 1.2" : " lw 1.8");
-    switch (curve.kind) {
-      case Curve::Kind::points:
-        if (x_bars) return "with xyerrorbars lw 1.3" + marker + colour;
-        if (y_bars) return "with yerrorbars lw 1.3" + marker + colour;
-        return "with points lw 1.3" + marker + colour;
-      case Curve::Kind::line:
-        return "with lines" + stroke + colour;
-      case Curve::Kind::line_points:
-        return "with linespoints" + stroke + marker + colour;
-      case Curve::Kind::steps:
-        return "with steps" + stroke + colour;
-      case Curve::Kind::histogram:
-        return "with boxes fs transparent solid 0.3 border lw 1.2" + colour;
-      default:
-        return "with filledcurves fs transparent solid 0.2 noborder" + colour;
-    }
-  }
-
   void add_curve(std::size_t i) {
     const Curve& curve = plot_.curves[i];
     const std::vector<PlotRow>& rows = rows_[i];
@@ -263,19 +186,24 @@ class Script {
           title_of(curve.name + " (no values)"));
       return;
     }
-    const int id = kFirstCurve + static_cast<int>(i);
-    const std::string x = "data using (pick(" + std::to_string(id) + ", column(2)))";
+    // All values are picked: gnuplot would count others in its ranges.
+    const std::string id = std::to_string(kFirstCurve + static_cast<int>(i));
+    const auto picked = [&](const std::string& value) {
+      return "(pick(" + id + ", " + value + "))";
+    };
+    const std::string x = "data using " + picked("column(2)");
     if (curve.kind == Curve::Kind::band) {
-      add(x + ":6:7" + axes + with(curve, looks_[i], false, false) + title_of(curve.name));
+      add(x + ":" + picked("column(6)") + ":" + picked("column(7)") + axes +
+          with(curve, looks_[i], false, false) + title_of(curve.name));
       return;
     }
     // A point without a bar of its own gets one of no length, or it would not be drawn.
-    const std::string bars_x = ":(end(4, 2)):(end(5, 2))";
-    const std::string bars_y = ":(end(6, 3)):(end(7, 3))";
+    const std::string bars_x = ":" + picked("end(4, 2)") + ":" + picked("end(5, 2)");
+    const std::string bars_y = ":" + picked("end(6, 3)") + ":" + picked("end(7, 3)");
     const std::string bars = !of_points ? "" : x_bars ? bars_x + bars_y : y_bars ? bars_y : "";
     if (!bars.empty()) uses_bars_ = true;
-    add(x + ":3" + bars + axes + with(curve, looks_[i], of_points && x_bars, of_points && y_bars) +
-        title_of(curve.name));
+    add(x + ":" + picked("column(3)") + bars + axes +
+        with(curve, looks_[i], of_points && x_bars, of_points && y_bars) + title_of(curve.name));
   }
 
   // The line itself stands above; here are its place in the legend and its share in the range.
@@ -287,9 +215,12 @@ class Script {
     const Axis& other_axis = reference.of_x ? plot_.y : plot_.x;
     const std::string place = number_text(
         other.empty() ? other_axis.low.value_or(other_axis.logarithmic ? 1 : 0) : other.low);
+    const auto picked = [&](const std::string& value) {
+      return "(pick(" + id + ", " + value + "))";
+    };
     add("data using " +
-        (reference.of_x ? "(pick(" + id + ", column(2))):(" + place + ")"
-                        : "(pick(" + id + ", " + place + ")):3") +
+        (reference.of_x ? picked("column(2)") + ":" + picked(place)
+                        : picked(place) + ":" + picked("column(3)")) +
         " with lines lt nodraw notitle");
     if (reference.name.empty() || reference.role == Reference::Role::guide) return;
     add(std::string("NaN with ") +

@@ -1,6 +1,6 @@
 // The plots of a run's report.
 #include <algorithm>
-#include <array>
+#include <cmath>
 
 #include "app/run_report.h"
 
@@ -23,6 +23,7 @@ struct TimePlot {
   bool logarithmic = false;
   std::optional<double> low{}, high{};
   Curve::Kind kind = Curve::Kind::line;
+  bool per_step = false;  // sums since the last sample, which are not equally long apart
 };
 
 std::vector<TimePlot> time_plots() {
@@ -65,12 +66,13 @@ std::vector<TimePlot> time_plots() {
        .courses = {{"residual", "residual"}, {"gap_error", "gap error over its tolerance"}},
        .logarithmic = true},
       {.name = "factorisations",
-       .title = "Work of the solver since the last sample",
-       .label = "factorisations",
+       .title = "Work of the solver, mean since the last sample",
+       .label = "factorisations per step",
        .unit = "1",
        .courses = {{"factorisations", "factorisations"}},
        .low = 0,
-       .kind = Curve::Kind::steps},
+       .kind = Curve::Kind::steps,
+       .per_step = true},
   };
 }
 
@@ -78,6 +80,17 @@ std::vector<TimePlot> time_plots() {
 bool has_values(const RunResults& run, const char* quantity) {
   return run.has_column(quantity) &&
          std::ranges::any_of(run.column(quantity), [](double v) { return std::isfinite(v); });
+}
+
+std::vector<double> values_of(const RunResults& run, const Course& course, bool per_step) {
+  std::vector<double> values = run.column(course.quantity);
+  if (!per_step) return values;
+  const std::vector<double>& step = run.column("step");
+  for (std::size_t i = values.size(); i-- > 0;) {
+    const double steps = i > 0 ? step[i] - step[i - 1] : 0;
+    values[i] = steps > 0 ? values[i] / steps : std::nan("");
+  }
+  return values;
 }
 
 // Where a phase begins that is not the first.
@@ -120,7 +133,7 @@ std::vector<Figure> run_figures(std::span<const RunResults> runs) {
         plot.curves.push_back({.name = single ? course.name : names[r],
                                .kind = described.kind,
                                .x = runs[r].column("time"),
-                               .y = runs[r].column(course.quantity)});
+                               .y = values_of(runs[r], course, described.per_step)});
       }
     }
     // Without its main course a plot says nothing: there is no intruder.

@@ -114,6 +114,16 @@ TEST_F(PlotTest, EveryKindOfCurveIsDrawn) {
   }
 }
 
+TEST_F(PlotTest, AnAxisSpansItsOwnCurvesOnly) {
+  Plot plot{.name = "axes", .x = {.label = "x"}, .y = {.label = "y"}, .y2 = Axis{.label = "y2"}};
+  plot.curves.push_back({.name = "a", .x = {1, 2}, .y = {0.11, 0.58}, .y_error = {0.01, 0.01}});
+  plot.curves.push_back(
+      {.name = "b", .second_axis = true, .x = {1, 2}, .y = {110, 580}, .y_error = {9, 9}});
+  ASSERT_TRUE(write_plot(plot, folder_.path()).drawn);
+  const std::string svg = file("axes.svg");
+  for (const char* tic : {">0.3<", ">300<"}) EXPECT_NE(svg.find(tic), std::string::npos) << tic;
+}
+
 TEST_F(PlotTest, WithoutValuesThereIsStillAPlotThatSaysSo) {
   Plot plot{.name = "empty",
             .x = {.label = "t"},
