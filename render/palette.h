@@ -36,4 +36,9 @@ Colour sequential_map(Theme theme, double t);
 // From broken (0) to whole (1): close to the colours for bonds, without passing through grey.
 Colour damage_map(Theme theme, double t);
 
+// Colours for curves and points of plots, told apart in all kinds of sight [Okabe 2008], without the
+// black, which is kept for reference values, and without the yellow, which vanishes on white.
+constexpr std::array<Colour, 6> kCurveColours{hex(0x0072B2), hex(0xD55E00), hex(0x009E73),
+                                              hex(0xCC79A7), hex(0xE69F00), hex(0x56B4E9)};
+
 }  // namespace quicksand

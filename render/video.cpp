@@ -1,18 +1,11 @@
 #include "render/video.h"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <fstream>
-#include <iterator>
+#include <string>
 #include <system_error>
 #include <vector>
 
+#include "render/external_program.h"
 #include "render/frame_files.h"
 
 namespace quicksand {
@@ -37,37 +30,6 @@ std::vector<std::string> arguments(const std::filesystem::path& frames, std::int
           "file:" + out.string()};
 }
 
-// Runs a program from PATH with its messages in `log`. Returns 0, the exit code, or -errno if there
-// is no such program.
-int run(std::vector<std::string> words, const std::filesystem::path& log) {
-  std::vector<char*> argv;
-  argv.reserve(words.size() + 1);
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
-                                   0644);
-  posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
-  pid_t child = 0;
-  const int error = posix_spawnp(&child, argv[0], &files, nullptr, argv.data(), environ);
-  posix_spawn_file_actions_destroy(&files);
-  if (error != 0) return -error;
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0) {
-    if (errno != EINTR) return -errno;
-  }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
-
-std::string read_text(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  return text;
-}
-
 }  // namespace
 
 VideoReport write_video(const std::filesystem::path& frames, const std::filesystem::path& path,
@@ -79,25 +41,20 @@ VideoReport write_video(const std::filesystem::path& frames, const std::filesyst
 
     // Under another name until it is whole.
     const std::filesystem::path part = path.string() + ".part";
-    const std::filesystem::path log = path.string() + ".log";
-    // Whether the messages can be written decides before the program starts.
-    if (!std::ofstream(log)) return {failed, "no film: " + path.string() + " cannot be written"};
-    const int result = run(arguments(frames, files.begin()->first, part, frames_per_second), log);
-    const std::string messages = read_text(log);
-    std::error_code ignored;
-    std::filesystem::remove(log, ignored);
-    if (result == 0) {
+    // Whether the film can be written decides before the program starts.
+    if (!std::ofstream(part)) return {failed, "no film: " + path.string() + " cannot be written"};
+    const ProgramEnd end =
+        run_external(arguments(frames, files.begin()->first, part, frames_per_second));
+    if (end.fine()) {
       std::filesystem::rename(part, path);
       return {written, std::to_string(files.size()) + " frames in " + path.string()};
     }
+    std::error_code ignored;
     std::filesystem::remove(part, ignored);
-    if (result == -ENOENT) {
+    if (end.missing) {
       return {no_ffmpeg, "no film: install the package ffmpeg to get one beside the frames"};
     }
-    const std::string reason = result < 0 ? std::string(std::strerror(-result))
-                                          : "it ended with " + std::to_string(result) +
-                                                (messages.empty() ? "" : ": " + messages);
-    return {failed, "no film: ffmpeg failed, " + reason};
+    return {failed, "no film: ffmpeg failed, " + end.problem};
   } catch (const std::exception& error) {
     return {failed, std::string("no film: ") + error.what()};
   }

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "app/assets.h"
+#include "app/build_info.h"
 #include "app/scenario_json.h"
 #include "app/scene_file.h"
 #include "core/errors.h"
@@ -25,7 +26,7 @@ double width_for(std::int64_t grains) {
 
 // What a stored state must carry to be taken: the version and all that it was made from.
 std::string origin(const Scenario& scenario) {
-  return std::string("benchmark state, version ") + QUICKSAND_VERSION + "\n" + to_text(scenario);
+  return "benchmark state, version " + build_info().version + "\n" + to_text(scenario);
 }
 
 std::filesystem::path file_of(const Options& options, const std::string& name) {

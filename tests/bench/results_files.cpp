@@ -4,9 +4,10 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/build_info.h"
 #include "app/json_text.h"
+#include "app/machine.h"
 #include "app/run_folder.h"
-#include "tests/bench/machine.h"
 #include "tests/bench/results.h"
 #include "tests/bench/statistics.h"
 
@@ -98,11 +99,12 @@ std::string csv(const std::vector<Result>& results) {
 
 std::string json(const std::vector<Result>& results, const Options& options) {
   const Machine found = machine();
+  const BuildInfo& build = build_info();
   Json all = {{"program", "quicksand_bench"},
-              {"version", QUICKSAND_VERSION},
-              {"commit", QUICKSAND_COMMIT},
-              {"compiler", QUICKSAND_COMPILER},
-              {"build_type", QUICKSAND_BUILD_TYPE},
+              {"version", build.version},
+              {"commit", build.commit},
+              {"compiler", build.compiler},
+              {"build_type", build.build_type},
               {"processor", found.processor},
               {"cores", found.cores},
               {"load", found.load},

@@ -1,10 +1,10 @@
-#include "tests/bench/machine.h"
+#include "app/machine.h"
 
 #include <cstdlib>
 #include <fstream>
 #include <thread>
 
-namespace quicksand::bench {
+namespace quicksand {
 
 Machine machine() {
   Machine found{.processor = "unknown",
@@ -21,4 +21,4 @@ Machine machine() {
   return found;
 }
 
-}  // namespace quicksand::bench
+}  // namespace quicksand

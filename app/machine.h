@@ -1,9 +1,9 @@
-// What figures were measured on.
+// What results were computed on.
 #pragma once
 
 #include <string>
 
-namespace quicksand::bench {
+namespace quicksand {
 
 struct Machine {
   std::string processor;  // as the system names it
@@ -12,4 +12,4 @@ struct Machine {
 };
 Machine machine();
 
-}  // namespace quicksand::bench
+}  // namespace quicksand

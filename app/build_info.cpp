@@ -1,0 +1,11 @@
+#include "app/build_info.h"
+
+namespace quicksand {
+
+const BuildInfo& build_info() {
+  static const BuildInfo kInfo{QUICKSAND_VERSION, QUICKSAND_COMMIT, QUICKSAND_COMPILER,
+                               QUICKSAND_BUILD_TYPE};
+  return kInfo;
+}
+
+}  // namespace quicksand
