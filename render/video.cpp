@@ -7,7 +7,6 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <system_error>
@@ -94,7 +93,7 @@ VideoReport write_video(const std::filesystem::path& frames, const std::filesyst
     if (result == -ENOENT) {
       return {no_ffmpeg, "no film: install the package ffmpeg to get one beside the frames"};
     }
-    const std::string reason = result < 0 ? std::string(std::strerror(-result))
+    const std::string reason = result < 0 ? std::generic_category().message(-result)
                                           : "it ended with " + std::to_string(result) +
                                                 (messages.empty() ? "" : ": " + messages);
     return {failed, "no film: ffmpeg failed, " + reason};
