@@ -86,6 +86,7 @@ class Session {
   // A part of the campaign, whose table is somebody else's business.
   int run_task(std::int64_t task) {
     const std::span<const Job> jobs = task_jobs(jobs_, campaign_.chunk, task);
+    for (const Job& job : jobs) record_of(job);
     const PoolReport pool =
         run_jobs(jobs, {threads_of(options_), campaign_.frames, options_.quiet, {}});
     for (std::size_t i = 0; i < jobs.size(); ++i) {
@@ -119,17 +120,17 @@ class Session {
  private:
   fs::path results() const { return out_ / "results.csv"; }
 
-  // Reads all folders. A run of another scene in one of them would be lost.
-  void look() {
-    for (std::size_t i = 0; i < jobs_.size(); ++i) {
-      records_[i] = read_record(jobs_[i]);
-      if (!records_[i].other_scene) continue;
-      throw InputError(jobs_[i].folder.scene().string(),
-                       "is not the scene of run " + job_name(jobs_[i]) +
-                           ": the folder holds another campaign, or this one was changed; choose "
-                           "another folder with --out, or remove it");
-    }
+  // What is in the folder. Throws InputError if that is the run of another scene, which would be lost.
+  static RunRecord record_of(const Job& job) {
+    RunRecord record = read_record(job);
+    if (!record.other_scene) return record;
+    throw InputError(job.folder.scene().string(),
+                     "is not the scene of run " + job_name(job) +
+                         ": the folder holds another campaign, or this one was changed; choose "
+                         "another folder with --out, or remove it");
   }
+
+  void look() { std::ranges::transform(jobs_, records_.begin(), record_of); }
 
   void prepare() const {
     make_writable({out_});

@@ -9,7 +9,7 @@ PATH="$PATH:/usr/sbin:/sbin"
 skip() { echo "skipped: $1" >&2; exit 77; }
 for program in munged slurmctld slurmd sbatch sinfo; do
   command -v "$program" >/dev/null ||
-    skip "$program is not installed (the packages marked slurm in app/packages.txt)"
+    skip "$program is not installed (Debian: slurm-wlm, munge)"
 done
 [ "$(id -u)" -eq 0 ] || skip "only root can start slurmd"
 
@@ -92,7 +92,7 @@ SelectType=select/cons_tres
 SelectTypeParameters=CR_Core
 ReturnToService=2
 SlurmdParameters=config_overrides
-NodeName=$host NodeAddr=127.0.0.1 CPUs=2 State=UNKNOWN
+NodeName=$host NodeAddr=127.0.0.1 CPUs=2 RealMemory=1000 State=UNKNOWN
 PartitionName=here Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 CONF
 
