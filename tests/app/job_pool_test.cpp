@@ -6,6 +6,8 @@
 #include "app/folder_lock.h"
 #include "app/results_table.h"
 #include "app/scenario_json.h"
+#include "app/scene_file.h"
+#include "core/checkpoint.h"
 #include "tests/support/files.h"
 
 namespace quicksand::test {
@@ -94,6 +96,24 @@ TEST_F(JobPoolTest, FinishedRunsAreNotRepeated) {
   EXPECT_EQ(again.count(JobStatus::finished), 2U);
   EXPECT_FALSE(again.outcomes[0].computed);
   EXPECT_EQ(contents(jobs[0].folder.summary()), before);
+}
+
+// A run that was killed leaves the state of its last checkpoint, and no summary.
+TEST_F(JobPoolTest, AKilledRunGoesOnFromItsLastCheckpoint) {
+  const Job whole = job("whole", packing(1)), killed = job("killed", packing(1));
+  run({whole});
+  Protocol protocol(killed.scenario, start_world(killed.scenario));
+  constexpr int kSteps = 30;
+  for (int i = 0; i < kSteps; ++i) protocol.advance();
+  make_writable(killed.folder);
+  write_whole(killed.folder.scene(), to_text(killed.scenario));
+  write_checkpoint(killed.folder.state(),
+                   {protocol.world(), protocol.state(), to_text(killed.scenario)});
+  EXPECT_EQ(read_record(killed).status, JobStatus::interrupted);
+  run({killed});
+  const Json alone = read_record(whole).summary, summary = read_record(killed).summary;
+  EXPECT_EQ(summary["world_hash"], alone["world_hash"]);
+  EXPECT_EQ(summary["steps"], alone["steps"].get<int>() - kSteps);
 }
 
 TEST_F(JobPoolTest, WhatAnotherSceneLeftIsComputedAnew) {
