@@ -21,6 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kSeed = "seed";
+constexpr const char* kStart = "start_from";
 constexpr std::uint64_t kMaxSeed = std::uint64_t{1} << 53U;  // as in a scene
 // Listed bodies of all runs together, which are in memory at the same time.
 constexpr std::size_t kMaxListedBodies = 5'000'000;
@@ -122,10 +123,9 @@ class Expansion {
       add_realizations(job);
     } catch (const InputError& error) {
       const std::string& where = error.where();
-      const std::string place = where.empty() ? std::string() : where + " ";
+      const std::string place = where.empty() ? "(" : where + " (" + origin(where) + "; ";
       const std::string values = point.empty() ? std::string() : ": " + values_text(point);
-      throw InputError(file_.string() + ": " + place + "(" + origin(where) + "run " +
-                           id_of(jobs_.size()) + values + ")",
+      throw InputError(file_.string() + ": " + place + "run " + id_of(jobs_.size()) + values + ")",
                        error.what());
     }
   }
@@ -168,7 +168,12 @@ class Expansion {
     const std::string box = number_text(scenario.box.width) +
                             (scenario.box.floor ? " floor " : " ") +
                             std::to_string(static_cast<int>(scenario.box.sides));
-    if (checked_.insert(scenario.start_from + " " + box).second) start_world(scenario);
+    if (!checked_.insert(scenario.start_from + " " + box).second) return;
+    try {
+      start_world(scenario);
+    } catch (const InputError& error) {
+      throw InputError(kStart, error.where() + ": " + error.what());
+    }
   }
 
   // Where in the campaign file a value is from.
@@ -181,10 +186,10 @@ class Expansion {
       }
       return false;
     };
-    if (names(campaign_.grid)) return "from grid; ";
-    if (std::ranges::any_of(campaign_.list, names)) return "from list; ";
-    if (names(campaign_.set)) return "from set; ";
-    return "from scene; ";
+    if (names(campaign_.grid)) return "from grid";
+    if (std::ranges::any_of(campaign_.list, names)) return "from list";
+    if (names(campaign_.set)) return "from set";
+    return "from scene";
   }
 
   const Campaign& campaign_;

@@ -180,12 +180,14 @@ const Mistake kMistakes[] = {
     {"SeedsTwice", R"({"grid": {"seed": [1, 2]}})", {"grid: seed", "realizations"}},
     {"SameRuns",
      R"({"grid": {"contact.friction": [0.3, 0.3]}})",
-     {"run 00006", "is the same as run 00000"}},
+     {"force.json: (run 00006: contact.friction=0.3", "is the same as run 00000"}},
     {"OverlappingSeeds",
      R"({"list": [{"seed": 3}, {"seed": 4}]})",
      {"run 00012", "is the same as run 00001"}},
     {"ColumnOfItsOwn", R"({"grid": {"step": [{}]}})", {"grid: step", "column of results.csv"}},
-    {"AbsentStart", R"({"set": {"start_from": "no.cbor"}})", {"run 00000", "no.cbor"}},
+    {"AbsentStart",
+     R"({"set": {"start_from": "no.cbor"}})",
+     {"start_from (from set; run 00000", "no.cbor"}},
     {"ScriptForOption", R"({"slurm": {"options": ["x.sh"]}})", {"slurm.options", "\"--\""}},
 };
 
