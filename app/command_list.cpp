@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/assets.h"
+#include "app/campaign.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/nearest_name.h"
@@ -55,6 +56,8 @@ void list_quantities() {
 
 void list_schema() { std::printf("%s\n", scene_schema().dump(2).c_str()); }
 
+void list_campaign_schema() { std::printf("%s\n", campaign_schema().dump(2).c_str()); }
+
 struct Listing {
   const char* name;
   void (*print)();
@@ -62,7 +65,8 @@ struct Listing {
 constexpr auto kListings = std::to_array<Listing>({{"scenes", list_scenes},
                                                    {"colours", list_colours},
                                                    {"quantities", list_quantities},
-                                                   {"schema", list_schema}});
+                                                   {"schema", list_schema},
+                                                   {"campaign_schema", list_campaign_schema}});
 
 int list(const std::string& what) {
   const auto known = std::ranges::find(kListings, what, &Listing::name);
@@ -79,9 +83,9 @@ int list(const std::string& what) {
 
 Command add_list(CLI::App& program) {
   CLI::App* command =
-      program.add_subcommand("list", "list scenes, colours, quantities or the scenes' schema");
+      program.add_subcommand("list", "list scenes, colours, quantities or the schemas of files");
   const auto what = std::make_shared<std::string>();
-  command->add_option("what", *what, "scenes, colours, quantities or schema")
+  command->add_option("what", *what, "scenes, colours, quantities, schema or campaign_schema")
       ->type_name("WHAT")
       ->required();
   command->footer("Example:\n  quicksand list quantities");

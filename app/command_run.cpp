@@ -8,6 +8,7 @@
 #include "app/picture_options.h"
 #include "app/run_scene.h"
 #include "app/scene_options.h"
+#include "app/shell_text.h"
 #include "core/errors.h"
 
 namespace quicksand {
@@ -23,18 +24,9 @@ struct Options {
   bool no_frames = false;
 };
 
-// A path as a shell takes it.
-std::string quoted(const std::filesystem::path& path) {
-  std::string text = path.string();
-  if (text.find_first_of(" '\"$&()*;<>?[\\]`|~!#") == std::string::npos) return text;
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return result + "'";
-}
-
 std::string continue_command(const RunFolder& folder, const Options& options) {
-  return "quicksand run " + quoted(folder.scene()) + " --continue " + quoted(folder.state()) +
-         " --out " + quoted(folder.path) +
+  return "quicksand run " + shell_text(folder.scene()) + " --continue " +
+         shell_text(folder.state()) + " --out " + shell_text(folder.path) +
          (options.every ? " --every " + number_text(*options.every) : "") +
          (options.no_frames ? " --no-frames" : "");
 }

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/json_text.h"
 #include "core/types.h"
 
 namespace quicksand {
@@ -41,6 +42,13 @@ constexpr Limits between(double low, double high, const char* unit, double scale
   return {unit, low, high, false, scale};
 }
 
+// What a value looks like that is kept as the JSON it is.
+struct Shape {
+  const char* words;  // "a list of texts"
+  bool (*fits)(const Json& value);
+  Json (*schema)();  // its type in a JSON Schema
+};
+
 class Fields {
  public:
   using Visit = std::function<void(Fields&)>;
@@ -61,6 +69,8 @@ class Fields {
   virtual void text(const Field& field, std::string& value) = 0;
   // One of `words`, numbered from 0.
   virtual void word(const Field& field, std::span<const std::string_view> words, int& value) = 0;
+  // Null if absent.
+  virtual void json(const Field& field, const Shape& shape, Json& value) = 0;
   virtual void object(const Field& field, const Visit& visit) = 0;
   // Exactly one of these optional fields, described before, must be given.
   virtual void exactly_one(const std::vector<std::string>& names) = 0;

@@ -1,31 +1,55 @@
 #include "app/interrupt.h"
 
+#include <atomic>
+#include <csignal>
+#include <mutex>
+
 namespace quicksand {
 
 namespace {
 
 // A signal handler reaches nothing but what outlives every object.
-volatile std::sig_atomic_t signalled = 0;
+std::atomic<bool> signalled = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
 
-void note_signal(int /*signal*/) { signalled = 1; }
+void note_signal(int /*signal*/) { signalled = true; }
+
+// The watches that live, and what they replaced.
+struct Watched {
+  std::mutex mutex;
+  int watches = 0;
+  struct sigaction before_int {};
+  struct sigaction before_term {};
+};
+
+Watched& watched() {
+  static Watched only;
+  return only;
+}
 
 }  // namespace
 
 InterruptWatch::InterruptWatch() {
-  signalled = 0;
+  Watched& all = watched();
+  const std::lock_guard lock(all.mutex);
+  if (all.watches++ > 0) return;
+  signalled = false;
   struct sigaction action {};
   action.sa_handler = note_signal;
   sigemptyset(&action.sa_mask);
   action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
-  sigaction(SIGINT, &action, &before_int_);
-  sigaction(SIGTERM, &action, &before_term_);
+  sigaction(SIGINT, &action, &all.before_int);
+  sigaction(SIGTERM, &action, &all.before_term);
 }
 
 InterruptWatch::~InterruptWatch() {
-  sigaction(SIGINT, &before_int_, nullptr);
-  sigaction(SIGTERM, &before_term_, nullptr);
+  Watched& all = watched();
+  const std::lock_guard lock(all.mutex);
+  if (--all.watches > 0) return;
+  sigaction(SIGINT, &all.before_int, nullptr);
+  sigaction(SIGTERM, &all.before_term, nullptr);
 }
 
-bool InterruptWatch::interrupted() const { return signalled != 0; }
+bool InterruptWatch::interrupted() const { return signalled; }
 
 }  // namespace quicksand

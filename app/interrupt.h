@@ -1,11 +1,10 @@
 // Ctrl-C and `kill` ask a run to end after its present step. A second one ends the program at once.
 #pragma once
 
-#include <csignal>
-
 namespace quicksand {
 
-// Catches SIGINT and SIGTERM while it lives.
+// Catches SIGINT and SIGTERM while at least one of its kind lives, in any thread: all of them see the
+// signal, and it is forgotten when the last has gone.
 class InterruptWatch {
  public:
   InterruptWatch();
@@ -14,10 +13,6 @@ class InterruptWatch {
   InterruptWatch& operator=(const InterruptWatch&) = delete;
 
   bool interrupted() const;
-
- private:
-  struct sigaction before_int_ {};
-  struct sigaction before_term_ {};
 };
 
 }  // namespace quicksand

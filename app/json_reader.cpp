@@ -64,8 +64,8 @@ std::string described(const Limits& limits) {
          (limits.above ? " and at most " : " to ") + number_text(limits.high) + unit;
 }
 
-JsonReader::JsonReader(const Json& value, std::string path)
-    : object_(&value), path_(std::move(path)) {
+JsonReader::JsonReader(const Json& value, std::string path, std::string whole)
+    : object_(&value), path_(std::move(path)), whole_(std::move(whole)) {
   if (!value.is_object()) {
     throw InputError(path_, "is " + described(value) + ", must be an object {...}");
   }
@@ -74,8 +74,7 @@ JsonReader::JsonReader(const Json& value, std::string path)
 void JsonReader::refuse_unknown_keys() const {
   for (const auto& [key, value] : object_->items()) {
     if (std::ranges::find(known_, key) == known_.end()) {
-      throw InputError(place(key), "is not a key of " +
-                                       (path_.empty() ? std::string("a scene") : "this object") +
+      throw InputError(place(key), "is not a key of " + (path_.empty() ? whole_ : "this object") +
                                        suggestion(key, known_));
     }
   }
@@ -165,6 +164,15 @@ void JsonReader::word(const Field& field, std::span<const std::string_view> word
                          (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
   }
   value = static_cast<int>(match - names.begin());
+}
+
+void JsonReader::json(const Field& field, const Shape& shape, Json& value) {
+  const Json* found = find(field);
+  if (found == nullptr) return;
+  if (!shape.fits(*found)) {
+    throw InputError(place(field.name), "is " + described(*found) + ", must be " + shape.words);
+  }
+  value = *found;
 }
 
 void JsonReader::object(const Field& field, const Visit& visit) {

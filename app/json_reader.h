@@ -13,9 +13,9 @@ namespace quicksand {
 
 class JsonReader : public Fields {
  public:
-  // `path` is the place of `value` inside the file, "" for the whole. Throws InputError if it is
-  // not an object.
-  JsonReader(const Json& value, std::string path);
+  // `path` is the place of `value` inside the file, "" for the whole, which messages call `whole`.
+  // Throws InputError if it is not an object.
+  JsonReader(const Json& value, std::string path, std::string whole = "a scene");
 
   // After the visit: throws InputError if a key was not asked for.
   void refuse_unknown_keys() const;
@@ -29,6 +29,7 @@ class JsonReader : public Fields {
   void flag(const Field& field, bool& value) override;
   void text(const Field& field, std::string& value) override;
   void word(const Field& field, std::span<const std::string_view> words, int& value) override;
+  void json(const Field& field, const Shape& shape, Json& value) override;
   void object(const Field& field, const Visit& visit) override;
   void exactly_one(const std::vector<std::string>& names) override;
   void variant(const Field& field, std::span<const std::string_view> words, int index,
@@ -48,6 +49,7 @@ class JsonReader : public Fields {
 
   const Json* object_;
   std::string path_;
+  std::string whole_;
   std::vector<std::string> known_;  // keys that were asked for
 };
 

@@ -87,6 +87,10 @@ void JsonSchema::word(const Field& field, std::span<const std::string_view> word
   add(field, std::move(schema));
 }
 
+void JsonSchema::json(const Field& field, const Shape& shape, Json& /*value*/) {
+  add(field, shape.schema());
+}
+
 void JsonSchema::object(const Field& field, const Visit& visit) {
   begin_optional(field, true, visit);
 }

@@ -112,7 +112,7 @@ class Builder : public nlohmann::json_sax<Json> {
 
 Json parse_json(std::string_view text) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-    throw InputError("", "is empty; a scene is a JSON object: {\"box\": ..., \"phases\": [...]}");
+    throw InputError("", "is empty; a JSON object {...} is expected");
   }
   if (text.size() > kMaxBytes) throw InputError("", "is larger than 64 MB");
   Builder builder(text);

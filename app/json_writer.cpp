@@ -34,6 +34,10 @@ void JsonWriter::word(const Field& field, std::span<const std::string_view> word
   object_[field.name] = std::string(words[static_cast<std::size_t>(value)]);
 }
 
+void JsonWriter::json(const Field& field, const Shape& /*shape*/, Json& value) {
+  if (!value.is_null()) object_[field.name] = value;
+}
+
 void JsonWriter::object(const Field& field, const Visit& visit) {
   begin_optional(field, true, visit);
 }

@@ -19,6 +19,7 @@ class JsonWriter : public Fields {
   void flag(const Field& field, bool& value) override;
   void text(const Field& field, std::string& value) override;
   void word(const Field& field, std::span<const std::string_view> words, int& value) override;
+  void json(const Field& field, const Shape& shape, Json& value) override;
   void object(const Field& field, const Visit& visit) override;
   void exactly_one(const std::vector<std::string>& /*names*/) override {}
   void variant(const Field& field, std::span<const std::string_view> words, int index,

@@ -6,22 +6,21 @@
 #include <cstdint>
 #include <string>
 
+#include "app/status_line.h"
 #include "core/protocols.h"
 
 namespace quicksand {
 
 class ProgressLine {
  public:
-  enum class Style : std::uint8_t { none, lines, terminal };
-  // What suits standard error.
-  static Style style_of_stderr(bool quiet);
+  using Style = StatusLine::Style;
 
-  explicit ProgressLine(Style style);
+  explicit ProgressLine(Style style) : line_(style) {}
 
   // After each call of Protocol::advance(); shows something only when it is time to.
   void show(const Protocol& protocol);
   // Leaves the line that was written over.
-  void end();
+  void end() { line_.end(); }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -30,13 +29,12 @@ class ProgressLine {
   static std::string heading(const Protocol& protocol);
   std::string line(const Protocol& protocol, double seconds_since_shown);
 
-  Style style_;
-  Clock::time_point shown_;
+  StatusLine line_;
+  Clock::time_point shown_ = Clock::now();
   Clock::time_point phase_began_;
   std::int64_t shown_step_ = 0;
   int phase_ = -1;
   double phase_began_at_ = 0;  // share of the phase that was done then
-  std::size_t width_ = 0;      // of what stands on the terminal's line
 };
 
 }  // namespace quicksand

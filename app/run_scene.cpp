@@ -93,7 +93,7 @@ class Run {
   }
 
   RunEnd::How compute() {
-    ProgressLine progress(ProgressLine::style_of_stderr(options_.quiet));
+    ProgressLine progress(StatusLine::style_of_stderr(options_.quiet));
     recorder_.sample(protocol_.world(), name_of(protocol_.phase()));
     RunEnd::How how = RunEnd::How::finished;
     while (protocol_.phase() != nullptr) {

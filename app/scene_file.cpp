@@ -16,18 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string read_scene_text(const fs::path& file) {
-  if (std::error_code error; fs::exists(file, error)) return read_text(file);
-  std::vector<std::string> names;
-  for (const fs::path& scene : shipped_scenes()) names.push_back(scene.stem().string());
-  const std::string near = nearest_name(file.stem().string(), names);
-  throw InputError(
-      file.string(),
-      "there is no such file" +
-          (near.empty() ? std::string("; `quicksand list scenes` shows what is shipped")
-                        : "; did you mean " + shipped_scene(near).string() + "?"));
-}
-
 // Where an error is: the file, the place inside, and how the user can have put it there.
 std::string place_of(const InputError& error, const fs::path& file, const Json& json,
                      const std::vector<Override>& changes) {
@@ -61,6 +49,18 @@ void require_same_box(const Scenario& scenario, const World& state) {
 }
 
 }  // namespace
+
+std::string read_scene_text(const fs::path& file) {
+  if (std::error_code error; fs::exists(file, error)) return read_text(file);
+  std::vector<std::string> names;
+  for (const fs::path& scene : shipped_scenes()) names.push_back(scene.stem().string());
+  const std::string near = nearest_name(file.stem().string(), names);
+  throw InputError(
+      file.string(),
+      "there is no such file" +
+          (near.empty() ? std::string("; `quicksand list scenes` shows what is shipped")
+                        : "; did you mean " + shipped_scene(near).string() + "?"));
+}
 
 Scenario read_scene(const SceneRequest& request) {
   const std::string text = read_scene_text(request.file);

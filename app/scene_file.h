@@ -22,6 +22,9 @@ struct SceneRequest {
 // Throws InputError whose `where` names the file and the place inside it.
 Scenario read_scene(const SceneRequest& request);
 
+// The text of a scene file. Throws InputError, with the nearest shipped scene, if there is none.
+std::string read_scene_text(const std::filesystem::path& file);
+
 // The world at the beginning: as listed, or, with start_from, the bodies, walls, bonds and contacts
 // of that state under the laws, gravity and seed of this scene. Throws InputError if the state cannot
 // be read or its box is another one.

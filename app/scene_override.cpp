@@ -88,9 +88,11 @@ Override parse_override(const std::string& assignment) {
 }
 
 void apply_override(Json& scene, const Override& change) {
-  const std::string where = "--set " + change.path;
-  const std::vector<Part> parts = parse_path(change.path, where);
-  Json value = value_of(change.value);
+  set_value(scene, change.path, value_of(change.value), "--set " + change.path);
+}
+
+void set_value(Json& scene, const std::string& path, Json value, const std::string& where) {
+  const std::vector<Part> parts = parse_path(path, where);
   Json* place = &scene;
   std::string name = "the scene";
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -117,6 +119,19 @@ void apply_override(Json& scene, const Override& change) {
     name = part.name;
   }
   *place = std::move(value);
+}
+
+Json value_at(const Json& scene, const std::string& path) {
+  const Json* place = &scene;
+  for (const Part& part : parse_path(path, path)) {
+    const bool listed = part.name.empty();
+    if (listed ? !place->is_array() || part.index >= place->size()
+               : !place->is_object() || !place->contains(part.name)) {
+      return nullptr;
+    }
+    place = listed ? &(*place)[part.index] : &(*place)[part.name];
+  }
+  return *place;
 }
 
 }  // namespace quicksand

@@ -20,4 +20,10 @@ Override parse_override(const std::string& assignment);
 // something is the reader's business. Throws InputError.
 void apply_override(Json& scene, const Override& change);
 
+// The same with a JSON value; `where` is the place that an error names.
+void set_value(Json& scene, const std::string& path, Json value, const std::string& where);
+
+// The value that the path names; null if there is none. Throws InputError if it is not a path.
+Json value_at(const Json& scene, const std::string& path);
+
 }  // namespace quicksand

@@ -8,18 +8,18 @@
 
 #include <array>
 #include <cerrno>
-#include <cstring>
+#include <system_error>
 
 namespace quicksand {
 namespace {
 
-// A nameless file for the program's messages.
-class Messages {
+// A nameless file for what the program writes.
+class Output {
  public:
-  Messages() : descriptor_(memfd_create("messages", MFD_CLOEXEC)) {}
-  ~Messages() { close(descriptor_); }
-  Messages(const Messages&) = delete;
-  Messages& operator=(const Messages&) = delete;
+  Output() : descriptor_(memfd_create("output", MFD_CLOEXEC)) {}
+  ~Output() { close(descriptor_); }
+  Output(const Output&) = delete;
+  Output& operator=(const Output&) = delete;
 
   int descriptor() const { return descriptor_; }
 
@@ -44,11 +44,11 @@ ProgramEnd run_external(std::vector<std::string> words, const std::filesystem::p
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
 
-  const Messages messages;
+  const Output answer, messages;
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
   posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_adddup2(&files, messages.descriptor(), STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&files, answer.descriptor(), STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&files, messages.descriptor(), STDERR_FILENO);
   posix_spawn_file_actions_addchdir_np(&files, folder.c_str());
   pid_t child = 0;
@@ -58,17 +58,18 @@ ProgramEnd run_external(std::vector<std::string> words, const std::filesystem::p
   ProgramEnd end;
   if (error != 0) {
     end.missing = error == ENOENT && std::filesystem::is_directory(folder);
-    end.problem = std::strerror(error);
+    end.problem = std::generic_category().message(error);
     return end;
   }
   int status = 0;
   while (waitpid(child, &status, 0) < 0) {
-    if (errno != EINTR) return {-1, false, std::strerror(errno)};
+    if (errno != EINTR) return {-1, false, {}, std::generic_category().message(errno)};
   }
   constexpr int kSignalled = 128;
   end.code = WIFEXITED(status) ? WEXITSTATUS(status) : kSignalled + WTERMSIG(status);
+  end.answer = answer.text();
   if (end.code != 0) {
-    const std::string said = messages.text();
+    const std::string said = messages.text().empty() ? end.answer : messages.text();
     end.problem = "it ended with " + std::to_string(end.code) + (said.empty() ? "" : ": " + said);
   }
   return end;

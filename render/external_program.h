@@ -1,4 +1,4 @@
-// Runs another program, such as ffmpeg or gnuplot, to its end.
+// Runs another program, such as ffmpeg, gnuplot or sbatch, to its end.
 #pragma once
 
 #include <filesystem>
@@ -10,13 +10,14 @@ namespace quicksand {
 struct ProgramEnd {
   int code = -1;         // exit code, 128 + signal if it was killed; -1 if it never ran
   bool missing = false;  // there is no such program
-  std::string problem;   // why it did not end with 0, with its messages; else empty
+  std::string answer;    // what it wrote to standard output, up to 4 KiB
+  std::string problem;   // why it did not end with 0, with what it wrote; else empty
 
   bool fine() const { return code == 0; }
 };
 
 // Runs words[0], looked up in PATH, with the other words as its arguments; no shell reads them. It
-// starts in `folder` with no input, and waits for the end. Messages of both outputs are collected.
+// starts in `folder` with no input, and waits for the end.
 ProgramEnd run_external(std::vector<std::string> words, const std::filesystem::path& folder = ".");
 
 }  // namespace quicksand

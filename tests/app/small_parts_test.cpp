@@ -1,6 +1,9 @@
-// Names, units and sample times.
+// Names, units, sample times and signals.
 #include <gtest/gtest.h>
 
+#include <csignal>
+
+#include "app/interrupt.h"
 #include "app/nearest_name.h"
 #include "app/quantities.h"
 #include "app/sample_times.h"
@@ -64,6 +67,21 @@ TEST(Quantities, HaveNamesUnitsAndMeaning) {
 TEST(Quantities, NumbersReadBackTheSame) {
   EXPECT_EQ(std::stod(text_of(Value(0.1 + 0.2))), 0.1 + 0.2);
   EXPECT_EQ(text_of(Value()), "");
+}
+
+TEST(InterruptWatch, SeesASignalUntilTheLastWatchHasGone) {
+  {
+    const InterruptWatch all;
+    EXPECT_FALSE(all.interrupted());
+    { const InterruptWatch first; }
+    std::raise(SIGINT);  // the end of the first has not let go of it
+    EXPECT_TRUE(all.interrupted());
+    const InterruptWatch second;  // and the beginning of the second does not forget it
+    EXPECT_TRUE(second.interrupted());
+    EXPECT_TRUE(all.interrupted());
+  }
+  const InterruptWatch next;
+  EXPECT_FALSE(next.interrupted());
 }
 
 }  // namespace

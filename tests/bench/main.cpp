@@ -98,7 +98,7 @@ int run_command_line(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& error) {
     return complain(std::string(error.what()) + " (see `quicksand_bench --help`)", kBadInput);
   }
-  options.progress = ProgressLine::style_of_stderr(quiet);
+  options.progress = StatusLine::style_of_stderr(quiet);
   try {
     if (list) {
       for (const Case& one : cases()) std::printf("%-11s %s\n", one.name.c_str(), one.what.c_str());

@@ -1,0 +1,25 @@
+// Keeps two processes from computing in the same folder. The system releases the lock with the process,
+// however it ends.
+#pragma once
+
+#include <filesystem>
+
+namespace quicksand {
+
+class FolderLock {
+ public:
+  // Makes the folder where it is absent. Throws InputError if that is not possible.
+  explicit FolderLock(const std::filesystem::path& folder);
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+  // False: another process has it. File systems that know no locks give it to all.
+  bool held() const { return held_; }
+
+ private:
+  int file_ = -1;
+  bool held_ = false;
+};
+
+}  // namespace quicksand

@@ -1,0 +1,37 @@
+// One line on standard error that says how far a computation is: written over on a terminal, repeated
+// every ten seconds elsewhere.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace quicksand {
+
+class StatusLine {
+ public:
+  enum class Style : std::uint8_t { none, lines, terminal };
+  // What suits standard error.
+  static Style style_of_stderr(bool quiet);
+
+  explicit StatusLine(Style style) : style_(style) {}
+
+  Style style() const { return style_; }
+  // Whether it is time for another line.
+  bool due() const;
+  void show(const std::string& text);
+  // Leaves the line that was written over.
+  void end();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  Style style_;
+  Clock::time_point shown_ = Clock::now();
+  std::size_t width_ = 0;  // of what stands on the terminal's line
+};
+
+// "42 s", "3 min", "2.5 h".
+std::string duration_text(double seconds);
+
+}  // namespace quicksand
