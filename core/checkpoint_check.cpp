@@ -53,7 +53,8 @@ bool possible(const Search& search) {
   if (search.kind > SearchKind::adiabatic || (search.kind != SearchKind::none) != !!search.base)
     return false;
   if (!positive(bracket.first) || !not_negative(bracket.low) || bracket.trials < 0 ||
-      !positive(bracket.high.value_or(1)) || !not_negative(search.interval))
+      !positive(bracket.high.value_or(1)) || !not_negative(search.interval) ||
+      !not_negative(search.force))
     return false;
   return std::ranges::all_of(search.targets, [&](const SearchTarget& target) {
     return target.body >= 0 && search.base && target.body < search.base->disks.size() &&

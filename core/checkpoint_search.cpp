@@ -14,6 +14,8 @@ void describe_present(Archive& archive, Search& search) {
     a.value("weight_above", target.weight_above);
   });
   archive.value("finished", search.finished);
+  archive.value("trial", search.trial);
+  archive.value("force", search.force);
   archive.value("first", search.bracket.first);
   archive.value("low", search.bracket.low);
   archive.optional("high", search.bracket.high);

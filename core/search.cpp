@@ -45,10 +45,12 @@ void Protocol::begin_trial() {
 }
 
 void Protocol::begin_force_trial(const Vec2& direction) {
-  const Search& search = state_.search;
+  Search& search = state_.search;
   if (search.trial_runs || search.targets.empty()) return;
   begin_trial();
-  const Vec2 force = search.bracket.next() * direction;
+  ++search.trial;
+  search.force = search.bracket.next();
+  const Vec2 force = search.force * direction;
   world_.disks.applied[search.targets.front().body] = {force.x(), force.y(), 0};
 }
 

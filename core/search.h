@@ -35,6 +35,8 @@ struct Search {
   bool trial_runs = false;            // false: the next step begins a trial
   std::vector<SearchTarget> targets;  // not yet finished, the present one first
   int finished = 0;                   // number of targets
+  int trial = 0;                      // number of the present or last trial of the phase, from 1
+  double force = 0;                   // on the target in it [F_g]
   ForceBracket bracket;               // of the present target
   int undecided = 0;                  // trials of the present target
   double interval = 0;                // adiabatic: between the grains of this sample [sqrt(d/g)]
