@@ -63,6 +63,9 @@ class Fields {
   virtual void number(const Field& field, const Limits& limits, std::optional<double>& value) = 0;
   virtual void vector(const Field& field, const Limits& limits, Vec2& value) = 0;
   virtual void vector(const Field& field, const Limits& limits, std::optional<Vec2>& value) = 0;
+  // A list of at most `most` numbers.
+  virtual void numbers(const Field& field, const Limits& limits, std::size_t most,
+                       std::vector<double>& values) = 0;
   virtual void integer(const Field& field, std::int64_t low, std::int64_t high,
                        std::int64_t& value) = 0;
   virtual void flag(const Field& field, bool& value) = 0;

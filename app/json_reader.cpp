@@ -32,6 +32,12 @@ Vec2 checked_vector(const Json& value, const Limits& limits, const std::string& 
           checked_number(value[1], limits, where + "[1]")};
 }
 
+void refuse_longer_list(const Json& list, std::size_t most, const std::string& where) {
+  if (list.size() <= most) return;
+  throw InputError(where, "has " + std::to_string(list.size()) + " entries, at most " +
+                              std::to_string(most) + " are possible");
+}
+
 }  // namespace
 
 std::string number_text(double value) {
@@ -115,6 +121,22 @@ void JsonReader::vector(const Field& field, const Limits& limits, std::optional<
   if (const Json* found = find(field)) value = checked_vector(*found, limits, place(field.name));
 }
 
+void JsonReader::numbers(const Field& field, const Limits& limits, std::size_t most,
+                         std::vector<double>& values) {
+  const Json* found = find(field);
+  if (found == nullptr) return;
+  const std::string where = place(field.name);
+  if (!found->is_array()) {
+    throw InputError(where, "is " + described(*found) + ", must be a list [...] of numbers, each " +
+                                described(limits));
+  }
+  refuse_longer_list(*found, most, where);
+  values.clear();
+  for (std::size_t i = 0; i < found->size(); ++i) {
+    values.push_back(checked_number((*found)[i], limits, where + "[" + std::to_string(i) + "]"));
+  }
+}
+
 void JsonReader::integer(const Field& field, std::int64_t low, std::int64_t high,
                          std::int64_t& value) {
   const Json* found = find(field);
@@ -195,11 +217,7 @@ void JsonReader::items(const Field& field, std::size_t most, std::size_t /*size*
   if (!found->is_array()) {
     throw InputError(place(field.name), "is " + described(*found) + ", must be a list [...]");
   }
-  if (found->size() > most) {
-    throw InputError(place(field.name), "has " + std::to_string(found->size()) +
-                                            " entries, at most " + std::to_string(most) +
-                                            " are possible");
-  }
+  refuse_longer_list(*found, most, place(field.name));
   resize(found->size());
   for (std::size_t i = 0; i < found->size(); ++i) {
     JsonReader inner((*found)[i], place(field.name) + "[" + std::to_string(i) + "]");

@@ -63,6 +63,14 @@ void JsonSchema::vector(const Field& field, const Limits& limits, std::optional<
               {"description", help_with_unit(field, limits)}});
 }
 
+void JsonSchema::numbers(const Field& field, const Limits& limits, std::size_t most,
+                         std::vector<double>& /*values*/) {
+  add(field, {{"type", "array"},
+              {"items", number_schema(limits)},
+              {"maxItems", most},
+              {"description", help_with_unit(field, limits)}});
+}
+
 void JsonSchema::integer(const Field& field, std::int64_t low, std::int64_t high,
                          std::int64_t& value) {
   Json schema = {{"type", "integer"}, {"minimum", low}, {"maximum", high}};

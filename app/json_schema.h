@@ -15,6 +15,8 @@ class JsonSchema : public Fields {
   void number(const Field& field, const Limits& limits, std::optional<double>& value) override;
   void vector(const Field& field, const Limits& limits, Vec2& value) override;
   void vector(const Field& field, const Limits& limits, std::optional<Vec2>& value) override;
+  void numbers(const Field& field, const Limits& limits, std::size_t most,
+               std::vector<double>& values) override;
   void integer(const Field& field, std::int64_t low, std::int64_t high,
                std::int64_t& value) override;
   void flag(const Field& field, bool& value) override;

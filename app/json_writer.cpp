@@ -18,6 +18,13 @@ void JsonWriter::vector(const Field& field, const Limits& limits, std::optional<
   if (value) vector(field, limits, *value);
 }
 
+void JsonWriter::numbers(const Field& field, const Limits& limits, std::size_t /*most*/,
+                         std::vector<double>& values) {
+  Json list = Json::array();
+  for (const double value : values) list.push_back(value / limits.scale);
+  object_[field.name] = std::move(list);
+}
+
 void JsonWriter::integer(const Field& field, std::int64_t /*low*/, std::int64_t /*high*/,
                          std::int64_t& value) {
   object_[field.name] = value;

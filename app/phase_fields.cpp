@@ -8,10 +8,9 @@ namespace quicksand {
 namespace {
 
 // In the order of Phase::kind's alternatives.
-constexpr std::string_view kPhases[] = {"deposit", "settle", "push"};
+constexpr std::string_view kPhases[] = {"deposit", "settle", "push", "pull", "shear"};
 
-constexpr double kMaxTime = 1e9;  // [sqrt(d/g)]
-constexpr double kDense = 0.91;   // more than any packing of equal disks reaches
+constexpr double kDense = 0.91;  // more than any packing of equal disks reaches
 
 void describe_deposit(Fields& f, DepositPhase& p, const Box& box) {
   f.integer({"grains", "number of grains; 0: until the height is reached"}, 0, kMaxBodies,
@@ -22,6 +21,7 @@ void describe_deposit(Fields& f, DepositPhase& p, const Box& box) {
            between(0, kMaxTime, "sqrt(d/g)"), p.interval);
   f.number({"drop_velocity", "downward, at the place of first contact"},
            between(0, 1e6, "sqrt(g d)"), p.drop_velocity);
+  describe_adiabatic(f, p);
   if (!f.reading()) return;
   if (p.grains == 0 && p.height == 0) {
     f.refuse("grains", "and height are both 0; give a number of grains, a height [d] or both");
@@ -30,13 +30,6 @@ void describe_deposit(Fields& f, DepositPhase& p, const Box& box) {
     f.refuse("height", "times the box's width has room for more than " +
                            std::to_string(kMaxBodies) + " grains");
   }
-}
-
-void describe_rest(Fields& f, double& rest_speed, double& rest_time, double& max_time) {
-  f.number({"rest_speed", "rest means that no body is faster than this ..."},
-           above(0, 1e6, "sqrt(g d)"), rest_speed);
-  f.number({"rest_time", "... for this long"}, between(0, kMaxTime, "sqrt(d/g)"), rest_time);
-  f.number({"max_time", "ends the phase in any case"}, above(0, kMaxTime, "sqrt(d/g)"), max_time);
 }
 
 void describe_settle(Fields& f, SettlePhase& p) {
@@ -75,6 +68,13 @@ Kind& as(Phase& phase) {
 
 }  // namespace
 
+void describe_rest(Fields& f, double& rest_speed, double& rest_time, double& max_time) {
+  f.number({"rest_speed", "rest means that no body is faster than this ..."},
+           above(0, 1e6, "sqrt(g d)"), rest_speed);
+  f.number({"rest_time", "... for this long"}, between(0, kMaxTime, "sqrt(d/g)"), rest_time);
+  f.number({"max_time", "ends the phase in any case"}, above(0, kMaxTime, "sqrt(d/g)"), max_time);
+}
+
 void describe_phase(Fields& f, Phase& phase, const Scenario& scenario) {
   f.variant({"type", "what happens"}, kPhases, static_cast<int>(phase.kind.index()),
             [&](Fields& g, int type) {
@@ -82,6 +82,10 @@ void describe_phase(Fields& f, Phase& phase, const Scenario& scenario) {
                 describe_deposit(g, as<DepositPhase>(phase), scenario.box);
               } else if (type == 1) {
                 describe_settle(g, as<SettlePhase>(phase));
+              } else if (type == 3) {
+                describe_pull(g, as<PullPhase>(phase), scenario.grain_law);
+              } else if (type == 4) {
+                describe_shear(g, as<ShearPhase>(phase), scenario.grain_law);
               } else {
                 describe_push(g, as<PushPhase>(phase), scenario.grain_law);
               }

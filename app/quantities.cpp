@@ -11,6 +11,9 @@ Value of_intruder(const Row& row, double value) {
   return row.sample.has_intruder ? Value(value) : Value();
 }
 
+// A trial is there only while a critical force is sought.
+Value of_trial(const Row& row, Value value) { return row.trial > 0 ? value : Value(); }
+
 const Quantity kQuantities[] = {
     {"time", "sqrt(d/g)", "since the beginning",
      [](const Row& r) -> Value { return r.sample.time; }},
@@ -71,6 +74,10 @@ const Quantity kQuantities[] = {
      [](const Row& r) -> Value { return r.factorisations; }},
     {"unconverged", "1", "steps since the last sample that did not converge",
      [](const Row& r) -> Value { return r.unconverged; }},
+    {"trial", "1", "number of the trial in this phase, from 1; pull and shear only",
+     [](const Row& r) { return of_trial(r, r.trial); }},
+    {"trial_force", "F_g", "force of the trial on its body",
+     [](const Row& r) { return of_trial(r, r.trial_force); }},
 };
 
 }  // namespace

@@ -22,6 +22,8 @@ struct Row {
   std::int64_t iterations = 0;      // of the solver since the last sample [1]
   std::int64_t factorisations = 0;  // of the solver since the last sample [1]
   std::int64_t unconverged = 0;     // steps since the last sample [1]
+  std::int64_t trial = 0;           // Search::trial; 0: no force is sought
+  double trial_force = 0;           // Search::force [F_g]
 };
 
 // monostate: there is no such value in this sample.

@@ -13,6 +13,8 @@ void Recorder::count(const ProtocolState& before, const Protocol& after) {
       std::max(pending_.velocity_change, after.last_step().solve.velocity_change);
   pending_.iterations += now.iterations - before.iterations;
   pending_.factorisations += now.factorisations - before.factorisations;
+  pending_.trial = now.search.trial;
+  pending_.trial_force = now.search.force;
   pending_.unconverged += now.unconverged_steps - before.unconverged_steps;
 }
 

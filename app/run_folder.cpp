@@ -31,7 +31,8 @@ void make_writable(const RunFolder& folder) {
 
 void remove_earlier_results(const RunFolder& folder) {
   std::error_code ignored;
-  for (const fs::path& file : {folder.film(), folder.summary(), folder.state()}) {
+  for (const fs::path& file : {folder.film(), folder.summary(), folder.state(),
+                               folder.critical_forces(), folder.adiabatic()}) {
     fs::remove(file, ignored);
   }
   std::vector<fs::path> frames;

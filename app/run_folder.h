@@ -13,6 +13,8 @@ struct RunFolder {
   std::filesystem::path frames() const { return path / "frames"; }
   std::filesystem::path film() const { return path / "film.mp4"; }
   std::filesystem::path series() const { return path / "series.csv"; }
+  std::filesystem::path critical_forces() const { return path / "critical_forces.csv"; }
+  std::filesystem::path adiabatic() const { return path / "adiabatic.csv"; }
   std::filesystem::path summary() const { return path / "summary.json"; }
   std::filesystem::path state() const { return path / "state.cbor"; }
 };
@@ -20,8 +22,8 @@ struct RunFolder {
 // Makes the folder and tries to write in it, so that nothing is computed in vain. Throws InputError.
 void make_writable(const RunFolder& folder);
 
-// Removes the files of an earlier run that this run may not write again: its film, summary, state and
-// frames. Other files are left alone.
+// Removes the files of an earlier run that this run may not write again: its film, summary, state,
+// tables of searches and frames. Other files are left alone.
 void remove_earlier_results(const RunFolder& folder);
 
 // Writes beside `path`, then renames: the file is the old one or the new one, never a half. Throws

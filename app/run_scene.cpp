@@ -10,6 +10,7 @@
 #include "app/sample_times.h"
 #include "app/scenario_json.h"
 #include "app/scene_file.h"
+#include "app/search_results.h"
 #include "app/series.h"
 #include "core/errors.h"
 
@@ -62,6 +63,7 @@ class Run {
     result.end.wall_seconds = seconds_since(began_);
     try {
       write_state();
+      write_search_tables(folder_, protocol_.state());
       const Json values =
           summary(scenario_, protocol_.world(), protocol_.state(), recorder_.last(), result.end);
       write_whole(folder_.summary(), values.dump(2) + "\n");

@@ -24,12 +24,15 @@ struct Interval {
   const Scenario& scenario;
 
   double operator()(const DepositPhase& phase) const {
-    return static_cast<double>(estimated_grains(scenario, phase)) * phase.interval / kSamples;
+    const double interval = phase.adiabatic ? phase.adiabatic->max_interval : phase.interval;
+    return static_cast<double>(estimated_grains(scenario, phase)) * interval / kSamples;
   }
   double operator()(const SettlePhase& phase) const {
     return phase.until_rest ? until_rest(phase.max_time) : phase.max_time / kSamples;
   }
   double operator()(const PushPhase& phase) const { return until_rest(phase.max_time); }
+  double operator()(const PullPhase& phase) const { return until_rest(phase.trials.max_time); }
+  double operator()(const ShearPhase& phase) const { return phase.trials.max_time; }
 
   double until_rest(double max_time) const {
     const double fall = fall_time(scenario) / kSamplesPerFall;

@@ -12,7 +12,9 @@ namespace quicksand {
 // Time between samples of a phase [sqrt(d/g)]: `every` if given, else the phase's sample_every, else
 // 1/100 of what a phase takes: of the grains times their interval for a deposit, of max_time for a
 // settle that is not ended by rest or a scene without gravity, and 1/10 of the free fall through the
-// box for what ends at rest (the collapse itself takes about ten of those).
+// box for what ends at rest (the collapse itself takes about ten of those). An adiabatic deposit counts
+// with its longest interval, a pull with the max_time of a trial, and a shear, whose trials are many, has
+// at most one sample a trial.
 double sample_interval(const Scenario& scenario, const Phase& phase, std::optional<double> every);
 
 // Number of grains that a deposit phase brings, from its number or height. An estimate in the latter

@@ -48,6 +48,17 @@ void require_same_box(const Scenario& scenario, const World& state) {
                        " d), other sides or another floor than the scene that starts from it");
 }
 
+// validate() could not know what the state holds.
+void require_intruder(const Scenario& scenario, const World& state) {
+  if (state.intruder() >= 0) return;
+  for (std::size_t k = 0; k < scenario.phases.size(); ++k) {
+    if (std::holds_alternative<PushPhase>(scenario.phases[k].kind)) return;
+    if (!std::holds_alternative<PullPhase>(scenario.phases[k].kind)) continue;
+    throw InputError(scenario.start_from,
+                     "has no intruder, which phases[" + std::to_string(k) + "], a pull, needs");
+  }
+}
+
 }  // namespace
 
 std::string read_scene_text(const fs::path& file) {
@@ -91,6 +102,7 @@ World start_world(const Scenario& scenario) {
   if (scenario.start_from.empty()) return world;
   World state = read_checkpoint(scenario.start_from).world;
   require_same_box(scenario, state);
+  require_intruder(scenario, state);
   world.disks = std::move(state.disks);
   world.walls = std::move(state.walls);
   world.bonds = std::move(state.bonds);

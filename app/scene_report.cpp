@@ -60,7 +60,12 @@ struct PhaseText {
                 ? "about " + grains + " grains, up to a height of " + number(p.height) + " d"
                 : grains + " grains") +
            (p.interval > 0 ? ", one every " + number(p.interval) + " sqrt(d/g)"
-                           : std::string(", all at once, sticking where they touch"));
+                           : std::string(", all at once, sticking where they touch")) +
+           (p.adiabatic ? "; whole samples, the interval times " + number(p.adiabatic->factor) +
+                              " each, until the volume fraction changes by less than " +
+                              number(p.adiabatic->tolerance) + " or the interval would pass " +
+                              number(p.adiabatic->max_interval) + " sqrt(d/g)"
+                        : std::string());
   }
   std::string operator()(const SettlePhase& p) const {
     return (p.until_rest ? rest(p.rest_speed, p.rest_time, p.max_time)
@@ -75,6 +80,25 @@ struct PhaseText {
            rest(p.rest_speed, p.rest_time, p.max_time) + bonding(p.bonding);
   }
 
+  std::string operator()(const PullPhase& p) const {
+    return "smallest upward force that " +
+           (p.distance ? "lifts the intruder by " + number(*p.distance) + " d"
+                       : std::string("takes the intruder out of the packing")) +
+           "; " + trials(p.trials);
+  }
+  std::string operator()(const ShearPhase& p) const {
+    std::string depths;
+    for (const double depth : p.depths) depths += (depths.empty() ? "" : ", ") + number(depth);
+    return "smallest force along x that moves a grain by " + number(p.distance) + " d, " +
+           std::to_string(p.grains_per_depth) + " grains each at depths of " + depths + " d; " +
+           trials(p.trials);
+  }
+
+  static std::string trials(const SearchTrials& t) {
+    return "trials from one state, first with " + number(t.first_force) +
+           " F_g, until the interval is " + number(t.tolerance) + " of its upper end; each " +
+           rest(t.rest_speed, t.rest_time, t.max_time);
+  }
   static std::string rest(double speed, double time, double most) {
     return "until nothing is faster than " + number(speed) + " sqrt(g d) for " + number(time) +
            " sqrt(d/g), at most " + number(most) + " sqrt(d/g)";

@@ -4,6 +4,7 @@
 #include <cinttypes>
 #include <cstdio>
 
+#include "app/search_results.h"
 #include "app/si_scale.h"
 
 namespace quicksand {
@@ -60,6 +61,7 @@ Json summary(const Scenario& scenario, const World& world, const ProtocolState& 
   json["halved_steps"] = state.halved_steps;
   json["bonds_broken_in_unconverged_steps"] = state.broken_in_unconverged;
   json["bond_breaks_withheld"] = state.breaks_withheld;
+  json.update(search_results(scenario, state));
   json["model_terms"] = model_terms(scenario);
   json["world_hash"] = world_hash_text(world);
   if (scenario.physical) json["units_in_si"] = si_units(*scenario.physical);

@@ -2,13 +2,14 @@
 
 #include <bit>
 #include <cstdio>
-#include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <system_error>
 
+#include "core/checkpoint_archive.h"
 #include "core/checkpoint_check.h"
+#include "core/checkpoint_search.h"
 #include "core/errors.h"
 
 namespace quicksand {
@@ -16,88 +17,13 @@ namespace quicksand {
 namespace {
 
 using Json = nlohmann::json;
+using Writer = CheckpointWriter;
+using Reader = CheckpointReader;
 static_assert(std::endian::native == std::endian::little, "arrays are stored little-endian");
 
 constexpr const char* kFormat = "quicksand checkpoint";
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{4} << 30U;  // [bytes]
-
-// One description of the format for both directions: archive(object, field...) either writes the
-// fields or reads them.
-class Writer {
- public:
-  explicit Writer(Json& json) : json_(json) {}
-
-  template <class T>
-  void value(const char* key, const T& x) {
-    json_[key] = x;
-  }
-  template <class E>
-  void word(const char* key, const E& x) {
-    json_[key] = static_cast<int>(x);
-  }
-  // Plain arrays of doubles, Vec2, Vec3 or one-byte values, as raw bytes.
-  template <class T>
-  void array(const char* key, const std::vector<T>& items) {
-    std::vector<std::uint8_t> bytes(items.size() * sizeof(T));
-    if (!bytes.empty())
-      std::memcpy(bytes.data(), static_cast<const void*>(items.data()), bytes.size());
-    json_[key] = Json::binary(std::move(bytes));
-  }
-  template <class F>
-  void object(const char* key, F describe) {
-    Json inner = Json::object();
-    Writer writer(inner);
-    describe(writer);
-    json_[key] = std::move(inner);
-  }
-  template <class T>
-  void optional(const char* key, const std::optional<T>& x) {
-    json_[key] = x ? Json(*x) : Json(nullptr);
-  }
-
- private:
-  Json& json_;
-};
-
-class Reader {
- public:
-  explicit Reader(const Json& json) : json_(json) {}
-
-  template <class T>
-  void value(const char* key, T& x) {
-    json_.at(key).get_to(x);
-  }
-  template <class E>
-  void word(const char* key, E& x) {
-    const int number = json_.at(key).get<int>();
-    x = static_cast<E>(number);
-    if (static_cast<int>(x) != number)
-      throw std::runtime_error(std::string(key) + " is no such word");
-  }
-  template <class T>
-  void array(const char* key, std::vector<T>& items) {
-    const auto& bytes = json_.at(key).get_binary();
-    if (bytes.size() % sizeof(T) != 0) throw std::runtime_error(std::string(key) + " is cut short");
-    items.resize(bytes.size() / sizeof(T));
-    if (!bytes.empty()) std::memcpy(static_cast<void*>(items.data()), bytes.data(), bytes.size());
-  }
-  template <class F>
-  void object(const char* key, F describe) {
-    Reader reader(json_.at(key));
-    describe(reader);
-  }
-  template <class T>
-  void optional(const char* key, std::optional<T>& x) {
-    if (json_.at(key).is_null())
-      x.reset();
-    else
-      x = json_.at(key).get<T>();
-  }
-
- private:
-  const Json& json_;
-};
 
 template <class Archive, class Law>
 void describe_law(Archive& archive, Law& law) {
@@ -192,39 +118,44 @@ void describe_protocol(Archive& archive, State& state) {
   archive.value("iterations", state.iterations);
   archive.value("factorisations", state.factorisations);
   archive.value("worst_residual", state.worst_residual);
+  archive.value("trial_start", state.trial_start);
+}
+
+void write_world(Writer& w, const World& world) {
+  describe_world(w, world);
+  const std::vector<double> gravity =
+      world.gravity ? std::vector<double>{world.gravity->x(), world.gravity->y()}
+                    : std::vector<double>{};
+  w.array("gravity", gravity);
+  Columns bonds, contacts, walls;
+  for (const Bond& bond : world.bonds.list) {
+    bonds.a.push_back(bond.pair.a), bonds.b.push_back(bond.pair.b);
+    bonds.state.push_back(static_cast<std::uint8_t>(bond.state));
+    bonds.initial.push_back(bond.initial ? 1 : 0);
+  }
+  for (const Contact& contact : world.contacts) {
+    contacts.a.push_back(contact.pair.a), contacts.b.push_back(contact.pair.b);
+    contacts.normal.push_back(contact.normal), contacts.gap.push_back(contact.gap);
+    contacts.impulse.push_back(contact.impulse), contacts.cohesion.push_back(contact.cohesion);
+  }
+  for (const Wall& wall : world.walls) {
+    walls.point.push_back(wall.point), walls.normal.push_back(wall.normal);
+    walls.velocity.push_back(wall.velocity), walls.mass.push_back(wall.mass);
+    walls.force.push_back(wall.force), walls.role.push_back(static_cast<std::uint8_t>(wall.role));
+  }
+  w.object("bonds", [&](Writer& a) { describe_bonds(a, bonds); });
+  w.object("contacts", [&](Writer& a) { describe_contacts(a, contacts); });
+  w.object("walls", [&](Writer& a) { describe_walls(a, walls); });
 }
 
 Json to_json(const Checkpoint& checkpoint) {
   Json json = {{"format", kFormat}, {"version", kVersion}, {"scene", checkpoint.scene}};
   Writer writer(json);
-  const World& world = checkpoint.world;
-  writer.object("world", [&](Writer& w) {
-    describe_world(w, world);
-    const std::vector<double> gravity =
-        world.gravity ? std::vector<double>{world.gravity->x(), world.gravity->y()}
-                      : std::vector<double>{};
-    w.array("gravity", gravity);
-    Columns bonds, contacts, walls;
-    for (const Bond& bond : world.bonds.list) {
-      bonds.a.push_back(bond.pair.a), bonds.b.push_back(bond.pair.b);
-      bonds.state.push_back(static_cast<std::uint8_t>(bond.state));
-      bonds.initial.push_back(bond.initial ? 1 : 0);
-    }
-    for (const Contact& contact : world.contacts) {
-      contacts.a.push_back(contact.pair.a), contacts.b.push_back(contact.pair.b);
-      contacts.normal.push_back(contact.normal), contacts.gap.push_back(contact.gap);
-      contacts.impulse.push_back(contact.impulse), contacts.cohesion.push_back(contact.cohesion);
-    }
-    for (const Wall& wall : world.walls) {
-      walls.point.push_back(wall.point), walls.normal.push_back(wall.normal);
-      walls.velocity.push_back(wall.velocity), walls.mass.push_back(wall.mass);
-      walls.force.push_back(wall.force), walls.role.push_back(static_cast<std::uint8_t>(wall.role));
-    }
-    w.object("bonds", [&](Writer& a) { describe_bonds(a, bonds); });
-    w.object("contacts", [&](Writer& a) { describe_contacts(a, contacts); });
-    w.object("walls", [&](Writer& a) { describe_walls(a, walls); });
-  });
+  writer.object("world", [&](Writer& w) { write_world(w, checkpoint.world); });
   writer.object("protocol", [&](Writer& w) { describe_protocol(w, checkpoint.protocol); });
+  writer.object("search", [&](Writer& w) { write_search(w, checkpoint.protocol); });
+  if (const auto& base = checkpoint.protocol.search.base)
+    writer.object("base", [&](Writer& w) { write_world(w, *base); });
   return json;
 }
 
@@ -345,6 +276,10 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
     checkpoint.world = world_from(json.at("world"));
     Reader reader(json.at("protocol"));
     describe_protocol(reader, checkpoint.protocol);
+    Reader searches(json.at("search"));
+    read_search(searches, checkpoint.protocol);
+    if (json.contains("base"))
+      checkpoint.protocol.search.base = std::make_shared<const World>(world_from(json.at("base")));
     if (const char* problem = impossible(checkpoint)) throw std::runtime_error(problem);
     return checkpoint;
   } catch (const std::exception& problem) {

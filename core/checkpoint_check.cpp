@@ -47,6 +47,31 @@ bool possible(const Contact& contact) {
          finite(contact.gap, contact.cohesion);
 }
 
+// A search has its base, and its targets are bodies of it.
+bool possible(const Search& search) {
+  const ForceBracket& bracket = search.bracket;
+  if (search.kind > SearchKind::adiabatic || (search.kind != SearchKind::none) != !!search.base)
+    return false;
+  if (!positive(bracket.first) || !not_negative(bracket.low) || bracket.trials < 0 ||
+      !positive(bracket.high.value_or(1)) || !not_negative(search.interval) ||
+      !not_negative(search.force))
+    return false;
+  return std::ranges::all_of(search.targets, [&](const SearchTarget& target) {
+    return target.body >= 0 && search.base && target.body < search.base->disks.size() &&
+           finite(target.depth, target.weight_above);
+  });
+}
+
+bool possible(const CriticalForce& found) {
+  return found.phase >= 0 && found.kind <= SearchKind::adiabatic && found.position.allFinite() &&
+         finite(found.depth, found.weight_above, found.force_low, found.force_high.value_or(0));
+}
+
+bool possible(const AdiabaticDeposit& sample) {
+  return finite(sample.interval, sample.volume_fraction, sample.coordination,
+                sample.change.value_or(0));
+}
+
 template <class Item>
 bool all_possible(const std::vector<Item>& items) {
   return std::ranges::all_of(items, [](const Item& item) { return possible(item); });
@@ -65,11 +90,7 @@ bool pairs_in_order(const World& world, const std::vector<Item>& items) {
   return true;
 }
 
-}  // namespace
-
-const char* impossible(const Checkpoint& checkpoint) {
-  const World& world = checkpoint.world;
-  const ProtocolState& protocol = checkpoint.protocol;
+const char* impossible(const World& world) {
   if (world.box.sides > Sides::walls || !not_negative(world.box.width) ||
       !finite(world.box.height) || (world.box.sides != Sides::open && world.box.width == 0))
     return "no such box";
@@ -83,8 +104,22 @@ const char* impossible(const Checkpoint& checkpoint) {
   if (!all_possible(world.contacts) || !pairs_in_order(world, world.contacts))
     return "the contacts are not those of these bodies";
   if (!finite(world.time) || !not_negative(world.impulse_dt)) return "a time is not a number";
-  if (protocol.phase < 0 || !finite(protocol.phase_start, protocol.next_drop, protocol.rest_since))
+  return nullptr;
+}
+
+}  // namespace
+
+const char* impossible(const Checkpoint& checkpoint) {
+  if (const char* problem = impossible(checkpoint.world)) return problem;
+  const ProtocolState& protocol = checkpoint.protocol;
+  if (protocol.search.base)
+    if (const char* problem = impossible(*protocol.search.base)) return problem;
+  if (protocol.phase < 0 ||
+      !finite(protocol.phase_start, protocol.next_drop, protocol.rest_since, protocol.trial_start))
     return "the protocol stands nowhere";
+  if (!possible(protocol.search)) return "no such search";
+  if (!all_possible(protocol.critical_forces) || !all_possible(protocol.adiabatic_deposits))
+    return "a number that a search found is not possible";
   return nullptr;
 }
 

@@ -7,11 +7,24 @@
 
 namespace quicksand {
 
-void Protocol::enter(const DepositPhase&) {
+void Protocol::enter(const DepositPhase& phase) {
   world_.bonding = true;
+  if (phase.adiabatic) {
+    begin_search(SearchKind::adiabatic);
+    state_.search.interval = phase.interval;
+  }
+  begin_sample(phase);
+}
+
+void Protocol::begin_sample(const DepositPhase& phase) {
+  if (phase.adiabatic) begin_trial();
   state_.dropped = 0;
   state_.full = false;
   state_.next_drop = world_.time;
+}
+
+double Protocol::interval(const DepositPhase& phase) const {
+  return phase.adiabatic ? state_.search.interval : phase.interval;
 }
 
 // Drops one grain at a random place; false if there is no place left below the height.
@@ -38,21 +51,25 @@ bool Protocol::drop_grain(const DepositPhase& phase) {
 }
 
 void Protocol::before_step(const DepositPhase& phase) {
+  if (phase.adiabatic && !state_.search.trial_runs) begin_sample(phase);
   while (!state_.full && (phase.grains == 0 || state_.dropped < phase.grains) &&
          due(state_.next_drop)) {
     state_.full = !drop_grain(phase);
-    state_.next_drop += phase.interval;
+    state_.next_drop += interval(phase);
   }
 }
 
-bool Protocol::is_over(const DepositPhase& phase) const {
+bool Protocol::is_over(const DepositPhase& phase) {
   const bool all = state_.full || (phase.grains > 0 && state_.dropped >= phase.grains);
-  return all && due(state_.next_drop);
+  if (!all || !due(state_.next_drop)) return false;
+  return !phase.adiabatic || adiabatic_is_over(*phase.adiabatic);
 }
 
 double Protocol::progress(const DepositPhase& phase) const {
-  return phase.grains > 0 ? static_cast<double>(state_.dropped) / static_cast<double>(phase.grains)
-                          : packing_top(world_) / phase.height;
+  const double of_sample =
+      phase.grains > 0 ? static_cast<double>(state_.dropped) / static_cast<double>(phase.grains)
+                       : packing_top(world_) / phase.height;
+  return phase.adiabatic ? adiabatic_progress(phase, std::min(1.0, of_sample)) : of_sample;
 }
 
 }  // namespace quicksand

@@ -12,10 +12,15 @@ bool Protocol::due(double moment) const {
   return world_.time >= moment - 1e-9 * std::max(1.0, moment);
 }
 
-bool Protocol::lasted(double duration) const { return due(state_.phase_start + duration); }
+bool Protocol::lasted(double duration) const { return due(state_.trial_start + duration); }
 
 Protocol::Protocol(const Scenario& scenario, World world, const ProtocolState& state)
-    : scenario_(scenario), world_(std::move(world)), state_(state) {}
+    : scenario_(scenario), world_(std::move(world)), state_(state) {
+  const Phase* now = phase();
+  if (!now || !state_.entered || search_kind(*now) == state_.search.kind) return;
+  if (state_.search.base) return_to_base();
+  state_.entered = false;
+}
 
 const Phase* Protocol::phase() const {
   const auto index = static_cast<std::size_t>(state_.phase);
@@ -27,8 +32,9 @@ Progress Protocol::advance() {
   if (!now) return Progress::finished;
   if (!state_.entered) {
     state_.entered = true;
-    state_.phase_start = world_.time;
+    state_.phase_start = state_.trial_start = world_.time;
     state_.rest_since = -1;
+    state_.search = {};
     std::visit([&](const auto& kind) { enter(kind); }, now->kind);
   }
   std::visit([&](const auto& kind) { before_step(kind); }, now->kind);
@@ -42,6 +48,7 @@ Progress Protocol::advance() {
 
 Progress Protocol::end_phase() {
   ++state_.phase;
+  state_.search = {};
   state_.entered = false;
   return Progress::phase_ended;
 }
@@ -90,8 +97,8 @@ bool Protocol::at_rest(double speed, double duration) {
     return v.head<2>().squaredNorm() <= speed * speed;
   });
   if (!slow) state_.rest_since = -1;
-  // Nothing has moved yet before the first step of a phase.
-  else if (state_.rest_since < 0 && world_.time > state_.phase_start)
+  // Nothing has moved yet before the first step of a phase or trial.
+  else if (state_.rest_since < 0 && world_.time > state_.trial_start)
     state_.rest_since = world_.time;
   return state_.rest_since >= 0 && due(state_.rest_since + duration);
 }

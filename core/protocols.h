@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/scenario.h"
+#include "core/search.h"
 #include "core/step.h"
 #include "core/world.h"
 
@@ -14,10 +15,12 @@ struct ProtocolState {
   int phase = 0;             // index of the present phase; number of phases when finished
   bool entered = false;      // whether the present phase has been set up
   double phase_start = 0;    // world time at its beginning [sqrt(d/g)]
+  double trial_start = 0;    // ... at the beginning of its present trial, if it is a search
   double next_drop = 0;      // deposit: time of the next grain [sqrt(d/g)]
   std::int64_t dropped = 0;  // deposit: grains so far in this phase
   bool full = false;         // deposit: no place is left below the height
-  double rest_since = -1;    // settle, push: at rest since then; negative: not at rest
+  double rest_since = -1;    // at rest since then; negative: not at rest
+  Search search;             // pull, shear, adiabatic deposit
   // Counted over the whole run.
   std::int64_t unconverged_steps = 0;  // taken although they did not converge
   std::int64_t halved_steps = 0;       // not taken but tried again as two halves
@@ -26,6 +29,9 @@ struct ProtocolState {
   std::int64_t iterations = 0;
   std::int64_t factorisations = 0;
   double worst_residual = 0;  // Residual::natural
+  // Found over the whole run.
+  std::vector<CriticalForce> critical_forces;
+  std::vector<AdiabaticDeposit> adiabatic_deposits;
 };
 
 enum class Progress : std::uint8_t {
@@ -38,7 +44,8 @@ enum class Progress : std::uint8_t {
 class Protocol {
  public:
   // Starts on `world` (from make_world, or from a checkpoint whose protocol is not continued), or
-  // continues where `state` stands.
+  // continues where `state` stands. A phase that is another kind of search than when it was entered is
+  // entered anew, from the base of the old search.
   Protocol(const Scenario& scenario, World world, const ProtocolState& state = {});
 
   // At most one time step.
@@ -58,9 +65,13 @@ class Protocol {
   // step, whether it is over, and how much of it is done, as far as it can be known.
   void enter(const DepositPhase& phase);
   void before_step(const DepositPhase& phase);
-  bool is_over(const DepositPhase& phase) const;
+  bool is_over(const DepositPhase& phase);
   double progress(const DepositPhase& phase) const;
+  void begin_sample(const DepositPhase& phase);
+  double interval(const DepositPhase& phase) const;
   bool drop_grain(const DepositPhase& phase);
+  bool adiabatic_is_over(const Adiabatic& adiabatic);
+  double adiabatic_progress(const DepositPhase& phase, double of_sample) const;
 
   void enter(const SettlePhase& phase);
   void before_step(const SettlePhase&) {}
@@ -72,8 +83,29 @@ class Protocol {
   bool is_over(const PushPhase& phase);
   double progress(const PushPhase& phase) const;
 
+  void enter(const PullPhase& phase);
+  void before_step(const PullPhase& phase);
+  bool is_over(const PullPhase& phase);
+  double progress(const PullPhase& phase) const;
+
+  void enter(const ShearPhase& phase);
+  void before_step(const ShearPhase& phase);
+  bool is_over(const ShearPhase& phase);
+  double progress(const ShearPhase& phase) const;
+
+  // Searches, see search.h.
+  void begin_search(SearchKind kind);
+  void return_to_base();
+  void begin_trial();
+  // Begins the next trial if none runs, with its force on the present target.
+  void begin_force_trial(const Vec2& direction);
+  // Ends the trial if it has an outcome (`moved`, or held); true if nothing is left to search.
+  bool search_is_over(const SearchTrials& trials, bool moved);
+  void finish_target();
+  double search_progress(const SearchTrials& trials) const;
+
   bool due(double moment) const;       // whether the world's time has reached it
-  bool lasted(double duration) const;  // whether the present phase has
+  bool lasted(double duration) const;  // whether the present phase has, or its trial
   // Whether all bodies have been slower than `speed` for `duration`.
   bool at_rest(double speed, double duration);
   bool make_step(const Phase& phase);

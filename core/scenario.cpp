@@ -14,6 +14,8 @@ std::string_view phase_name(const Phase& phase) {
     std::string_view operator()(const DepositPhase&) const { return "deposit"; }
     std::string_view operator()(const SettlePhase&) const { return "settle"; }
     std::string_view operator()(const PushPhase&) const { return "push"; }
+    std::string_view operator()(const PullPhase&) const { return "pull"; }
+    std::string_view operator()(const ShearPhase&) const { return "shear"; }
   };
   return std::visit(Name{}, phase.kind);
 }
@@ -79,11 +81,23 @@ void check_push(const Scenario& scenario, const PushPhase& push, const std::stri
                                        number(least) + " to " + number(most) + " d");
 }
 
+void check_pull(const Scenario& scenario, std::size_t phase, const std::string& where) {
+  const auto pushes = [](const Phase& p) { return std::holds_alternative<PushPhase>(p.kind); };
+  const auto before = scenario.phases.begin() + static_cast<std::ptrdiff_t>(phase);
+  if (std::any_of(scenario.phases.begin(), before, pushes) || !scenario.start_from.empty() ||
+      std::ranges::find(scenario.disks, Role::intruder, &Disk::role) != scenario.disks.end())
+    return;
+  throw InputError(where,
+                   "a pull needs an intruder: a push before it, a body whose role is intruder, or "
+                   "start_from with a state that has one");
+}
+
 void check_phases(const Scenario& scenario) {
   for (std::size_t k = 0; k < scenario.phases.size(); ++k) {
     const std::string where = "phases[" + std::to_string(k) + "]";
     if (const auto* push = std::get_if<PushPhase>(&scenario.phases[k].kind))
       check_push(scenario, *push, where);
+    if (std::holds_alternative<PullPhase>(scenario.phases[k].kind)) check_pull(scenario, k, where);
     const auto* deposit = std::get_if<DepositPhase>(&scenario.phases[k].kind);
     if (!deposit) continue;
     if (!scenario.box.floor || scenario.box.sides == Sides::open)

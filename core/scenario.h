@@ -56,12 +56,22 @@ struct StepSettings {
   bool operator==(const StepSettings&) const = default;
 };
 
+// Whole samples are deposited, each at an interval longer by the factor, until the volume fraction
+// changes by less than the tolerance; the last one stays.
+struct Adiabatic {
+  double tolerance = 1e-3;  // relative change of the volume fraction [1]
+  double factor = 2;        // from one interval to the next [1]
+  double max_interval = 1;  // no longer interval is tried [sqrt(d/g)]
+  bool operator==(const Adiabatic&) const = default;
+};
+
 // Ballistic deposition: grains fall straight down at random places and stick where they touch.
 struct DepositPhase {
   std::int64_t grains = 0;   // number of grains; 0: until the height is reached
   double height = 0;         // top of the packing that ends the phase [d]; 0: by number only
   double interval = 1e-2;    // time between grains [sqrt(d/g)]; 0: all at once, no dynamics
   double drop_velocity = 0;  // downward, at the place of first contact [sqrt(g d)]
+  std::optional<Adiabatic> adiabatic = {};  // engaged: `interval` is the first one
   bool operator==(const DepositPhase&) const = default;
 };
 
@@ -88,13 +98,41 @@ struct PushPhase {
   bool operator==(const PushPhase&) const = default;
 };
 
+// How a critical force is sought: by trials from one stored state (search.h), with forces chosen by
+// force_bracket.h. No bonds form in them. Accelerations below rest_speed/rest_time pass for rest.
+struct SearchTrials {
+  double first_force = 0;   // of the first trial, above 0 [F_g]
+  double tolerance = 0.02;  // width of the interval over its upper end [1]
+  double rest_speed =
+      1e-3;                // a trial ends as held when no body is faster than this ... [sqrt(g d)]
+  double rest_time = 0.5;  // ... for this long [sqrt(d/g)]
+  double max_time = 100;   // ends a trial undecided; counts as held [sqrt(d/g)]
+  bool operator==(const SearchTrials&) const = default;
+};
+
+// The smallest upward force that takes the intruder out. It replaces the force on the intruder.
+struct PullPhase {
+  SearchTrials trials;
+  std::optional<double> distance = {};  // rise that counts as out; absent: above the packing [d]
+  bool operator==(const PullPhase&) const = default;
+};
+
+// The smallest force along +x, on one grain, that moves it; on grains drawn at several depths.
+struct ShearPhase {
+  SearchTrials trials{.tolerance = 0.05};
+  std::vector<double> depths = {};     // below the top of the packing [d]
+  std::int64_t grains_per_depth = 10;  // all that are there if these are fewer
+  double distance = 20;                // along x, that counts as moved [d]
+  bool operator==(const ShearPhase&) const = default;
+};
+
 struct Phase {
-  std::variant<DepositPhase, SettlePhase, PushPhase> kind;
+  std::variant<DepositPhase, SettlePhase, PushPhase, PullPhase, ShearPhase> kind;
   std::optional<double> dt;            // overrides StepSettings::dt [sqrt(d/g)]
   std::optional<double> sample_every;  // time between samples and frames [sqrt(d/g)]
   bool operator==(const Phase&) const = default;
 };
-std::string_view phase_name(const Phase& phase);  // "deposit", "settle", "push"
+std::string_view phase_name(const Phase& phase);  // "deposit", "settle", ...
 
 enum class InitialBonds : std::uint8_t { none, touching };
 

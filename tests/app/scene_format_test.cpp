@@ -65,6 +65,28 @@ TEST(SceneFormat, ForcesMayBeGivenOverTheCohesionForce) {
   EXPECT_EQ(std::get<PushPhase>(scene.phases[0].kind).force, 0.33 * 1e4);
 }
 
+TEST(SceneFormat, SearchesReadBackTheSame) {
+  const Scenario scene = scenario(R"({"box": {"width": 9}, "contact": {"cohesion_force": 200},
+    "gravity": {}, "phases": [
+    {"type": "deposit", "grains": 5, "interval": 0.01,
+     "adiabatic": {"tolerance": 0.01, "factor": 4, "max_interval": 0.5}},
+    {"type": "pull", "first_force_over_cohesion": 0.5, "tolerance": 0.1, "rest_speed": 0.01,
+     "rest_time": 0.25, "max_time": 7, "distance": 3},
+    {"type": "shear", "depths": [1, 2.5], "grains_per_depth": 4, "distance": 12, "first_force": 8}]})");
+  const SearchTrials trials{
+      .first_force = 100, .tolerance = 0.1, .rest_speed = 0.01, .rest_time = 0.25, .max_time = 7};
+  EXPECT_EQ(std::get<PullPhase>(scene.phases[1].kind), (PullPhase{trials, 3.0}));
+  const auto& shear = std::get<ShearPhase>(scene.phases[2].kind);
+  EXPECT_EQ(shear.depths, (std::vector{1.0, 2.5}));
+  EXPECT_EQ(shear.grains_per_depth, 4);
+  EXPECT_EQ(shear.distance, 12);
+  EXPECT_EQ(shear.trials.first_force, 8);
+  EXPECT_EQ(shear.trials.tolerance, 0.05);
+  const auto& deposit = std::get<DepositPhase>(scene.phases[0].kind);
+  EXPECT_EQ(deposit.adiabatic, (Adiabatic{.tolerance = 0.01, .factor = 4, .max_interval = 0.5}));
+  EXPECT_EQ(scenario_from_json(to_json(scene)).phases, scene.phases);
+}
+
 TEST(SceneFormat, ARepeatedBodyIsARow) {
   const Scenario scene = scenario(R"({"box": {"width": 9, "sides": "open"}, "bodies": [
     {"position": [1, 2], "force": [3, 0], "torque": 4, "repeat": {"count": 3, "offset": [1, 0.5]}},

@@ -1,0 +1,32 @@
+// The smallest force that moves something, between two forces: one that did not and one that did.
+//
+// The first force is doubled until it moves or halved until it does not; then the middle is tried until
+// (high - low)/high <= tolerance. One change from holding to moving is assumed; if there are several,
+// the interval holds one of them.
+#pragma once
+
+#include <optional>
+
+namespace quicksand {
+
+struct ForceBracket {
+  // The first force is not doubled or halved more often than this.
+  static constexpr int kMostDoublings = 20;
+  // A tolerance that the numbers cannot resolve ends here.
+  static constexpr int kMostTrials = 100;
+
+  double first = 1;                 // force of the first trial, above 0 [F_g]
+  double low = 0;                   // greatest force that did not move it; 0: none was found [F_g]
+  std::optional<double> high = {};  // smallest force that did; empty: none was found [F_g]
+  int trials = 0;                   // outcomes recorded
+
+  // Force of the next trial [F_g].
+  double next() const;
+  // Outcome of the trial with that force.
+  void record(bool moved);
+  // Whether the interval is narrow enough [1], or the limits of the search are reached: then low is 0
+  // (everything moved down to first/2^20) or high is empty (nothing did up to first 2^20).
+  bool done(double tolerance) const;
+};
+
+}  // namespace quicksand
