@@ -16,6 +16,7 @@ struct Command {
 Command add_run(CLI::App& program);
 Command add_check(CLI::App& program);
 Command add_render(CLI::App& program);
+Command add_measure(CLI::App& program);
 Command add_list(CLI::App& program);
 
 }  // namespace quicksand

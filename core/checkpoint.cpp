@@ -19,7 +19,7 @@ using Json = nlohmann::json;
 static_assert(std::endian::native == std::endian::little, "arrays are stored little-endian");
 
 constexpr const char* kFormat = "quicksand checkpoint";
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{4} << 30U;  // [bytes]
 
 // One description of the format for both directions: archive(object, field...) either writes the
@@ -174,6 +174,8 @@ void describe_world(Archive& archive, World& world) {
   archive.value("time", world.time);
   archive.value("step", world.step);
   archive.value("random", world.random.state);
+  archive.array("way", world.way.places);
+  archive.value("way_surface", world.way.surface);
 }
 
 template <class Archive, class State>

@@ -82,6 +82,8 @@ const char* impossible(const Checkpoint& checkpoint) {
     return "the bonds are not those of these bodies";
   if (!all_possible(world.contacts) || !pairs_in_order(world, world.contacts))
     return "the contacts are not those of these bodies";
+  if (!all_finite(world.way.places) || !finite(world.way.surface))
+    return "the intruder's way is not one of numbers";
   if (!finite(world.time) || !not_negative(world.impulse_dt)) return "a time is not a number";
   if (protocol.phase < 0 || !finite(protocol.phase_start, protocol.next_drop, protocol.rest_since))
     return "the protocol stands nowhere";
