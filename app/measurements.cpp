@@ -165,7 +165,8 @@ Json to_json(const Measurements& m) {
                                                       {"help", known.help},
                                                       {"edges", known.histogram.edges},
                                                       {"counts", known.histogram.counts},
-                                                      {"beyond", known.histogram.beyond},
+                                                      {"below", known.histogram.below},
+                                                      {"above", known.histogram.above},
                                                       {"density", known.histogram.density()}};
   return json;
 }

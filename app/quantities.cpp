@@ -80,7 +80,7 @@ const Quantity kQuantities[] = {
        return or_none(r.sample.around_intruder.channel.remaining_bond_fraction);
      }},
     {"intact_grains", "1",
-     "number of grains farther from the intruder's way than 3 of its diameters",
+     "number of grains farther from the intruder's way than 6 of its diameters",
      [](const Row& r) { return of_intruder(r, r.sample.around_intruder.intact.grains); }},
     {"intact_coordination", "1",
      "mean number of touching neighbours of a grain in the intact region",

@@ -1,7 +1,6 @@
 #include "core/distributions.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -18,6 +17,7 @@ constexpr double kPi = std::numbers::pi;
 // No edge within the range is at 30, 45, 60, 90 or 120 degrees, where lattices have their angles and
 // touching grains the least one: rounding would spread those over two bins.
 constexpr int kAngleBins = 35;
+constexpr int kBinsPerDecade = 10;
 
 bool has_intruder(const World& world, Pair pair) {
   return world.disks.role[pair.a] == Role::intruder ||
@@ -54,7 +54,7 @@ std::vector<std::vector<double>> bond_directions(const World& world) {
 }  // namespace
 
 std::vector<double> Histogram::density() const {
-  const std::int64_t all = std::accumulate(counts.begin(), counts.end(), beyond);
+  const std::int64_t all = std::accumulate(counts.begin(), counts.end(), below + above);
   std::vector<double> density(counts.size(), 0.0);
   for (std::size_t k = 0; k < counts.size() && all > 0; ++k)
     density[k] =
@@ -62,18 +62,32 @@ std::vector<double> Histogram::density() const {
   return density;
 }
 
-Histogram histogram(std::span<const double> values, double low, double high, int bins) {
+std::vector<double> even_edges(double low, double high, int bins) {
+  std::vector<double> edges;
+  for (int k = 0; k <= bins; ++k) edges.push_back(low + (high - low) * k / bins);
+  return edges;
+}
+
+std::vector<double> decade_edges(int low, int high, int bins_per_decade) {
+  std::vector<double> edges;
+  for (int k = 0; k <= (high - low) * bins_per_decade; ++k)
+    edges.push_back(std::pow(10.0, low + static_cast<double>(k) / bins_per_decade));
+  return edges;
+}
+
+Histogram histogram(std::span<const double> values, std::vector<double> edges) {
   Histogram h;
-  for (int k = 0; k <= bins; ++k) h.edges.push_back(low + (high - low) * k / bins);
-  h.counts.assign(static_cast<std::size_t>(bins), 0);
+  h.edges = std::move(edges);
+  h.counts.assign(h.edges.size() - 1, 0);
   for (const double value : values) {
-    assert(value >= low);
-    if (value > high) {
-      ++h.beyond;
-      continue;
+    if (value < h.edges.front()) {
+      ++h.below;
+    } else if (value > h.edges.back()) {
+      ++h.above;
+    } else {
+      const auto next = std::ranges::upper_bound(h.edges, value) - h.edges.begin();
+      ++h.counts[std::min(static_cast<std::size_t>(next), h.counts.size()) - 1];
     }
-    const auto above = std::ranges::upper_bound(h.edges, value) - h.edges.begin();
-    ++h.counts[static_cast<std::size_t>(std::min<std::ptrdiff_t>(above, bins) - 1)];
   }
   return h;
 }
@@ -94,7 +108,7 @@ Histogram bond_angles(const World& world) {
     for (std::size_t k = 0; k + 1 < around.size(); ++k)
       if (const double apart = around[k + 1] - around[k]; apart <= kPi) angles.push_back(apart);
   }
-  return histogram(angles, 0, kPi, kAngleBins);
+  return histogram(angles, even_edges(0, kPi, kAngleBins));
 }
 
 Histogram contact_orientations(const World& world, std::span<const Pair> touching) {
@@ -104,12 +118,10 @@ Histogram contact_orientations(const World& world, std::span<const Pair> touchin
     const Vec2 s = world.separation(pair.a, pair.b);
     angles.push_back(std::atan2(std::abs(s.y()), std::abs(s.x())));
   }
-  return histogram(angles, 0, kPi / 2, kAngleBins);
+  return histogram(angles, even_edges(0, kPi / 2, kAngleBins));
 }
 
 Histogram contact_forces(const World& world) {
-  constexpr double kStrongest = 10;
-  constexpr int kBins = 100;
   std::vector<double> forces =
       normal_forces(world, [](const Contact&, double force) -> std::optional<double> {
         if (force > 0) return force;
@@ -118,11 +130,10 @@ Histogram contact_forces(const World& world) {
   const double mean = std::accumulate(forces.begin(), forces.end(), 0.0) /
                       static_cast<double>(std::max<std::size_t>(1, forces.size()));
   for (double& force : forces) force /= mean;
-  return histogram(forces, 0, kStrongest, kBins);
+  return histogram(forces, decade_edges(-4, 2, kBinsPerDecade));
 }
 
 Histogram bond_tensions(const World& world) {
-  constexpr int kBins = 50;
   const std::vector<double> tensions =
       normal_forces(world, [&](const Contact& contact, double force) -> std::optional<double> {
         // A bond that broke in the step holds no more, and gave less than its cohesion force.
@@ -131,7 +142,7 @@ Histogram bond_tensions(const World& world) {
         if (held && force < 0) return -force / contact.cohesion;
         return {};
       });
-  return histogram(tensions, 0, 1, kBins);
+  return histogram(tensions, decade_edges(-7, 0, kBinsPerDecade));
 }
 
 std::vector<Slice> height_profile(const World& world, std::span<const Pair> touching,

@@ -11,20 +11,21 @@
 
 namespace quicksand {
 
-// Counts of values in bins of equal width: bin k holds edges[k] <= value < edges[k + 1], the last one
-// its upper edge too.
+// Counts of values in bins: bin k holds edges[k] <= value < edges[k + 1], the last one its upper edge too.
 struct Histogram {
-  std::vector<double> edges;         // (bins + 1) [unit of the values]
-  std::vector<std::int64_t> counts;  // (bins)
-  std::int64_t beyond = 0;           // values above the last edge, in no bin
+  std::vector<double> edges;          // (bins + 1), rising [unit of the values]
+  std::vector<std::int64_t> counts;   // (bins)
+  std::int64_t below = 0, above = 0;  // values outside the edges, in no bin
 
-  // Count over that of all values, those beyond included, and over the width of the bin (bins) [1 over
+  // Count over that of all values, those outside included, and over the width of the bin (bins) [1 over
   // the unit of the values]; zeros if there are no values.
   std::vector<double> density() const;
 };
 
-// `values` must not be below `low`.
-Histogram histogram(std::span<const double> values, double low, double high, int bins);
+std::vector<double> even_edges(double low, double high, int bins);
+// Of equal ratio, this many bins a factor of ten: 10^low to 10^high, for whole powers.
+std::vector<double> decade_edges(int low, int high, int bins_per_decade);
+Histogram histogram(std::span<const double> values, std::vector<double> edges);
 
 // Angles between active bonds of a grain that are neighbours around it, from 0 to pi [rad]. Walls and
 // the intruder count as bonded neighbours. Of two neighbours that are more than pi apart the angle is
@@ -36,11 +37,13 @@ Histogram bond_angles(const World& world);
 Histogram contact_orientations(const World& world, std::span<const Pair> touching);
 
 // Compressive normal forces in the contacts of grains with grains and walls in the last step, over their
-// mean, up to 10 [1]. The intruder is left out, whose driving force would set the mean.
+// mean, 1e-4 to 1e2, ten bins a factor of ten [1]. The intruder is left out, whose driving force would
+// set the mean.
 Histogram contact_forces(const World& world);
 
 // Tensile normal forces in active bonds of grains with grains and walls in the last step, over the
-// cohesion force, 0 to 1 [1].
+// cohesion force, 1e-7 to 1, ten bins a factor of ten [1]: the weights that bonds carry at rest are
+// small against what they hold.
 Histogram bond_tensions(const World& world);
 
 // One horizontal slice of the sample.

@@ -89,7 +89,10 @@ std::vector<double> distances_from_way(const World& world, double at_most) {
         nearest = nearer(stretch, p, nearest);
         continue;
       }
-      // All images that are near enough, since a stretch may be as long as a narrow box is wide.
+      // The image beside it bounds the distance; then all that are as near, since a stretch may be as
+      // long as a narrow box is wide.
+      const double beside = std::nearbyint((stretch.around.center().x() - p.x()) / width);
+      nearest = nearer(stretch, p + Vec2(beside * width, 0), nearest);
       const double first = std::ceil((stretch.around.min().x() - nearest - p.x()) / width);
       const double last = std::floor((stretch.around.max().x() + nearest - p.x()) / width);
       for (double k = first; k <= last; ++k)
