@@ -6,9 +6,7 @@
 #include "app/exit_code.h"
 #include "app/film.h"
 #include "app/picture_options.h"
-#include "app/scenario_json.h"
-#include "core/checkpoint.h"
-#include "core/errors.h"
+#include "app/state_file.h"
 #include "render/png.h"
 
 namespace quicksand {
@@ -23,21 +21,11 @@ struct Options {
 
 int render(const Options& options) {
   const View view = view_from(options.picture);
-  const Checkpoint checkpoint = read_checkpoint(options.state);
-  Scenario scenario;
-  try {
-    scenario = scenario_from_json(parse_json(checkpoint.scene));
-  } catch (const InputError& error) {
-    throw InputError(options.state.string(), "holds a scene that this version cannot read: " +
-                                                 error.where() + " " + error.what());
-  }
-  const auto phase = static_cast<std::size_t>(checkpoint.protocol.phase);
-  const std::string caption[] = {scenario.name,
-                                 phase < scenario.phases.size()
-                                     ? std::string(phase_name(scenario.phases[phase]))
-                                     : std::string("end")};
+  const StateFile state = read_state(options.state);
+  const std::string caption[] = {state.scenario.name, state.phase};
   Renderer renderer;
-  write_png(options.out, renderer.draw(checkpoint.world, view_of(scenario, view), caption));
+  write_png(options.out,
+            renderer.draw(state.checkpoint.world, view_of(state.scenario, view), caption));
   std::printf("%s\n", options.out.c_str());
   return kFine;
 }

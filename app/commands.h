@@ -18,6 +18,7 @@ Command add_check(CLI::App& program);
 Command add_render(CLI::App& program);
 Command add_report(CLI::App& program);
 Command add_campaign(CLI::App& program);
+Command add_measure(CLI::App& program);
 Command add_list(CLI::App& program);
 
 }  // namespace quicksand

@@ -11,6 +11,10 @@ Value of_intruder(const Row& row, double value) {
   return row.sample.has_intruder ? Value(value) : Value();
 }
 
+Value of_intruder(const Row& row, std::int64_t value) {
+  return row.sample.has_intruder ? Value(value) : Value();
+}
+
 // A trial is there only while a critical force is sought.
 Value of_trial(const Row& row, Value value) { return row.trial > 0 ? value : Value(); }
 
@@ -60,27 +64,58 @@ const Quantity kQuantities[] = {
      [](const Row& r) { return of_intruder(r, r.sample.intruder_velocity.x()); }},
     {"intruder_velocity_y", "sqrt(g d)", "of the intruder's centre, positive upward",
      [](const Row& r) { return of_intruder(r, r.sample.intruder_velocity.y()); }},
+    {"depth", "d", "of the intruder's lowest point below the packing's top when it was placed",
+     [](const Row& r) { return of_intruder(r, r.sample.depth); }},
+    {"weight_above_column", "1",
+     "weight of the grains straight above the intruder over that of all",
+     [](const Row& r) { return of_intruder(r, r.sample.weight_above.column); }},
+    {"weight_above_level", "1", "weight of all grains higher than the intruder over that of all",
+     [](const Row& r) { return of_intruder(r, r.sample.weight_above.level); }},
+    {"channel_grains", "1", "number of grains where the intruder has passed",
+     [](const Row& r) { return of_intruder(r, r.sample.around_intruder.channel.grains); }},
+    {"channel_coordination", "1", "mean number of touching neighbours of a grain in the channel",
+     [](const Row& r) { return or_none(r.sample.around_intruder.channel.coordination); }},
+    {"channel_active_bond_fraction", "1", "active bonds over touching contacts in the channel",
+     [](const Row& r) { return or_none(r.sample.around_intruder.channel.active_bond_fraction); }},
+    {"channel_remaining_bond_fraction", "1",
+     "active initial bonds over initial bonds in the channel",
+     [](const Row& r) {
+       return or_none(r.sample.around_intruder.channel.remaining_bond_fraction);
+     }},
+    {"intact_grains", "1",
+     "number of grains farther from the intruder's way than 6 of its diameters",
+     [](const Row& r) { return of_intruder(r, r.sample.around_intruder.intact.grains); }},
+    {"intact_coordination", "1",
+     "mean number of touching neighbours of a grain in the intact region",
+     [](const Row& r) { return or_none(r.sample.around_intruder.intact.coordination); }},
+    {"intact_active_bond_fraction", "1", "active bonds over touching contacts in the intact region",
+     [](const Row& r) { return or_none(r.sample.around_intruder.intact.active_bond_fraction); }},
+    {"intact_remaining_bond_fraction", "1",
+     "active initial bonds over initial bonds in the intact region",
+     [](const Row& r) { return or_none(r.sample.around_intruder.intact.remaining_bond_fraction); }},
     {"residual", "1", "worst residual of the solver since the last sample",
-     [](const Row& r) -> Value { return r.residual; }},
+     [](const Row& r) -> Value { return r.residual; }, true},
     {"gap_error", "1",
      "worst gap error of a loaded contact since the last sample, over its tolerance",
-     [](const Row& r) -> Value { return r.gap_error; }},
+     [](const Row& r) -> Value { return r.gap_error; }, true},
     {"velocity_change", "1",
      "worst change of velocity in a last iteration since the last sample, over the mean velocity",
-     [](const Row& r) -> Value { return r.velocity_change; }},
+     [](const Row& r) -> Value { return r.velocity_change; }, true},
     {"iterations", "1", "iterations of the solver since the last sample",
-     [](const Row& r) -> Value { return r.iterations; }},
+     [](const Row& r) -> Value { return r.iterations; }, true},
     {"factorisations", "1", "factorisations of the solver since the last sample",
-     [](const Row& r) -> Value { return r.factorisations; }},
+     [](const Row& r) -> Value { return r.factorisations; }, true},
     {"unconverged", "1", "steps since the last sample that did not converge",
-     [](const Row& r) -> Value { return r.unconverged; }},
+     [](const Row& r) -> Value { return r.unconverged; }, true},
     {"trial", "1", "number of the trial in this phase, from 1; pull and shear only",
-     [](const Row& r) { return of_trial(r, r.trial); }},
+     [](const Row& r) { return of_trial(r, r.trial); }, true},
     {"trial_force", "F_g", "force of the trial on its body",
-     [](const Row& r) { return of_trial(r, r.trial_force); }},
+     [](const Row& r) { return of_trial(r, r.trial_force); }, true},
 };
 
 }  // namespace
+
+Value or_none(const std::optional<double>& value) { return value ? Value(*value) : Value(); }
 
 std::span<const Quantity> quantities() { return kQuantities; }
 

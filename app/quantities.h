@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,12 +29,14 @@ struct Row {
 
 // monostate: there is no such value in this sample.
 using Value = std::variant<std::monostate, std::int64_t, double, std::string>;
+Value or_none(const std::optional<double>& value);
 
 struct Quantity {
   std::string_view name;
   std::string_view unit;  // "1" if none
   std::string_view help;
   Value (*get)(const Row& row);
+  bool of_steps = false;  // counted over the steps since the last sample: a state alone has none
 };
 
 std::span<const Quantity> quantities();

@@ -11,6 +11,15 @@ namespace quicksand {
 
 namespace {
 
+Json si_units(const PhysicalScale& physical) {
+  const SiScale si = si_scale(physical);
+  return {{"d [m]", si.length},       {"m [kg]", si.mass},
+          {"sqrt(d/g) [s]", si.time}, {"sqrt(g d) [m/s]", si.velocity},
+          {"F_g [N]", si.force},      {"F_g d [J]", si.energy}};
+}
+
+}  // namespace
+
 Json json_of(const Value& value) {
   struct ToJson {
     Json operator()(std::monostate) const { return nullptr; }
@@ -20,15 +29,6 @@ Json json_of(const Value& value) {
   };
   return std::visit(ToJson{}, value);
 }
-
-Json si_units(const PhysicalScale& physical) {
-  const SiScale si = si_scale(physical);
-  return {{"d [m]", si.length},       {"m [kg]", si.mass},
-          {"sqrt(d/g) [s]", si.time}, {"sqrt(g d) [m/s]", si.velocity},
-          {"F_g [N]", si.force},      {"F_g d [J]", si.energy}};
-}
-
-}  // namespace
 
 std::string world_hash_text(const World& world) {
   std::array<char, 32> text{};

@@ -19,6 +19,9 @@ struct RunEnd {
   double wall_seconds = 0;  // of this run, pictures included
 };
 
+// The value as JSON; null if there is none.
+Json json_of(const Value& value);
+
 std::string world_hash_text(const World& world);  // "0x" and 16 hexadecimal digits
 
 Json summary(const Scenario& scenario, const World& world, const ProtocolState& state,

@@ -100,6 +100,8 @@ void describe_world(Archive& archive, World& world) {
   archive.value("time", world.time);
   archive.value("step", world.step);
   archive.value("random", world.random.state);
+  archive.array("way", world.way.places);
+  archive.value("way_surface", world.way.surface);
 }
 
 template <class Archive, class State>

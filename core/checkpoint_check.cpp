@@ -103,6 +103,8 @@ const char* impossible(const World& world) {
     return "the bonds are not those of these bodies";
   if (!all_possible(world.contacts) || !pairs_in_order(world, world.contacts))
     return "the contacts are not those of these bodies";
+  if (!all_finite(world.way.places) || !finite(world.way.surface))
+    return "the intruder's way is not one of numbers";
   if (!finite(world.time) || !not_negative(world.impulse_dt)) return "a time is not a number";
   return nullptr;
 }

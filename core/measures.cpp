@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "core/neighbors.h"
 
@@ -23,7 +24,8 @@ double area_below(double radius, double y) {
   return radius * radius * (std::numbers::pi / 2 + std::asin(h) + h * std::sqrt(1 - h * h));
 }
 
-// Pairs that touch at the present positions, whether a step was made or not.
+}  // namespace
+
 std::vector<Pair> touching_pairs(const World& world) {
   const double widest = std::max({touching_gap(world.grain_law), touching_gap(world.wall_law),
                                   touching_gap(world.intruder_law)});
@@ -31,8 +33,6 @@ std::vector<Pair> touching_pairs(const World& world) {
   std::erase_if(pairs, [&](Pair p) { return world.gap(p) > touching_gap(world.law(p)); });
   return pairs;
 }
-
-}  // namespace
 
 Energies energies(const World& world) {
   Energies sum;
@@ -53,7 +53,7 @@ Vec2 momentum(const World& world) {
   return sum;
 }
 
-Neighbours neighbours(const World& world) {
+Neighbours neighbours(const World& world, std::span<const Pair> touching) {
   const auto nd = static_cast<std::size_t>(world.disks.size());
   Neighbours n;
   for (auto* counts : {&n.active, &n.broken, &n.initial, &n.initial_active, &n.touching, &n.loaded})
@@ -68,7 +68,7 @@ Neighbours neighbours(const World& world) {
     if (bond.initial) count(n.initial, bond.pair);
     if (bond.initial && active) count(n.initial_active, bond.pair);
   }
-  for (const Pair& pair : touching_pairs(world)) count(n.touching, pair);
+  for (const Pair& pair : touching) count(n.touching, pair);
   for (const Contact& contact : world.contacts) {
     // A bond may have broken, or been formed, at the end of the step that the contacts are of.
     const Bond* bond = world.bonds.find(contact.pair);
@@ -77,6 +77,8 @@ Neighbours neighbours(const World& world) {
   }
   return n;
 }
+
+Neighbours neighbours(const World& world) { return neighbours(world, touching_pairs(world)); }
 
 std::vector<double> contact_pressure(const World& world) {
   std::vector<double> pressure(static_cast<std::size_t>(world.disks.size()), 0.0);
@@ -121,7 +123,26 @@ double packing_top(const World& world) {
   return top;
 }
 
-Sample measure(const World& world) {
+WeightAbove weight_above_intruder(const World& world, const MeasureChoices& choices) {
+  const int intruder = world.intruder();
+  if (intruder < 0) return {};
+  const double radius = world.disks.radius[intruder];
+  const double begins = world.disks.position[intruder].y() + choices.above_begins * radius;
+  double all = 0;
+  WeightAbove above;
+  for (int i = 0; i < world.disks.size(); ++i) {
+    if (world.disks.role[i] != Role::grain) continue;
+    const double mass = world.disks.mass[i];
+    all += mass;
+    if (world.disks.position[i].y() <= begins) continue;
+    above.level += mass;
+    if (std::abs(world.separation(intruder, i).x()) <= radius) above.column += mass;
+  }
+  if (all == 0) return {};
+  return {above.column / all, above.level / all};
+}
+
+Sample measure(const World& world, const MeasureChoices& choices) {
   Sample s;
   s.time = world.time;
   s.step = world.step;
@@ -132,7 +153,8 @@ Sample measure(const World& world) {
   s.packing_top = packing_top(world);
   s.volume_fraction = volume_fraction(world, 0, 0.7 * s.packing_top);
 
-  const Neighbours n = neighbours(world);
+  const std::vector<Pair> touching = touching_pairs(world);
+  const Neighbours n = neighbours(world, touching);
   for (int i = 0; i < world.disks.size(); ++i) {
     if (world.disks.role[i] != Role::grain) continue;
     s.coordination += n.touching[static_cast<std::size_t>(i)];
@@ -149,7 +171,7 @@ Sample measure(const World& world) {
     ++s.bonds_active;
     initial_active += bond.initial ? 1 : 0;
   }
-  for (const Pair& pair : touching_pairs(world)) {
+  for (const Pair& pair : touching) {
     ++s.contacts;
     s.max_overlap = std::max(s.max_overlap, -world.gap(pair));
   }
@@ -164,6 +186,9 @@ Sample measure(const World& world) {
     s.has_intruder = true;
     s.intruder_position = world.disks.position[intruder];
     s.intruder_velocity = world.disks.velocity[intruder].head<2>();
+    s.depth = way_so_far(world).surface - (s.intruder_position.y() - world.disks.radius[intruder]);
+    s.weight_above = weight_above_intruder(world, choices);
+    s.around_intruder = around_intruder(world, touching, choices);
   }
   return s;
 }

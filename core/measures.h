@@ -1,9 +1,10 @@
 // What is measured on a world. Fractions and numbers are [1], lengths [d], energies [F_g d].
 #pragma once
 
-#include <string_view>
+#include <span>
 #include <vector>
 
+#include "core/regions.h"
 #include "core/world.h"
 
 namespace quicksand {
@@ -18,12 +19,18 @@ Energies energies(const World& world);
 // Total momentum (p_x, p_y) of the disks [m sqrt(g d)].
 Vec2 momentum(const World& world);
 
+// Pairs whose gap is at most the cohesion range of their law, or 5e-5 d without cohesion, at the present
+// positions, whether a step was made or not; sorted.
+std::vector<Pair> touching_pairs(const World& world);
+
 // Counts for each disk (nd): active bonds, broken bonds, initial bonds, touching contacts, loaded
 // contacts (positive normal impulse). Walls count as neighbours.
 struct Neighbours {
   std::vector<int> active, broken, initial, initial_active, touching, loaded;
 };
 Neighbours neighbours(const World& world);
+// The same, if touching_pairs(world) is known already.
+Neighbours neighbours(const World& world, std::span<const Pair> touching);
 
 // Mean contact force pressure on each disk: sum of compressive normal forces over the
 // circumference [F_g/d].
@@ -33,6 +40,13 @@ std::vector<double> contact_pressure(const World& world);
 double volume_fraction(const World& world, double y_low, double y_high);
 // Volume fraction in `bins` equal slices from 0 to `height`.
 std::vector<double> volume_fraction_profile(const World& world, double height, int bins);
+
+// Grains above the intruder, as a share of the weight of all grains [1]: straight above it, no farther
+// to a side than its radius, and all that are higher. Zero where there is no intruder.
+struct WeightAbove {
+  double column = 0, level = 0;
+};
+WeightAbove weight_above_intruder(const World& world, const MeasureChoices& choices);
 
 // Top of the grains (intruders left out) [d]; 0 if there are none.
 double packing_top(const World& world);
@@ -57,7 +71,10 @@ struct Sample {
   bool has_intruder = false;
   Vec2 intruder_position{0, 0};  // [d]
   Vec2 intruder_velocity{0, 0};  // [sqrt(g d)]
+  double depth = 0;  // of its lowest point below the packing's top when it was placed [d]
+  WeightAbove weight_above;
+  AroundIntruder around_intruder;
 };
-Sample measure(const World& world);
+Sample measure(const World& world, const MeasureChoices& choices = {});
 
 }  // namespace quicksand

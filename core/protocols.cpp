@@ -54,6 +54,7 @@ Progress Protocol::end_phase() {
 }
 
 bool Protocol::make_step(const Phase& phase) {
+  record_way(world_);
   StepSettings step = scenario_.step;
   step.dt = phase.dt.value_or(step.dt);
   if (!step.max_turn) return try_step(step, step.max_halvings);

@@ -10,6 +10,7 @@
 #include "core/contact_law.h"
 #include "core/contacts.h"
 #include "core/disks.h"
+#include "core/intruder_way.h"
 #include "core/random.h"
 #include "core/scenario.h"
 #include "core/walls.h"
@@ -29,6 +30,7 @@ struct World {
   double time = 0;                // [sqrt(d/g)]
   std::int64_t step = 0;
   Random random;
+  IntruderWay way;  // decides nothing of the future, so it is not in the hash
 
   const ContactLaw& law(Pair pair) const;
   // Centre of b seen from the centre of a, through the nearest periodic image [d] (disks only).

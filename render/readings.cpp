@@ -23,15 +23,10 @@ Reading time(const World& world, const View& view) {
   return reading;
 }
 
-// How deep the lowest point of the intruder lies below the top of the grains.
-Reading depth(const World& world, const Sample& sample) {
+Reading depth(const Sample& sample) {
   Reading reading{{}, "intruder depth 000.0 " + italic("d")};
-  const int intruder = world.intruder();
-  if (intruder < 0) return reading;
-  const double lowest =
-      sample.intruder_position.y() - world.disks.radius[static_cast<std::size_t>(intruder)];
-  reading.text =
-      "intruder depth " + fixed_number(sample.packing_top - lowest, 1) + " " + italic("d");
+  if (sample.has_intruder)
+    reading.text = "intruder depth " + fixed_number(sample.depth, 1) + " " + italic("d");
   return reading;
 }
 
@@ -50,7 +45,7 @@ std::vector<Reading> readings(const World& world, const View& view) {
   if (!world.bonds.list.empty() || world.grain_law.cohesion_force) {
     all.push_back({"active bonds " + percent(sample.active_bond_fraction), "active bonds 100.0 %"});
   }
-  all.push_back(depth(world, sample));
+  all.push_back(depth(sample));
   return all;
 }
 

@@ -195,6 +195,8 @@ TEST_F(CheckpointFile, OfAnImpossibleWorldIsRefused) {
       [](Checkpoint& c) { c.world.grain_law.cohesion_range = std::nan(""); },
       [](Checkpoint& c) { c.world.grain_law.friction = -1; },
       [](Checkpoint& c) { c.world.gravity = Vec2(0, std::nan("")); },
+      [](Checkpoint& c) { c.world.way.places = {Vec2(0, std::nan(""))}; },
+      [](Checkpoint& c) { c.world.way.surface = std::nan(""); },
       [](Checkpoint& c) { c.protocol.phase = -1; },
       [](Checkpoint& c) { c.protocol.next_drop = std::nan(""); },
   };
