@@ -3,9 +3,9 @@
 namespace quicksand {
 
 const BuildInfo& build_info() {
-  static const BuildInfo kInfo{QUICKSAND_VERSION, QUICKSAND_COMMIT, QUICKSAND_COMPILER,
-                               QUICKSAND_BUILD_TYPE};
-  return kInfo;
+  static const BuildInfo info{QUICKSAND_VERSION, QUICKSAND_COMMIT, QUICKSAND_COMPILER,
+                              QUICKSAND_BUILD_TYPE};
+  return info;
 }
 
 }  // namespace quicksand

@@ -19,7 +19,7 @@ std::string fixed(double value, int decimals) {
 }
 
 std::string power_of_ten(int exponent) {
-  static const char* const kDigits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  static constexpr const char* kDigits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   std::string text = " × 10";
   for (const char c : std::to_string(exponent)) text += c == '-' ? "⁻" : kDigits[c - '0'];
   return text;
