@@ -1,4 +1,6 @@
 // The phases of a protocol, as fields of a scene file.
+#include "app/phase_fields.h"
+
 #include <numbers>
 
 #include "app/scene_fields.h"
@@ -8,7 +10,7 @@ namespace quicksand {
 namespace {
 
 // In the order of Phase::kind's alternatives.
-constexpr std::string_view kPhases[] = {"deposit", "settle", "push"};
+constexpr std::string_view kPhases[] = {"deposit", "settle", "push", "heal"};
 
 constexpr double kMaxTime = 1e9;  // [sqrt(d/g)]
 constexpr double kDense = 0.91;   // more than any packing of equal disks reaches
@@ -82,8 +84,11 @@ void describe_phase(Fields& f, Phase& phase, const Scenario& scenario) {
                 describe_deposit(g, as<DepositPhase>(phase), scenario.box);
               } else if (type == 1) {
                 describe_settle(g, as<SettlePhase>(phase));
-              } else {
+              } else if (type == 2) {
                 describe_push(g, as<PushPhase>(phase), scenario.grain_law);
+              } else {
+                describe_heal(g, as<HealPhase>(phase));
+                return;  // it takes no time
               }
               g.number({"dt", "time step of this phase; step.dt if absent"},
                        above(0, 1, "sqrt(d/g)"), phase.dt);

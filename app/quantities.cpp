@@ -71,6 +71,8 @@ const Quantity kQuantities[] = {
      [](const Row& r) -> Value { return r.factorisations; }},
     {"unconverged", "1", "steps since the last sample that did not converge",
      [](const Row& r) -> Value { return r.unconverged; }},
+    {"bonds_healed", "1", "bonds restored by healing since the beginning",
+     [](const Row& r) -> Value { return r.sample.bonds_healed; }},
 };
 
 }  // namespace

@@ -30,6 +30,7 @@ struct Interval {
     return phase.until_rest ? until_rest(phase.max_time) : phase.max_time / kSamples;
   }
   double operator()(const PushPhase& phase) const { return until_rest(phase.max_time); }
+  double operator()(const HealPhase&) const { return 0; }
 
   double until_rest(double max_time) const {
     const double fall = fall_time(scenario) / kSamplesPerFall;

@@ -74,6 +74,14 @@ struct PhaseText {
            (cohesion && *cohesion > 0 ? " = " + number(p.force / *cohesion) + " F_c" : "") + ", " +
            rest(p.rest_speed, p.rest_time, p.max_time) + bonding(p.bonding);
   }
+  std::string operator()(const HealPhase& p) const {
+    const std::string which =
+        p.which == HealPhase::Which::touching ? "touching pairs" : "broken bonds in touch";
+    const std::string share =
+        p.waited ? "each with the chance 1 - exp(-" + number(*p.waited / *p.healing_time) + ")"
+                 : std::string("all");
+    return "bonds of " + which + ", " + share + "; no time passes";
+  }
 
   static std::string rest(double speed, double time, double most) {
     return "until nothing is faster than " + number(speed) + " sqrt(g d) for " + number(time) +
@@ -90,6 +98,7 @@ std::string phases_text(const Scenario& s) {
     const Phase& phase = s.phases[i];
     text += line("phases[" + std::to_string(i) + "]",
                  std::string(phase_name(phase)) + ": " + std::visit(PhaseText{s}, phase.kind));
+    if (std::holds_alternative<HealPhase>(phase.kind)) continue;
     text += line("", "dt = " + number(phase.dt.value_or(s.step.dt)) + ", a sample every " +
                          number(sample_interval(s, phase, {})) + " sqrt(d/g)");
   }

@@ -19,7 +19,7 @@ using Json = nlohmann::json;
 static_assert(std::endian::native == std::endian::little, "arrays are stored little-endian");
 
 constexpr const char* kFormat = "quicksand checkpoint";
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{4} << 30U;  // [bytes]
 
 // One description of the format for both directions: archive(object, field...) either writes the
@@ -168,6 +168,7 @@ void describe_world(Archive& archive, World& world) {
   archive.object("disks", [&](auto& a) { describe_disks(a, world.disks); });
   archive.value("bonds_formed", world.bonds.formed);
   archive.value("bonds_broken", world.bonds.broken);
+  archive.value("bonds_healed", world.bonds.healed);
   archive.value("bonds_initial", world.bonds.initial);
   archive.value("bonding", world.bonding);
   archive.value("impulse_dt", world.impulse_dt);

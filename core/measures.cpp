@@ -160,6 +160,7 @@ Sample measure(const World& world) {
                                                       : 1;
   s.bonds_formed = world.bonds.formed;
   s.bonds_broken = world.bonds.broken;
+  s.bonds_healed = world.bonds.healed;
   if (const int intruder = world.intruder(); intruder >= 0) {
     s.has_intruder = true;
     s.intruder_position = world.disks.position[intruder];

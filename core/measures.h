@@ -53,6 +53,7 @@ struct Sample {
   std::int64_t bonds_active = 0;
   std::int64_t bonds_formed = 0;
   std::int64_t bonds_broken = 0;
+  std::int64_t bonds_healed = 0;
   double max_overlap = 0;  // [d]
   bool has_intruder = false;
   Vec2 intruder_position{0, 0};  // [d]

@@ -72,6 +72,11 @@ class Protocol {
   bool is_over(const PushPhase& phase);
   double progress(const PushPhase& phase) const;
 
+  void enter(const HealPhase& phase);
+  void before_step(const HealPhase&) {}
+  bool is_over(const HealPhase&) { return true; }
+  double progress(const HealPhase&) const { return 1; }
+
   bool due(double moment) const;       // whether the world's time has reached it
   bool lasted(double duration) const;  // whether the present phase has
   // Whether all bodies have been slower than `speed` for `duration`.

@@ -14,6 +14,7 @@ std::string_view phase_name(const Phase& phase) {
     std::string_view operator()(const DepositPhase&) const { return "deposit"; }
     std::string_view operator()(const SettlePhase&) const { return "settle"; }
     std::string_view operator()(const PushPhase&) const { return "push"; }
+    std::string_view operator()(const HealPhase&) const { return "heal"; }
   };
   return std::visit(Name{}, phase.kind);
 }
@@ -79,11 +80,21 @@ void check_push(const Scenario& scenario, const PushPhase& push, const std::stri
                                        number(least) + " to " + number(most) + " d");
 }
 
+void check_heal(const Scenario& scenario, const std::string& where) {
+  const auto cohesive = [](const std::optional<ContactLaw>& law) {
+    return law && law->cohesion_force;
+  };
+  if (!cohesive(scenario.grain_law) && !cohesive(scenario.wall_law) &&
+      !cohesive(scenario.intruder_law))
+    throw InputError(where, "heals bonds, but no contact law has a cohesion_force");
+}
+
 void check_phases(const Scenario& scenario) {
   for (std::size_t k = 0; k < scenario.phases.size(); ++k) {
     const std::string where = "phases[" + std::to_string(k) + "]";
     if (const auto* push = std::get_if<PushPhase>(&scenario.phases[k].kind))
       check_push(scenario, *push, where);
+    if (std::holds_alternative<HealPhase>(scenario.phases[k].kind)) check_heal(scenario, where);
     const auto* deposit = std::get_if<DepositPhase>(&scenario.phases[k].kind);
     if (!deposit) continue;
     if (!scenario.box.floor || scenario.box.sides == Sides::open)

@@ -88,13 +88,26 @@ struct PushPhase {
   bool operator==(const PushPhase&) const = default;
 };
 
+// Bonds are restored where contacts are. Nothing moves and no time passes: the healing itself is not
+// simulated, only its result.
+struct HealPhase {
+  enum class Which : std::uint8_t { touching, broken };
+  // touching: all pairs in touch whose law has a cohesion; broken: of these, the formerly bonded ones.
+  Which which = Which::touching;
+  // Engaged, both: each contact heals with the probability 1 - exp(-waited/healing_time), drawn in the
+  // order of pairs. Absent: all heal. In any common unit of time.
+  std::optional<double> waited;
+  std::optional<double> healing_time;
+  bool operator==(const HealPhase&) const = default;
+};
+
 struct Phase {
-  std::variant<DepositPhase, SettlePhase, PushPhase> kind;
+  std::variant<DepositPhase, SettlePhase, PushPhase, HealPhase> kind;
   std::optional<double> dt;            // overrides StepSettings::dt [sqrt(d/g)]
   std::optional<double> sample_every;  // time between samples and frames [sqrt(d/g)]
   bool operator==(const Phase&) const = default;
 };
-std::string_view phase_name(const Phase& phase);  // "deposit", "settle", "push"
+std::string_view phase_name(const Phase& phase);  // "deposit", "settle", ...
 
 enum class InitialBonds : std::uint8_t { none, touching };
 
