@@ -24,4 +24,18 @@ void describe_heal(Fields& f, HealPhase& p) {
   if (p.healing_time && !p.waited) f.refuse("waited", "is missing; healing_time needs it");
 }
 
+void describe_piston(Fields& f, PistonPhase& p, const ContactLaw& law) {
+  f.number({"mass", "of the piston", Presence::required}, above(0, 1e12, "grain masses"), p.mass);
+  describe_force(f, "downward, besides the piston's weight", 0, p.force, law);
+  f.number({"ramp_time", "in which the force rises from 0 to its value; 0: at once"},
+           between(0, kMaxTime, "sqrt(d/g)"), p.ramp_time);
+  describe_rest(f, p.rest_speed, p.rest_time, p.max_time);
+  f.flag({"bonding", "whether first touches form bonds"}, p.bonding);
+  f.flag({"remove", "whether the piston is taken away at the end; else it stays and presses on"},
+         p.remove);
+  if (f.reading() && p.max_time <= p.ramp_time) {
+    f.refuse("max_time", "is not longer than ramp_time; the force would not reach its value");
+  }
+}
+
 }  // namespace quicksand

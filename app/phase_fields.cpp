@@ -10,10 +10,9 @@ namespace quicksand {
 namespace {
 
 // In the order of Phase::kind's alternatives.
-constexpr std::string_view kPhases[] = {"deposit", "settle", "push", "heal"};
+constexpr std::string_view kPhases[] = {"deposit", "settle", "push", "heal", "piston"};
 
-constexpr double kMaxTime = 1e9;  // [sqrt(d/g)]
-constexpr double kDense = 0.91;   // more than any packing of equal disks reaches
+constexpr double kDense = 0.91;  // more than any packing of equal disks reaches
 
 void describe_deposit(Fields& f, DepositPhase& p, const Box& box) {
   f.integer({"grains", "number of grains; 0: until the height is reached"}, 0, kMaxBodies,
@@ -34,13 +33,6 @@ void describe_deposit(Fields& f, DepositPhase& p, const Box& box) {
   }
 }
 
-void describe_rest(Fields& f, double& rest_speed, double& rest_time, double& max_time) {
-  f.number({"rest_speed", "rest means that no body is faster than this ..."},
-           above(0, 1e6, "sqrt(g d)"), rest_speed);
-  f.number({"rest_time", "... for this long"}, between(0, kMaxTime, "sqrt(d/g)"), rest_time);
-  f.number({"max_time", "ends the phase in any case"}, above(0, kMaxTime, "sqrt(d/g)"), max_time);
-}
-
 void describe_settle(Fields& f, SettlePhase& p) {
   describe_rest(f, p.rest_speed, p.rest_time, p.max_time);
   f.flag({"until_rest", "false: lasts exactly max_time"}, p.until_rest);
@@ -50,23 +42,38 @@ void describe_settle(Fields& f, SettlePhase& p) {
 void describe_push(Fields& f, PushPhase& p, const ContactLaw& law) {
   f.number({"diameter", "of the intruder"}, above(0, 1e4, "d"), p.diameter);
   f.number({"density", "of the intruder, over that of a grain"}, above(0, 1e6, "1"), p.density);
-  std::optional<double> force = p.force;
-  std::optional<double> force_over_cohesion;
-  f.number({"force", "downward, besides the intruder's weight"}, between(-1e12, 1e12, "F_g"),
-           force);
-  f.number({"force_over_cohesion", "the same, over the grains' cohesion force"},
-           between(-1e6, 1e6, "F_c"), force_over_cohesion);
-  f.exactly_one({"force", "force_over_cohesion"});
+  describe_force(f, "downward, besides the intruder's weight", -1, p.force, law);
   f.number({"x", "where it is placed on the surface; the middle of the box if absent"},
            between(-1e7, 1e7, "d"), p.x);
   describe_rest(f, p.rest_speed, p.rest_time, p.max_time);
   f.flag({"bonding", "whether first touches form bonds"}, p.bonding);
+}
+
+}  // namespace
+
+void describe_rest(Fields& f, double& rest_speed, double& rest_time, double& max_time) {
+  f.number({"rest_speed", "rest means that no body is faster than this ..."},
+           above(0, 1e6, "sqrt(g d)"), rest_speed);
+  f.number({"rest_time", "... for this long"}, between(0, kMaxTime, "sqrt(d/g)"), rest_time);
+  f.number({"max_time", "ends the phase in any case"}, above(0, kMaxTime, "sqrt(d/g)"), max_time);
+}
+
+void describe_force(Fields& f, const char* help, double least, double& force,
+                    const ContactLaw& law) {
+  std::optional<double> plain = force;
+  std::optional<double> over_cohesion;
+  f.number({"force", help}, between(least * 1e12, 1e12, "F_g"), plain);
+  f.number({"force_over_cohesion", "the same, over the grains' cohesion force"},
+           between(least * 1e6, 1e6, "F_c"), over_cohesion);
+  f.exactly_one({"force", "force_over_cohesion"});
   if (!f.reading()) return;
-  if (force_over_cohesion && !law.cohesion_force) {
+  if (over_cohesion && !law.cohesion_force) {
     f.refuse("force_over_cohesion", "needs contact.cohesion_force, which is absent; give force");
   }
-  p.force = force_over_cohesion ? *force_over_cohesion * *law.cohesion_force : *force;
+  force = over_cohesion ? *over_cohesion * *law.cohesion_force : *plain;
 }
+
+namespace {
 
 // The phase's own kind, with its defaults if it was another.
 template <class Kind>
@@ -86,9 +93,11 @@ void describe_phase(Fields& f, Phase& phase, const Scenario& scenario) {
                 describe_settle(g, as<SettlePhase>(phase));
               } else if (type == 2) {
                 describe_push(g, as<PushPhase>(phase), scenario.grain_law);
-              } else {
+              } else if (type == 3) {
                 describe_heal(g, as<HealPhase>(phase));
                 return;  // it takes no time
+              } else {
+                describe_piston(g, as<PistonPhase>(phase), scenario.grain_law);
               }
               g.number({"dt", "time step of this phase; step.dt if absent"},
                        above(0, 1, "sqrt(d/g)"), phase.dt);

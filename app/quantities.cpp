@@ -73,6 +73,8 @@ const Quantity kQuantities[] = {
      [](const Row& r) -> Value { return r.unconverged; }},
     {"bonds_healed", "1", "bonds restored by healing since the beginning",
      [](const Row& r) -> Value { return r.sample.bonds_healed; }},
+    {"piston_y", "d", "height of the piston's surface",
+     [](const Row& r) { return r.sample.piston_y ? Value(*r.sample.piston_y) : Value(); }},
 };
 
 }  // namespace

@@ -31,6 +31,7 @@ struct Interval {
   }
   double operator()(const PushPhase& phase) const { return until_rest(phase.max_time); }
   double operator()(const HealPhase&) const { return 0; }
+  double operator()(const PistonPhase& phase) const { return until_rest(phase.max_time); }
 
   double until_rest(double max_time) const {
     const double fall = fall_time(scenario) / kSamplesPerFall;

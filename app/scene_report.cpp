@@ -68,10 +68,8 @@ struct PhaseText {
            bonding(p.bonding);
   }
   std::string operator()(const PushPhase& p) const {
-    const auto& cohesion = scenario.grain_law.cohesion_force;
     return "intruder of " + number(p.diameter) + " d and density " + number(p.density) +
-           ", pushed down with " + number(p.force) + " F_g" +
-           (cohesion && *cohesion > 0 ? " = " + number(p.force / *cohesion) + " F_c" : "") + ", " +
+           ", pushed down with " + force_text(p.force) + ", " +
            rest(p.rest_speed, p.rest_time, p.max_time) + bonding(p.bonding);
   }
   std::string operator()(const HealPhase& p) const {
@@ -82,7 +80,18 @@ struct PhaseText {
                  : std::string("all");
     return "bonds of " + which + ", " + share + "; no time passes";
   }
+  std::string operator()(const PistonPhase& p) const {
+    return "piston of " + number(p.mass) + " grain masses, pressed down with " +
+           force_text(p.force) + " after a ramp of " + number(p.ramp_time) + " sqrt(d/g), then " +
+           rest(p.rest_speed, p.rest_time, p.max_time) + bonding(p.bonding) +
+           (p.remove ? "; then it is taken away" : "; it stays");
+  }
 
+  std::string force_text(double force) const {
+    const auto& cohesion = scenario.grain_law.cohesion_force;
+    return number(force) + " F_g" +
+           (cohesion && *cohesion > 0 ? " = " + number(force / *cohesion) + " F_c" : "");
+  }
   static std::string rest(double speed, double time, double most) {
     return "until nothing is faster than " + number(speed) + " sqrt(g d) for " + number(time) +
            " sqrt(d/g), at most " + number(most) + " sqrt(d/g)";

@@ -161,6 +161,8 @@ Sample measure(const World& world) {
   s.bonds_formed = world.bonds.formed;
   s.bonds_broken = world.bonds.broken;
   s.bonds_healed = world.bonds.healed;
+  for (const Wall& wall : world.walls)
+    if (wall.role == WallRole::piston) s.piston_y = wall.point.y();
   if (const int intruder = world.intruder(); intruder >= 0) {
     s.has_intruder = true;
     s.intruder_position = world.disks.position[intruder];

@@ -1,6 +1,7 @@
 // What is measured on a world. Fractions and numbers are [1], lengths [d], energies [F_g d].
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -56,8 +57,9 @@ struct Sample {
   std::int64_t bonds_healed = 0;
   double max_overlap = 0;  // [d]
   bool has_intruder = false;
-  Vec2 intruder_position{0, 0};  // [d]
-  Vec2 intruder_velocity{0, 0};  // [sqrt(g d)]
+  Vec2 intruder_position{0, 0};    // [d]
+  Vec2 intruder_velocity{0, 0};    // [sqrt(g d)]
+  std::optional<double> piston_y;  // height of the last piston [d]
 };
 Sample measure(const World& world);
 

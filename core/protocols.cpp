@@ -41,6 +41,7 @@ Progress Protocol::advance() {
 }
 
 Progress Protocol::end_phase() {
+  std::visit([&](const auto& kind) { leave(kind); }, phase()->kind);
   ++state_.phase;
   state_.entered = false;
   return Progress::phase_ended;
@@ -86,9 +87,13 @@ bool Protocol::try_step(const StepSettings& step, int halvings_left) {
 }
 
 bool Protocol::at_rest(double speed, double duration) {
-  const bool slow = std::ranges::all_of(world_.disks.velocity, [&](const Vec3& v) {
-    return v.head<2>().squaredNorm() <= speed * speed;
-  });
+  const bool slow = std::ranges::all_of(world_.disks.velocity,
+                                        [&](const Vec3& v) {
+                                          return v.head<2>().squaredNorm() <= speed * speed;
+                                        }) &&
+                    std::ranges::none_of(world_.walls, [&](const Wall& wall) {
+                      return wall.mass > 0 && wall.velocity.squaredNorm() > speed * speed;
+                    });
   if (!slow) state_.rest_since = -1;
   // Nothing has moved yet before the first step of a phase.
   else if (state_.rest_since < 0 && world_.time > state_.phase_start)

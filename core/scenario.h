@@ -101,8 +101,23 @@ struct HealPhase {
   bool operator==(const HealPhase&) const = default;
 };
 
+// A horizontal piston is laid on top of the packing and presses it down with its weight and a force
+// that rises linearly from 0. Ends at max_time, or when the packing no longer yields: at rest, piston
+// and all, after the ramp. Marks the bonds as initial ones unless some are marked already.
+struct PistonPhase {
+  double mass = 1;           // [grain masses]
+  double force = 0;          // downward, besides its weight [F_g]
+  double ramp_time = 1;      // in which the force reaches its full value [sqrt(d/g)]; 0: at once
+  double rest_speed = 1e-3;  // as in SettlePhase
+  double rest_time = 0.5;
+  double max_time = 1000;
+  bool bonding = false;
+  bool remove = true;  // at the end, with its contacts and bonds; false: it stays and presses on
+  bool operator==(const PistonPhase&) const = default;
+};
+
 struct Phase {
-  std::variant<DepositPhase, SettlePhase, PushPhase, HealPhase> kind;
+  std::variant<DepositPhase, SettlePhase, PushPhase, HealPhase, PistonPhase> kind;
   std::optional<double> dt;            // overrides StepSettings::dt [sqrt(d/g)]
   std::optional<double> sample_every;  // time between samples and frames [sqrt(d/g)]
   bool operator==(const Phase&) const = default;

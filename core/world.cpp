@@ -84,6 +84,15 @@ std::vector<Pair> bondable_pairs(const World& world) {
   return pairs;
 }
 
+void remove_last_wall(World& world) {
+  world.walls.pop_back();
+  const int body = kWallBase + static_cast<int>(world.walls.size());
+  world.bonds.initial -= std::ranges::count_if(
+      world.bonds.list, [&](const Bond& bond) { return bond.pair.b == body && bond.initial; });
+  std::erase_if(world.bonds.list, [&](const Bond& bond) { return bond.pair.b == body; });
+  std::erase_if(world.contacts, [&](const Contact& contact) { return contact.pair.b == body; });
+}
+
 namespace {
 
 // FNV-1a over 64-bit words, with a final mix. Plain values only: padding must not be hashed.

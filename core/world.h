@@ -49,6 +49,10 @@ World make_world(const Scenario& scenario);
 // cohesion, and not both are immovable. Sorted.
 std::vector<Pair> bondable_pairs(const World& world);
 
+// Takes away the last wall, of which there must be one, with its bonds and contacts. Its bonds do not
+// count as broken.
+void remove_last_wall(World& world);
+
 // 64-bit hash of everything that decides the future of the world, bit by bit.
 std::uint64_t world_hash(const World& world);
 
