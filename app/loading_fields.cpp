@@ -6,6 +6,7 @@ namespace quicksand {
 namespace {
 
 constexpr std::string_view kHealed[] = {"touching", "broken"};
+constexpr std::string_view kPistonEnds[] = {"rest", "piston_rest"};
 constexpr double kMaxWait = 1e12;
 
 }  // namespace
@@ -30,6 +31,8 @@ void describe_piston(Fields& f, PistonPhase& p, const ContactLaw& law) {
   f.number({"ramp_time", "in which the force rises from 0 to its value; 0: at once"},
            between(0, kMaxTime, "sqrt(d/g)"), p.ramp_time);
   describe_rest(f, p.rest_speed, p.rest_time, p.max_time);
+  f.choice({"until", "rest of everything, or of the piston alone; from the end of the ramp"},
+           kPistonEnds, p.until);
   f.flag({"bonding", "whether first touches form bonds"}, p.bonding);
   f.flag({"remove", "whether the piston is taken away at the end; else it stays and presses on"},
          p.remove);

@@ -12,6 +12,7 @@ namespace {
 // In the order of Phase::kind's alternatives.
 constexpr std::string_view kPhases[] = {"deposit", "settle", "push", "heal", "piston"};
 
+constexpr std::string_view kPushEnds[] = {"rest", "intruder_rest"};
 constexpr double kDense = 0.91;  // more than any packing of equal disks reaches
 
 void describe_deposit(Fields& f, DepositPhase& p, const Box& box) {
@@ -46,6 +47,8 @@ void describe_push(Fields& f, PushPhase& p, const ContactLaw& law) {
   f.number({"x", "where it is placed on the surface; the middle of the box if absent"},
            between(-1e7, 1e7, "d"), p.x);
   describe_rest(f, p.rest_speed, p.rest_time, p.max_time);
+  f.choice({"until", "rest of all bodies, or of the intruder alone"}, kPushEnds, p.until);
+  f.flag({"release", "whether the force ends with the phase; else it stays"}, p.release);
   f.flag({"bonding", "whether first touches form bonds"}, p.bonding);
 }
 
@@ -101,6 +104,10 @@ void describe_phase(Fields& f, Phase& phase, const Scenario& scenario) {
               }
               g.number({"dt", "time step of this phase; step.dt if absent"},
                        above(0, 1, "sqrt(d/g)"), phase.dt);
+              g.number({"tolerance",
+                        "residual that the solver must reach in this phase; "
+                        "solver.tolerance if absent"},
+                       above(0, 1, "1"), phase.tolerance);
               g.number({"sample_every", "time between samples and frames; chosen if absent"},
                        above(0, kMaxTime, "sqrt(d/g)"), phase.sample_every);
             });

@@ -70,7 +70,8 @@ struct PhaseText {
   std::string operator()(const PushPhase& p) const {
     return "intruder of " + number(p.diameter) + " d and density " + number(p.density) +
            ", pushed down with " + force_text(p.force) + ", " +
-           rest(p.rest_speed, p.rest_time, p.max_time) + bonding(p.bonding);
+           rest(p.rest_speed, p.rest_time, p.max_time, moving(p.until, "the intruder")) +
+           bonding(p.bonding) + (p.release ? "; then it is released" : "");
   }
   std::string operator()(const HealPhase& p) const {
     const std::string which =
@@ -83,8 +84,8 @@ struct PhaseText {
   std::string operator()(const PistonPhase& p) const {
     return "piston of " + number(p.mass) + " grain masses, pressed down with " +
            force_text(p.force) + " after a ramp of " + number(p.ramp_time) + " sqrt(d/g), then " +
-           rest(p.rest_speed, p.rest_time, p.max_time) + bonding(p.bonding) +
-           (p.remove ? "; then it is taken away" : "; it stays");
+           rest(p.rest_speed, p.rest_time, p.max_time, moving(p.until, "the piston")) +
+           bonding(p.bonding) + (p.remove ? "; then it is taken away" : "; it stays");
   }
 
   std::string force_text(double force) const {
@@ -92,8 +93,12 @@ struct PhaseText {
     return number(force) + " F_g" +
            (cohesion && *cohesion > 0 ? " = " + number(force / *cohesion) + " F_c" : "");
   }
-  static std::string rest(double speed, double time, double most) {
-    return "until nothing is faster than " + number(speed) + " sqrt(g d) for " + number(time) +
+  static std::string moving(RestOf until, const char* driven) {
+    return until == RestOf::all ? "nothing is" : std::string(driven) + " is not";
+  }
+  static std::string rest(double speed, double time, double most,
+                          const std::string& moving = "nothing is") {
+    return "until " + moving + " faster than " + number(speed) + " sqrt(g d) for " + number(time) +
            " sqrt(d/g), at most " + number(most) + " sqrt(d/g)";
   }
   static std::string bonding(bool forms) {
@@ -109,7 +114,8 @@ std::string phases_text(const Scenario& s) {
                  std::string(phase_name(phase)) + ": " + std::visit(PhaseText{s}, phase.kind));
     if (std::holds_alternative<HealPhase>(phase.kind)) continue;
     text += line("", "dt = " + number(phase.dt.value_or(s.step.dt)) + ", a sample every " +
-                         number(sample_interval(s, phase, {})) + " sqrt(d/g)");
+                         number(sample_interval(s, phase, {})) + " sqrt(d/g)" +
+                         (phase.tolerance ? ", residual " + number(*phase.tolerance) : ""));
   }
   return text.empty() ? line("phases", "none: nothing will be computed") : text;
 }

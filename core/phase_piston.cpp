@@ -34,9 +34,11 @@ void Protocol::before_step(const PistonPhase& phase) {
 }
 
 bool Protocol::is_over(const PistonPhase& phase) {
-  // Rest counts from the end of the ramp.
-  const bool rest = lasted(phase.ramp_time) && at_rest(phase.rest_speed, phase.rest_time);
-  return rest || lasted(phase.max_time);
+  if (lasted(phase.max_time)) return true;
+  if (!lasted(phase.ramp_time)) return false;  // rest counts from the end of the ramp
+  const double speed = world_.walls.back().velocity.norm();
+  return phase.until == RestOf::driven ? rested(speed <= phase.rest_speed, phase.rest_time)
+                                       : at_rest(phase.rest_speed, phase.rest_time);
 }
 
 double Protocol::progress(const PistonPhase& phase) const {

@@ -71,6 +71,7 @@ class Protocol {
   void before_step(const PushPhase&) {}
   bool is_over(const PushPhase& phase);
   double progress(const PushPhase& phase) const;
+  void leave(const PushPhase& phase);
 
   void enter(const HealPhase& phase);
   void before_step(const HealPhase&) {}
@@ -91,6 +92,8 @@ class Protocol {
   bool lasted(double duration) const;  // whether the present phase has
   // Whether all bodies, and walls with mass, have been slower than `speed` for `duration`.
   bool at_rest(double speed, double duration);
+  // To be called after each step: whether what is `slow` now has been so for `duration`.
+  bool rested(bool slow, double duration);
   bool make_step(const Phase& phase);
   bool try_step(const StepSettings& step, int halvings_left);
   Progress end_phase();

@@ -75,6 +75,9 @@ struct SettlePhase {
   bool operator==(const SettlePhase&) const = default;
 };
 
+// What must come to rest for a phase to end: everything, or only the body that the force acts on.
+enum class RestOf : std::uint8_t { all, driven };
+
 // An intruder is placed on the surface and pushed by a constant force.
 struct PushPhase {
   double diameter = 3;       // [d]
@@ -84,6 +87,8 @@ struct PushPhase {
   double rest_speed = 1e-3;  // as in SettlePhase
   double rest_time = 0.5;
   double max_time = 1000;
+  RestOf until = RestOf::all;  // driven: the intruder alone, whatever the debris does
+  bool release = false;        // whether the force ends with the phase; else it stays
   bool bonding = false;
   bool operator==(const PushPhase&) const = default;
 };
@@ -102,8 +107,8 @@ struct HealPhase {
 };
 
 // A horizontal piston is laid on top of the packing and presses it down with its weight and a force
-// that rises linearly from 0. Ends at max_time, or when the packing no longer yields: at rest, piston
-// and all, after the ramp. Marks the bonds as initial ones unless some are marked already.
+// that rises linearly from 0. Ends at max_time, or when the packing no longer yields: at rest after the
+// ramp. Marks the bonds as initial ones unless some are marked already.
 struct PistonPhase {
   double mass = 1;           // [grain masses]
   double force = 0;          // downward, besides its weight [F_g]
@@ -111,6 +116,7 @@ struct PistonPhase {
   double rest_speed = 1e-3;  // as in SettlePhase
   double rest_time = 0.5;
   double max_time = 1000;
+  RestOf until = RestOf::all;  // driven: the piston alone, whatever loose grains do
   bool bonding = false;
   bool remove = true;  // at the end, with its contacts and bonds; false: it stays and presses on
   bool operator==(const PistonPhase&) const = default;
@@ -120,6 +126,7 @@ struct Phase {
   std::variant<DepositPhase, SettlePhase, PushPhase, HealPhase, PistonPhase> kind;
   std::optional<double> dt;            // overrides StepSettings::dt [sqrt(d/g)]
   std::optional<double> sample_every;  // time between samples and frames [sqrt(d/g)]
+  std::optional<double> tolerance;     // overrides SolverSettings::tolerance [1]
   bool operator==(const Phase&) const = default;
 };
 std::string_view phase_name(const Phase& phase);  // "deposit", "settle", ...

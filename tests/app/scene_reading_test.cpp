@@ -113,6 +113,10 @@ const Mistake kMistakes[] = {
      "phases[0]={\"type\": \"piston\", \"mass\": 1, \"force\": 1, \"ramp_time\": 9, \"max_time\": "
      "9}",
      {"phases[0].max_time", "ramp_time"}},
+    {"NoSuchEnd",
+     "phases[0]={\"type\": \"push\", \"force\": 1, \"until\": \"intruder_rst\"}",
+     {"phases[0].until", "did you mean \"intruder_rest\""}},
+    {"HugeToleranceOfAPhase", "phases[0].tolerance=2", {"phases[0].tolerance", "at most 1"}},
     {"PhaseWithoutType", "phases[0]={\"max_time\": 1}", {"phases[0].type", "is missing"}},
     {"TwoGravities", "gravity={\"vector\": [0, 1], \"tilt\": 3}", {"gravity.vector", "tilt"}},
     {"MissingBox", "box=null", {"box", "is missing"}},

@@ -96,6 +96,19 @@ TEST_P(Piston, EndsAtRestAfterTheRampOrAtTheLongestTime) {
               tolerance::rounding());
 }
 
+// A grain that never stops does not keep a phase from ending that waits for the piston alone.
+TEST_P(Piston, EndsAtItsOwnRestIfTheSceneSaysSo) {
+  for (const RestOf until : {RestOf::driven, RestOf::all}) {
+    PistonPhase piston = kPiston;
+    piston.until = until;
+    piston.max_time = 1;
+    Scenario scene = pressed_column(GetParam(), piston);
+    scene.disks.push_back({.position = {1, 1}, .velocity = {1, 0}, .fixed = true});
+    EXPECT_NEAR(PhaseRun(scene).to_end_of_phase().world().time,
+                until == RestOf::driven ? kRamp + kPiston.rest_time : 1, tolerance::rounding());
+  }
+}
+
 TEST_P(Piston, LeavesNothingBehindWhenItIsTakenAway) {
   PistonPhase sticky = kPiston;
   sticky.bonding = true;
