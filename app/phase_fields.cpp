@@ -1,4 +1,6 @@
 // The phases of a protocol, as fields of a scene file.
+#include "app/phase_fields.h"
+
 #include <numbers>
 
 #include "app/scene_fields.h"
@@ -8,8 +10,10 @@ namespace quicksand {
 namespace {
 
 // In the order of Phase::kind's alternatives.
-constexpr std::string_view kPhases[] = {"deposit", "settle", "push", "pull", "shear"};
+constexpr std::string_view kPhases[] = {"deposit", "settle", "push",  "pull",
+                                        "shear",   "heal",   "piston"};
 
+constexpr std::string_view kPushEnds[] = {"rest", "intruder_rest"};
 constexpr double kDense = 0.91;  // more than any packing of equal disks reaches
 
 void describe_deposit(Fields& f, DepositPhase& p, const Box& box) {
@@ -41,29 +45,13 @@ void describe_settle(Fields& f, SettlePhase& p) {
 void describe_push(Fields& f, PushPhase& p, const ContactLaw& law) {
   f.number({"diameter", "of the intruder"}, above(0, 1e4, "d"), p.diameter);
   f.number({"density", "of the intruder, over that of a grain"}, above(0, 1e6, "1"), p.density);
-  std::optional<double> force = p.force;
-  std::optional<double> force_over_cohesion;
-  f.number({"force", "downward, besides the intruder's weight"}, between(-1e12, 1e12, "F_g"),
-           force);
-  f.number({"force_over_cohesion", "the same, over the grains' cohesion force"},
-           between(-1e6, 1e6, "F_c"), force_over_cohesion);
-  f.exactly_one({"force", "force_over_cohesion"});
+  describe_force(f, "downward, besides the intruder's weight", -1, p.force, law);
   f.number({"x", "where it is placed on the surface; the middle of the box if absent"},
            between(-1e7, 1e7, "d"), p.x);
   describe_rest(f, p.rest_speed, p.rest_time, p.max_time);
+  f.choice({"until", "rest of all bodies, or of the intruder alone"}, kPushEnds, p.until);
+  f.flag({"release", "whether the force ends with the phase; else it stays"}, p.release);
   f.flag({"bonding", "whether first touches form bonds"}, p.bonding);
-  if (!f.reading()) return;
-  if (force_over_cohesion && !law.cohesion_force) {
-    f.refuse("force_over_cohesion", "needs contact.cohesion_force, which is absent; give force");
-  }
-  p.force = force_over_cohesion ? *force_over_cohesion * *law.cohesion_force : *force;
-}
-
-// The phase's own kind, with its defaults if it was another.
-template <class Kind>
-Kind& as(Phase& phase) {
-  return std::holds_alternative<Kind>(phase.kind) ? std::get<Kind>(phase.kind)
-                                                  : phase.kind.emplace<Kind>();
 }
 
 }  // namespace
@@ -75,6 +63,32 @@ void describe_rest(Fields& f, double& rest_speed, double& rest_time, double& max
   f.number({"max_time", "ends the phase in any case"}, above(0, kMaxTime, "sqrt(d/g)"), max_time);
 }
 
+void describe_force(Fields& f, const char* help, double least, double& force,
+                    const ContactLaw& law) {
+  std::optional<double> plain = force;
+  std::optional<double> over_cohesion;
+  f.number({"force", help}, between(least * 1e12, 1e12, "F_g"), plain);
+  f.number({"force_over_cohesion", "the same, over the grains' cohesion force"},
+           between(least * 1e6, 1e6, "F_c"), over_cohesion);
+  f.exactly_one({"force", "force_over_cohesion"});
+  if (!f.reading()) return;
+  if (over_cohesion && !law.cohesion_force) {
+    f.refuse("force_over_cohesion", "needs contact.cohesion_force, which is absent; give force");
+  }
+  force = over_cohesion ? *over_cohesion * *law.cohesion_force : *plain;
+}
+
+namespace {
+
+// The phase's own kind, with its defaults if it was another.
+template <class Kind>
+Kind& as(Phase& phase) {
+  return std::holds_alternative<Kind>(phase.kind) ? std::get<Kind>(phase.kind)
+                                                  : phase.kind.emplace<Kind>();
+}
+
+}  // namespace
+
 void describe_phase(Fields& f, Phase& phase, const Scenario& scenario) {
   f.variant({"type", "what happens"}, kPhases, static_cast<int>(phase.kind.index()),
             [&](Fields& g, int type) {
@@ -82,15 +96,24 @@ void describe_phase(Fields& f, Phase& phase, const Scenario& scenario) {
                 describe_deposit(g, as<DepositPhase>(phase), scenario.box);
               } else if (type == 1) {
                 describe_settle(g, as<SettlePhase>(phase));
+              } else if (type == 2) {
+                describe_push(g, as<PushPhase>(phase), scenario.grain_law);
               } else if (type == 3) {
                 describe_pull(g, as<PullPhase>(phase), scenario.grain_law);
               } else if (type == 4) {
                 describe_shear(g, as<ShearPhase>(phase), scenario.grain_law);
+              } else if (type == 5) {
+                describe_heal(g, as<HealPhase>(phase));
+                return;  // it takes no time
               } else {
-                describe_push(g, as<PushPhase>(phase), scenario.grain_law);
+                describe_piston(g, as<PistonPhase>(phase), scenario.grain_law);
               }
               g.number({"dt", "time step of this phase; step.dt if absent"},
                        above(0, 1, "sqrt(d/g)"), phase.dt);
+              g.number({"solver_tolerance",
+                        "residual that the solver must reach in this phase; "
+                        "solver.tolerance if absent"},
+                       above(0, 1, "1"), phase.solver_tolerance);
               g.number({"sample_every", "time between samples and frames; chosen if absent"},
                        above(0, kMaxTime, "sqrt(d/g)"), phase.sample_every);
             });

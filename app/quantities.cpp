@@ -111,6 +111,10 @@ const Quantity kQuantities[] = {
      [](const Row& r) { return of_trial(r, r.trial); }, true},
     {"trial_force", "F_g", "force of the trial on its body",
      [](const Row& r) { return of_trial(r, r.trial_force); }, true},
+    {"bonds_healed", "1", "bonds restored by healing since the beginning",
+     [](const Row& r) -> Value { return r.sample.bonds_healed; }},
+    {"piston_y", "d", "height of the piston's surface",
+     [](const Row& r) { return r.sample.piston_y ? Value(*r.sample.piston_y) : Value(); }},
 };
 
 }  // namespace

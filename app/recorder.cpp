@@ -20,11 +20,14 @@ void Recorder::count(const ProtocolState& before, const Protocol& after) {
 
 void Recorder::sample(const World& world, const std::string& phase) {
   const bool first = row_.phase.empty();
-  if (!first && row_.sample.step == world.step && bodies_ == world.disks.size()) return;
+  if (!first && row_.sample.step == world.step && bodies_ == world.disks.size() &&
+      healed_ == world.bonds.healed)
+    return;
   row_ = std::exchange(pending_, {});
   row_.sample = measure(world);
   row_.phase = phase;
   bodies_ = world.disks.size();
+  healed_ = world.bonds.healed;
   // The earlier part of a continued run ended with this sample.
   if (first && series_.last_step() == world.step) return;
   series_.add(row_);

@@ -17,7 +17,8 @@ class Recorder {
 
   // Counts what a step tells, until the next sample; a halved step made several.
   void count(const ProtocolState& before, const Protocol& after);
-  // Does nothing if this world was sampled already: nothing moved and no body was added.
+  // Does nothing if this world was sampled already: nothing moved, no body was added and no bond
+  // healed.
   void sample(const World& world, const std::string& phase);
 
   // The last sample taken.
@@ -29,6 +30,7 @@ class Recorder {
   Row row_;      // the last sample
   Row pending_;  // counts since then
   int bodies_ = 0;
+  std::int64_t healed_ = 0;  // bonds
 };
 
 }  // namespace quicksand

@@ -33,6 +33,8 @@ struct Interval {
   double operator()(const PushPhase& phase) const { return until_rest(phase.max_time); }
   double operator()(const PullPhase& phase) const { return until_rest(phase.trials.max_time); }
   double operator()(const ShearPhase& phase) const { return phase.trials.max_time; }
+  double operator()(const HealPhase&) const { return 0; }
+  double operator()(const PistonPhase& phase) const { return until_rest(phase.max_time); }
 
   double until_rest(double max_time) const {
     const double fall = fall_time(scenario) / kSamplesPerFall;

@@ -73,11 +73,24 @@ struct PhaseText {
            bonding(p.bonding);
   }
   std::string operator()(const PushPhase& p) const {
-    const auto& cohesion = scenario.grain_law.cohesion_force;
     return "intruder of " + number(p.diameter) + " d and density " + number(p.density) +
-           ", pushed down with " + number(p.force) + " F_g" +
-           (cohesion && *cohesion > 0 ? " = " + number(p.force / *cohesion) + " F_c" : "") + ", " +
-           rest(p.rest_speed, p.rest_time, p.max_time) + bonding(p.bonding);
+           ", pushed down with " + force_text(p.force) + ", " +
+           rest(p.rest_speed, p.rest_time, p.max_time, moving(p.until, "the intruder")) +
+           bonding(p.bonding) + (p.release ? "; then it is released" : "");
+  }
+  std::string operator()(const HealPhase& p) const {
+    const std::string which =
+        p.which == HealPhase::Which::touching ? "touching pairs" : "broken bonds in touch";
+    const std::string share =
+        p.waited ? "each with the chance 1 - exp(-" + number(*p.waited / *p.healing_time) + ")"
+                 : std::string("all");
+    return "bonds of " + which + ", " + share + "; no time passes";
+  }
+  std::string operator()(const PistonPhase& p) const {
+    return "piston of " + number(p.mass) + " grain masses, pressed down with " +
+           force_text(p.force) + " after a ramp of " + number(p.ramp_time) + " sqrt(d/g), then " +
+           rest(p.rest_speed, p.rest_time, p.max_time, moving(p.until, "the piston")) +
+           bonding(p.bonding) + (p.remove ? "; then it is taken away" : "; it stays");
   }
 
   std::string operator()(const PullPhase& p) const {
@@ -99,8 +112,17 @@ struct PhaseText {
            " F_g, until the interval is " + number(t.tolerance) + " of its upper end; each " +
            rest(t.rest_speed, t.rest_time, t.max_time);
   }
-  static std::string rest(double speed, double time, double most) {
-    return "until nothing is faster than " + number(speed) + " sqrt(g d) for " + number(time) +
+  std::string force_text(double force) const {
+    const auto& cohesion = scenario.grain_law.cohesion_force;
+    return number(force) + " F_g" +
+           (cohesion && *cohesion > 0 ? " = " + number(force / *cohesion) + " F_c" : "");
+  }
+  static std::string moving(RestOf until, const char* driven) {
+    return until == RestOf::all ? "nothing is" : std::string(driven) + " is not";
+  }
+  static std::string rest(double speed, double time, double most,
+                          const std::string& moving = "nothing is") {
+    return "until " + moving + " faster than " + number(speed) + " sqrt(g d) for " + number(time) +
            " sqrt(d/g), at most " + number(most) + " sqrt(d/g)";
   }
   static std::string bonding(bool forms) {
@@ -114,8 +136,10 @@ std::string phases_text(const Scenario& s) {
     const Phase& phase = s.phases[i];
     text += line("phases[" + std::to_string(i) + "]",
                  std::string(phase_name(phase)) + ": " + std::visit(PhaseText{s}, phase.kind));
+    if (std::holds_alternative<HealPhase>(phase.kind)) continue;
     text += line("", "dt = " + number(phase.dt.value_or(s.step.dt)) + ", a sample every " +
-                         number(sample_interval(s, phase, {})) + " sqrt(d/g)");
+                         number(sample_interval(s, phase, {})) + " sqrt(d/g)" +
+                         (phase.solver_tolerance ? ", residual " + number(*phase.solver_tolerance) : ""));
   }
   return text.empty() ? line("phases", "none: nothing will be computed") : text;
 }

@@ -1,5 +1,5 @@
 // The searches (pull, shear, adiabatic deposit), as fields of a scene file.
-#include "app/scene_fields.h"
+#include "app/phase_fields.h"
 
 namespace quicksand {
 

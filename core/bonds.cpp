@@ -9,12 +9,32 @@ Bond* Bonds::find(Pair pair) {
   return at != list.end() && at->pair == pair ? &*at : nullptr;
 }
 
-void Bonds::form(const std::vector<Pair>& pairs) {
+namespace {
+
+void insert(std::vector<Bond>& list, const std::vector<Pair>& pairs) {
   const auto old_size = static_cast<std::ptrdiff_t>(list.size());
   for (const Pair& pair : pairs) list.push_back({.pair = pair});
   std::inplace_merge(list.begin(), list.begin() + old_size, list.end(),
                      [](const Bond& p, const Bond& q) { return p.pair < q.pair; });
+}
+
+}  // namespace
+
+void Bonds::form(const std::vector<Pair>& pairs) {
+  insert(list, pairs);
   formed += static_cast<std::int64_t>(pairs.size());
+}
+
+void Bonds::heal(const std::vector<Pair>& pairs) {
+  std::vector<Pair> unlisted;
+  for (const Pair& pair : pairs) {
+    if (Bond* bond = find(pair))
+      bond->state = BondState::active;
+    else
+      unlisted.push_back(pair);
+  }
+  insert(list, unlisted);
+  healed += static_cast<std::int64_t>(pairs.size());
 }
 
 void Bonds::mark_initial() {

@@ -1,7 +1,7 @@
 // The memory of the bonds: which pairs are bonded, which were and are broken for good.
 //
 // A bond is formed at first touch while bonding is on. It is active until its gap passes the
-// cohesion range; then it is broken and never comes back by itself.
+// cohesion range; then it is broken and never comes back by itself: only healing restores it.
 #pragma once
 
 #include <vector>
@@ -29,15 +29,19 @@ struct Bond {
 };
 
 struct Bonds {
-  std::vector<Bond> list;    // sorted by pair
-  std::int64_t formed = 0;   // since the beginning [1]
-  std::int64_t broken = 0;   // since the beginning [1]
+  std::vector<Bond> list;   // sorted by pair
+  std::int64_t formed = 0;  // since the beginning [1]
+  std::int64_t broken = 0;  // since the beginning [1]
+  std::int64_t healed = 0;  // made active by healing since the beginning, not counted in formed [1]
   std::int64_t initial = 0;  // number of bonds marked initial [1]
 
   Bond* find(Pair pair);
   const Bond* find(Pair pair) const { return const_cast<Bonds*>(this)->find(pair); }
   // Adds active bonds for these sorted pairs, none of which may be listed yet.
   void form(const std::vector<Pair>& pairs);
+  // Makes the bonds of these sorted pairs, each once, active again; adds those that are not listed. None
+  // may be active. Initial marks stay as they are, and new bonds have none.
+  void heal(const std::vector<Pair>& pairs);
   // Marks the active bonds as the initial ones, and no others.
   void mark_initial();
 };

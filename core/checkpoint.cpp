@@ -94,6 +94,7 @@ void describe_world(Archive& archive, World& world) {
   archive.object("disks", [&](auto& a) { describe_disks(a, world.disks); });
   archive.value("bonds_formed", world.bonds.formed);
   archive.value("bonds_broken", world.bonds.broken);
+  archive.value("bonds_healed", world.bonds.healed);
   archive.value("bonds_initial", world.bonds.initial);
   archive.value("bonding", world.bonding);
   archive.value("impulse_dt", world.impulse_dt);

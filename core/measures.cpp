@@ -182,6 +182,9 @@ Sample measure(const World& world, const MeasureChoices& choices) {
                                                       : 1;
   s.bonds_formed = world.bonds.formed;
   s.bonds_broken = world.bonds.broken;
+  s.bonds_healed = world.bonds.healed;
+  for (const Wall& wall : world.walls)
+    if (wall.role == WallRole::piston) s.piston_y = wall.point.y();
   if (const int intruder = world.intruder(); intruder >= 0) {
     s.has_intruder = true;
     s.intruder_position = world.disks.position[intruder];

@@ -1,6 +1,7 @@
 // What is measured on a world. Fractions and numbers are [1], lengths [d], energies [F_g d].
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -67,6 +68,7 @@ struct Sample {
   std::int64_t bonds_active = 0;
   std::int64_t bonds_formed = 0;
   std::int64_t bonds_broken = 0;
+  std::int64_t bonds_healed = 0;
   double max_overlap = 0;  // [d]
   bool has_intruder = false;
   Vec2 intruder_position{0, 0};  // [d]
@@ -74,6 +76,7 @@ struct Sample {
   double depth = 0;  // of its lowest point below the packing's top when it was placed [d]
   WeightAbove weight_above;
   AroundIntruder around_intruder;
+  std::optional<double> piston_y;  // height of the last piston [d]
 };
 Sample measure(const World& world, const MeasureChoices& choices = {});
 

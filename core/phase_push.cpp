@@ -17,12 +17,21 @@ void Protocol::enter(const PushPhase& phase) {
   world_.disks.applied[intruder] = {0, -phase.force, 0};
 }
 
+// The intruder is the last disk as long as its phase lasts.
 bool Protocol::is_over(const PushPhase& phase) {
-  return lasted(phase.max_time) || at_rest(phase.rest_speed, phase.rest_time);
+  const double speed = world_.disks.velocity.back().head<2>().norm();
+  const bool rest = phase.until == RestOf::driven
+                        ? rested(speed <= phase.rest_speed, phase.rest_time)
+                        : at_rest(phase.rest_speed, phase.rest_time);
+  return rest || lasted(phase.max_time);
 }
 
 double Protocol::progress(const PushPhase& phase) const {
   return (world_.time - state_.phase_start) / phase.max_time;
+}
+
+void Protocol::leave(const PushPhase& phase) {
+  if (phase.release) world_.disks.applied.back() = {0, 0, 0};
 }
 
 }  // namespace quicksand

@@ -47,6 +47,7 @@ Progress Protocol::advance() {
 }
 
 Progress Protocol::end_phase() {
+  std::visit([&](const auto& kind) { leave(kind); }, phase()->kind);
   ++state_.phase;
   state_.search = {};
   state_.entered = false;
@@ -66,7 +67,9 @@ bool Protocol::make_step(const Phase& phase) {
 }
 
 bool Protocol::try_step(const StepSettings& step, int halvings_left) {
-  report_ = stepper_.advance(world_, step, scenario_.solver);
+  SolverSettings solver = scenario_.solver;
+  solver.tolerance = phase()->solver_tolerance.value_or(solver.tolerance);
+  report_ = stepper_.advance(world_, step, solver);
   state_.iterations += report_.solve.iterations;
   state_.factorisations += report_.solve.factorisations;
   if (!report_.finite) {
@@ -94,9 +97,17 @@ bool Protocol::try_step(const StepSettings& step, int halvings_left) {
 }
 
 bool Protocol::at_rest(double speed, double duration) {
-  const bool slow = std::ranges::all_of(world_.disks.velocity, [&](const Vec3& v) {
-    return v.head<2>().squaredNorm() <= speed * speed;
-  });
+  const auto slow = [&](const auto& v) {
+    return v.template head<2>().squaredNorm() <= speed * speed;
+  };
+  return rested(std::ranges::all_of(world_.disks.velocity, slow) &&
+                    std::ranges::all_of(
+                        world_.walls,
+                        [&](const Wall& wall) { return wall.mass == 0 || slow(wall.velocity); }),
+                duration);
+}
+
+bool Protocol::rested(bool slow, double duration) {
   if (!slow) state_.rest_since = -1;
   // Nothing has moved yet before the first step of a phase or trial.
   else if (state_.rest_since < 0 && world_.time > state_.trial_start)

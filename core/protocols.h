@@ -82,6 +82,22 @@ class Protocol {
   void before_step(const PushPhase&) {}
   bool is_over(const PushPhase& phase);
   double progress(const PushPhase& phase) const;
+  void leave(const PushPhase& phase);
+
+  void enter(const HealPhase& phase);
+  void before_step(const HealPhase&) {}
+  bool is_over(const HealPhase&) { return true; }
+  double progress(const HealPhase&) const { return 1; }
+
+  void enter(const PistonPhase& phase);
+  void before_step(const PistonPhase& phase);
+  bool is_over(const PistonPhase& phase);
+  double progress(const PistonPhase& phase) const;
+  void leave(const PistonPhase& phase);
+
+  // What happens at the end of a phase: nothing, unless its kind says so.
+  template <class Kind>
+  void leave(const Kind&) {}
 
   void enter(const PullPhase& phase);
   void before_step(const PullPhase& phase);
@@ -106,8 +122,10 @@ class Protocol {
 
   bool due(double moment) const;       // whether the world's time has reached it
   bool lasted(double duration) const;  // whether the present phase has, or its trial
-  // Whether all bodies have been slower than `speed` for `duration`.
+  // Whether all bodies, and walls with mass, have been slower than `speed` for `duration`.
   bool at_rest(double speed, double duration);
+  // To be called after each step: whether what is `slow` now has been so for `duration`.
+  bool rested(bool slow, double duration);
   bool make_step(const Phase& phase);
   bool try_step(const StepSettings& step, int halvings_left);
   Progress end_phase();

@@ -16,6 +16,8 @@ std::string_view phase_name(const Phase& phase) {
     std::string_view operator()(const PushPhase&) const { return "push"; }
     std::string_view operator()(const PullPhase&) const { return "pull"; }
     std::string_view operator()(const ShearPhase&) const { return "shear"; }
+    std::string_view operator()(const HealPhase&) const { return "heal"; }
+    std::string_view operator()(const PistonPhase&) const { return "piston"; }
   };
   return std::visit(Name{}, phase.kind);
 }
@@ -92,12 +94,37 @@ void check_pull(const Scenario& scenario, std::size_t phase, const std::string& 
                    "start_from with a state that has one");
 }
 
+void check_heal(const Scenario& scenario, const std::string& where) {
+  const auto cohesive = [](const std::optional<ContactLaw>& law) {
+    return law && law->cohesion_force;
+  };
+  if (!cohesive(scenario.grain_law) && !cohesive(scenario.wall_law) &&
+      !cohesive(scenario.intruder_law))
+    throw InputError(where, "heals bonds, but no contact law has a cohesion_force");
+}
+
+void check_piston(const Scenario& scenario, std::size_t phase, const std::string& where) {
+  if (!scenario.box.floor || scenario.box.sides == Sides::open)
+    throw InputError(where, "a piston needs a floor and sides that are periodic or walls");
+  const auto brings_bodies = [](const Phase& earlier) {
+    return std::holds_alternative<DepositPhase>(earlier.kind) ||
+           std::holds_alternative<PushPhase>(earlier.kind);
+  };
+  if (scenario.disks.empty() && scenario.start_from.empty() &&
+      std::none_of(scenario.phases.begin(),
+                   scenario.phases.begin() + static_cast<std::ptrdiff_t>(phase), brings_bodies))
+    throw InputError(where, "there is nothing that the piston could press");
+}
+
 void check_phases(const Scenario& scenario) {
   for (std::size_t k = 0; k < scenario.phases.size(); ++k) {
     const std::string where = "phases[" + std::to_string(k) + "]";
     if (const auto* push = std::get_if<PushPhase>(&scenario.phases[k].kind))
       check_push(scenario, *push, where);
     if (std::holds_alternative<PullPhase>(scenario.phases[k].kind)) check_pull(scenario, k, where);
+    if (std::holds_alternative<HealPhase>(scenario.phases[k].kind)) check_heal(scenario, where);
+    if (std::holds_alternative<PistonPhase>(scenario.phases[k].kind))
+      check_piston(scenario, k, where);
     const auto* deposit = std::get_if<DepositPhase>(&scenario.phases[k].kind);
     if (!deposit) continue;
     if (!scenario.box.floor || scenario.box.sides == Sides::open)

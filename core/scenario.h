@@ -85,6 +85,9 @@ struct SettlePhase {
   bool operator==(const SettlePhase&) const = default;
 };
 
+// What must come to rest for a phase to end: everything, or only the body that the force acts on.
+enum class RestOf : std::uint8_t { all, driven };
+
 // An intruder is placed on the surface and pushed by a constant force.
 struct PushPhase {
   double diameter = 3;       // [d]
@@ -94,6 +97,8 @@ struct PushPhase {
   double rest_speed = 1e-3;  // as in SettlePhase
   double rest_time = 0.5;
   double max_time = 1000;
+  RestOf until = RestOf::all;  // driven: the intruder alone, whatever the debris does
+  bool release = false;        // whether the force ends with the phase; else it stays
   bool bonding = false;
   bool operator==(const PushPhase&) const = default;
 };
@@ -126,10 +131,41 @@ struct ShearPhase {
   bool operator==(const ShearPhase&) const = default;
 };
 
+// Bonds are restored where contacts are. Nothing moves and no time passes: the healing itself is not
+// simulated, only its result.
+struct HealPhase {
+  enum class Which : std::uint8_t { touching, broken };
+  // touching: all pairs in touch whose law has a cohesion; broken: of these, the formerly bonded ones.
+  Which which = Which::touching;
+  // Engaged, both: each contact heals with the probability 1 - exp(-waited/healing_time), drawn in the
+  // order of pairs. Absent: all heal. In any common unit of time.
+  std::optional<double> waited;
+  std::optional<double> healing_time;
+  bool operator==(const HealPhase&) const = default;
+};
+
+// A horizontal piston is laid on top of the packing and presses it down with its weight and a force
+// that rises linearly from 0. Ends at max_time, or when the packing no longer yields: at rest after the
+// ramp. Marks the bonds as initial ones unless some are marked already.
+struct PistonPhase {
+  double mass = 1;           // [grain masses]
+  double force = 0;          // downward, besides its weight [F_g]
+  double ramp_time = 1;      // in which the force reaches its full value [sqrt(d/g)]; 0: at once
+  double rest_speed = 1e-3;  // as in SettlePhase
+  double rest_time = 0.5;
+  double max_time = 1000;
+  RestOf until = RestOf::all;  // driven: the piston alone, whatever loose grains do
+  bool bonding = false;
+  bool remove = true;  // at the end, with its contacts and bonds; false: it stays and presses on
+  bool operator==(const PistonPhase&) const = default;
+};
+
 struct Phase {
-  std::variant<DepositPhase, SettlePhase, PushPhase, PullPhase, ShearPhase> kind;
-  std::optional<double> dt;            // overrides StepSettings::dt [sqrt(d/g)]
-  std::optional<double> sample_every;  // time between samples and frames [sqrt(d/g)]
+  std::variant<DepositPhase, SettlePhase, PushPhase, PullPhase, ShearPhase, HealPhase, PistonPhase>
+      kind;
+  std::optional<double> dt;                // overrides StepSettings::dt [sqrt(d/g)]
+  std::optional<double> sample_every;      // time between samples and frames [sqrt(d/g)]
+  std::optional<double> solver_tolerance;  // overrides SolverSettings::tolerance [1]
   bool operator==(const Phase&) const = default;
 };
 std::string_view phase_name(const Phase& phase);  // "deposit", "settle", ...

@@ -63,21 +63,34 @@ World make_world(const Scenario& scenario) {
     if (i < scenario.disk_forces.size()) world.disks.applied[body] = scenario.disk_forces[i];
   }
   if (scenario.initial_bonds == InitialBonds::touching) {
-    std::vector<Pair> bonded;
-    const double widest = std::max({world.grain_law.cohesion_range, world.wall_law.cohesion_range,
-                                    world.intruder_law.cohesion_range});
-    for (const Pair& pair : pairs_within(world, widest)) {
-      const ContactLaw& law = world.law(pair);
-      const bool movable =
-          !world.disks.fixed(pair.a) ||
-          (is_wall(pair.b) ? world.wall(pair.b).mass > 0 : !world.disks.fixed(pair.b));
-      if (law.cohesion_force && movable && world.gap(pair) <= law.cohesion_range)
-        bonded.push_back(pair);
-    }
-    world.bonds.form(bonded);
+    world.bonds.form(bondable_pairs(world));
     world.bonds.mark_initial();
   }
   return world;
+}
+
+std::vector<Pair> bondable_pairs(const World& world) {
+  const auto free = [&](int body) {
+    return is_wall(body) ? world.wall(body).mass > 0 : !world.disks.fixed(body);
+  };
+  const double widest = std::max({world.grain_law.cohesion_range, world.wall_law.cohesion_range,
+                                  world.intruder_law.cohesion_range});
+  std::vector<Pair> pairs = pairs_within(world, widest);
+  std::erase_if(pairs, [&](Pair pair) {
+    const ContactLaw& law = world.law(pair);
+    return !law.cohesion_force || world.gap(pair) > law.cohesion_range ||
+           !(free(pair.a) || free(pair.b));
+  });
+  return pairs;
+}
+
+void remove_last_wall(World& world) {
+  world.walls.pop_back();
+  const int body = kWallBase + static_cast<int>(world.walls.size());
+  world.bonds.initial -= std::ranges::count_if(
+      world.bonds.list, [&](const Bond& bond) { return bond.pair.b == body && bond.initial; });
+  std::erase_if(world.bonds.list, [&](const Bond& bond) { return bond.pair.b == body; });
+  std::erase_if(world.contacts, [&](const Contact& contact) { return contact.pair.b == body; });
 }
 
 namespace {

@@ -47,6 +47,14 @@ struct World {
 // The world at the start of a scene: its box, walls and listed disks. Does not read start_from.
 World make_world(const Scenario& scenario);
 
+// The pairs that a bond could hold: they touch within the cohesion range of their law, which has a
+// cohesion, and not both are immovable. Sorted.
+std::vector<Pair> bondable_pairs(const World& world);
+
+// Takes away the last wall, of which there must be one, with its bonds and contacts. Its bonds do not
+// count as broken.
+void remove_last_wall(World& world);
+
 // 64-bit hash of everything that decides the future of the world, bit by bit.
 std::uint64_t world_hash(const World& world);
 

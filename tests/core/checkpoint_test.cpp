@@ -55,6 +55,15 @@ TEST_P(Restart, SlowAtEveryStepOfALargerRunGivesTheSameBytes) {
   expect_restarts_to_agree(scene, 1);
 }
 
+TEST_P(Restart, InAPistonAndAHealingGivesTheSameBytes) {
+  Scenario scene = small_collapse(GetParam());
+  scene.phases = {{DepositPhase{.grains = 25, .interval = 0}},
+                  {PistonPhase{.mass = 30, .force = 2000, .ramp_time = 0.3, .max_time = 0.5}, 5e-3},
+                  {HealPhase{.waited = 1, .healing_time = 1}},
+                  {SettlePhase{.max_time = 0.1}}};
+  expect_restarts_to_agree(scene, 3);
+}
+
 // The time since which a scene is at rest is part of where a protocol stands.
 TEST_P(Restart, WhileWaitingForRestEndsThePhaseInTime) {
   Scenario scene = column(GetParam(), 2);

@@ -134,6 +134,48 @@ TEST_P(RunOfPhases, PushPlacesTheIntruderOnTheSurfaceAndPushes) {
   EXPECT_LT(measure(protocol.world()).remaining_bond_fraction, 1);
 }
 
+// An intruder that cannot move, beside a grain that never stops.
+Scenario held_intruder(Method method, RestOf until) {
+  Scenario scene = column(method, 1, paper_law());
+  scene.box.width = 10;
+  scene.disks.push_back({.position = {7, 3}, .velocity = {1, 0}, .fixed = true});
+  scene.phases = {
+      {PushPhase{.force = 50, .x = 0.0, .rest_time = 0.1, .max_time = 0.5, .until = until}}};
+  return scene;
+}
+
+TEST_P(RunOfPhases, PushEndsAtTheRestOfTheIntruderAloneIfTheSceneSaysSo) {
+  const Finished alone(held_intruder(GetParam(), RestOf::driven));
+  EXPECT_NEAR(alone.protocol.world().time, 0.1 + alone.protocol.world().impulse_dt,
+              tolerance::rounding())
+      << "from the first step on";
+  EXPECT_NEAR(Finished(held_intruder(GetParam(), RestOf::all)).protocol.world().time, 0.5,
+              tolerance::rounding());
+}
+
+TEST_P(RunOfPhases, ForceOfAPushEndsWithItOnlyIfItIsReleased) {
+  for (const bool release : {false, true}) {
+    Scenario scene = held_intruder(GetParam(), RestOf::driven);
+    std::get<PushPhase>(scene.phases[0].kind).release = release;
+    const Finished run(scene);
+    EXPECT_EQ(run.protocol.world().disks.applied[2].y(), release ? 0 : -50);
+  }
+}
+
+TEST_P(RunOfPhases, APhaseMayHaveItsOwnTolerance) {
+  Scenario scene = small_collapse(GetParam());
+  scene.step.stop_if_unconverged = true;
+  scene.step.max_halvings = 0;
+  scene.solver.max_iterations = 3000;
+  scene.solver.tolerance = 1e-300;  // out of reach
+  scene.phases.resize(1);
+  EXPECT_EQ(Finished(scene).last, Progress::failed);
+  scene.phases[0].solver_tolerance = 1e-3;
+  const Finished run(scene);
+  EXPECT_EQ(run.last, Progress::finished);
+  EXPECT_LE(run.protocol.state().worst_residual, 1e-3);
+}
+
 TEST_P(RunOfPhases, PhasesFollowEachOtherWithTheirOwnSteps) {
   Scenario scene = small_collapse(GetParam());
   Protocol protocol(scene, make_world(scene));

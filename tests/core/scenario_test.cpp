@@ -110,6 +110,8 @@ TEST(Phases, HaveNames) {
   EXPECT_EQ(phase_name(scene.phases[0]), "deposit");
   EXPECT_EQ(phase_name(scene.phases[1]), "settle");
   EXPECT_EQ(phase_name(scene.phases[2]), "push");
+  EXPECT_EQ(phase_name({HealPhase{}}), "heal");
+  EXPECT_EQ(phase_name({PistonPhase{}}), "piston");
 }
 
 }  // namespace
