@@ -137,9 +137,10 @@ std::string phases_text(const Scenario& s) {
     text += line("phases[" + std::to_string(i) + "]",
                  std::string(phase_name(phase)) + ": " + std::visit(PhaseText{s}, phase.kind));
     if (std::holds_alternative<HealPhase>(phase.kind)) continue;
-    text += line("", "dt = " + number(phase.dt.value_or(s.step.dt)) + ", a sample every " +
-                         number(sample_interval(s, phase, {})) + " sqrt(d/g)" +
-                         (phase.solver_tolerance ? ", residual " + number(*phase.solver_tolerance) : ""));
+    text += line(
+        "", "dt = " + number(phase.dt.value_or(s.step.dt)) + ", a sample every " +
+                number(sample_interval(s, phase, {})) + " sqrt(d/g)" +
+                (phase.solver_tolerance ? ", residual " + number(*phase.solver_tolerance) : ""));
   }
   return text.empty() ? line("phases", "none: nothing will be computed") : text;
 }

@@ -1,0 +1,232 @@
+// quicksand reproduce: the paper's experiments and a report that sets its numbers beside ours.
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <thread>
+
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "app/job_pool.h"
+#include "app/json_reader.h"
+#include "app/nearest_name.h"
+#include "app/paper_experiments.h"
+#include "app/provenance.h"
+#include "core/errors.h"
+
+namespace quicksand {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostRealizations = 1000;
+constexpr int kMostThreads = 1024;
+
+struct Options {
+  std::vector<std::string> figures;
+  std::optional<int> realizations;
+  std::optional<double> width, height;
+  fs::path out = "out/paper";
+  int threads = 0;  // 0: all cores
+  bool quick = false;
+  bool dry_run = false;
+  bool quiet = false;
+};
+
+struct Chosen {
+  const PaperFigure* figure;
+  std::unique_ptr<PaperExperiment> experiment;
+};
+
+std::vector<std::string> figure_names() {
+  std::vector<std::string> names;
+  for (const PaperFigure& figure : paper_figures()) names.emplace_back(figure.name);
+  return names;
+}
+
+std::vector<Chosen> chosen(const Options& options) {
+  const std::vector<std::string> names = figure_names();
+  for (const std::string& word : options.figures)
+    if (std::ranges::find(names, word) == names.end()) {
+      std::string known;
+      for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
+      throw InputError("figure \"" + word + "\"",
+                       "is not known" + suggestion(word, names) + "; there are " + known);
+    }
+  std::vector<Chosen> all;
+  for (const PaperFigure& figure : paper_figures()) {
+    if (!options.figures.empty() &&
+        std::ranges::find(options.figures, figure.name) == options.figures.end())
+      continue;
+    all.push_back({&figure, figure.make()});
+  }
+  return all;
+}
+
+PaperScale scale_of(const Options& options) {
+  PaperScale scale = options.quick ? quick_scale() : PaperScale{};
+  const auto checked = [](const char* name, double value, double least, double most,
+                          const char* unit) {
+    if (value >= least && value <= most) return value;
+    throw InputError(std::string(name) + " " + number_text(value),
+                     "must be from " + number_text(least) + " to " + number_text(most) + unit);
+  };
+  constexpr double kLeastWidth = 12, kLeastHeight = 20, kMost = 1000;
+  if (options.width) scale.width = checked("--width", *options.width, kLeastWidth, kMost, " d");
+  if (options.height)
+    scale.height = checked("--height", *options.height, kLeastHeight, kMost, " d");
+  if (options.realizations)
+    scale.realizations = static_cast<int>(
+        checked("--realizations", *options.realizations, 1, kMostRealizations, ""));
+  return scale;
+}
+
+std::string command_of(const Options& options) {
+  std::vector<std::string> words{"quicksand", "reproduce"};
+  words.insert(words.end(), options.figures.begin(), options.figures.end());
+  if (options.quick) words.emplace_back("--quick");
+  const auto add = [&](const char* name, const std::string& value) {
+    words.insert(words.end(), {name, value});
+  };
+  if (options.width) add("--width", number_text(*options.width));
+  if (options.height) add("--height", number_text(*options.height));
+  if (options.realizations) add("--realizations", std::to_string(*options.realizations));
+  add("--out", options.out.string());
+  return command_text(words);
+}
+
+double seconds_of(const PaperResults& results, std::size_t jobs) {
+  double seconds = 0;
+  for (std::size_t k = 0; k < jobs; ++k)
+    if (const RunResults* run = results.run(k))
+      seconds += run->final_value("wall_seconds").value_or(0);
+  return seconds;
+}
+
+// Runs that have no result, and those whose steps did not all converge.
+Section section_on_runs(const PaperJobs& jobs, const PoolReport& pool,
+                        const PaperResults& results) {
+  Section section{.title = "Runs", .blocks = {}};
+  BulletList failed;
+  double unconverged = 0, halved = 0, broken = 0;
+  for (std::size_t k = 0; k < jobs.jobs().size(); ++k) {
+    if (const RunResults* run = results.run(k)) {
+      unconverged += run->final_value("unconverged_steps").value_or(0);
+      halved += run->final_value("halved_steps").value_or(0);
+      broken += run->final_value("bonds_broken_in_unconverged_steps").value_or(0);
+    } else {
+      failed.items.push_back(
+          jobs.jobs()[k].id + ": " + std::string(status_name(pool.outcomes[k].status)) +
+          (pool.outcomes[k].failure.empty() ? "" : ", ") + pool.outcomes[k].failure);
+    }
+  }
+  section.blocks.emplace_back(Paragraph{
+      std::to_string(jobs.jobs().size()) + " runs, " + std::to_string(failed.items.size()) +
+      " of them without a result. Steps taken without convergence: " + number_text(unconverged) +
+      "; steps taken as two halves: " + number_text(halved) +
+      "; bonds broken in unconverged steps: " + number_text(broken) +
+      ". Every run's folder holds its scene, series, summary and last state; `quicksand run "
+      "scene.json` repeats it."});
+  if (!failed.items.empty()) {
+    section.blocks.emplace_back(
+        Remark{Remark::Kind::warning, "These runs are missing from every mean."});
+    section.blocks.emplace_back(std::move(failed));
+  }
+  return section;
+}
+
+Report report_of(const Options& options, const PaperJobs& jobs, const PoolReport& pool,
+                 const std::vector<Chosen>& all) {
+  const PaperResults results(jobs.jobs());
+  const PaperScale& scale = jobs.scale();
+  Report report{
+      .title = "Collapsing granular suspensions, reproduced",
+      .intro = {"Every number of the paper beside ours, and how each was obtained. Boxes of " +
+                number_text(scale.width) + " x " + number_text(scale.height) + " d, " +
+                std::to_string(scale.realizations) +
+                " realizations; the paper has 51 x 199 d and 10."}};
+  if (scale.width != PaperScale{}.width || scale.height != PaperScale{}.height)
+    report.intro.emplace_back(
+        "The box is smaller than the paper's: depths, heights and what depends on the weight above "
+        "cannot agree, and walls and ground are nearer.");
+  Findings findings;
+  std::vector<Section> figures;
+  for (const Chosen& c : all) {
+    Section section{.title = std::string(c.figure->title), .blocks = {}};
+    c.experiment->report(results, options.out / "snapshots", section, findings);
+    figures.push_back(std::move(section));
+  }
+  const PaperTargets targets = read_targets(shipped_targets());
+  const Tally count = tally(targets, findings);
+  Section comparison{.title = "The paper's numbers beside ours", .blocks = {}};
+  comparison.blocks.emplace_back(Paragraph{std::to_string(count.inside) +
+                                           " inside the stated tolerance, " +
+                                           std::to_string(count.outside) + " outside, " +
+                                           std::to_string(count.not_measured) + " not measured."});
+  comparison.blocks.emplace_back(comparison_table(targets, findings));
+  report.sections.push_back(std::move(comparison));
+  std::ranges::move(figures, std::back_inserter(report.sections));
+  report.sections.push_back(section_on_runs(jobs, pool, results));
+  report.provenance = provenance(
+      {.command = command_of(options), .seconds = seconds_of(results, jobs.jobs().size())});
+  return report;
+}
+
+int reproduce(const Options& options) {
+  std::vector<Chosen> all = chosen(options);
+  PaperJobs jobs(scale_of(options), options.out);
+  for (Chosen& c : all) c.experiment->plan(jobs);
+  if (options.dry_run) {
+    for (const Job& job : jobs.jobs()) std::printf("%s\n", job.id.c_str());
+    std::printf("%zu runs would go to %s\n", jobs.jobs().size(), (options.out / "runs").c_str());
+    return kFine;
+  }
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const int threads = options.threads == 0 ? cores : std::clamp(options.threads, 1, kMostThreads);
+  make_writable({options.out});
+  const PoolReport pool =
+      run_jobs(jobs.jobs(), {.threads = threads, .frames = false, .quiet = options.quiet});
+  const Report report = report_of(options, jobs, pool, all);
+  for (const std::string& problem : write_report(report, options.out))
+    std::fprintf(stderr, "quicksand: %s\n", problem.c_str());
+  std::printf("%zu of %zu runs finished\n%s\n%s\n", pool.count(JobStatus::finished),
+              jobs.jobs().size(), (options.out / "report.html").c_str(),
+              (options.out / "report.md").c_str());
+  if (pool.interrupted) {
+    std::printf("interrupted; the same command goes on from there\n");
+    return kInterrupted;
+  }
+  return pool.count(JobStatus::finished) == jobs.jobs().size() ? kFine : kRunFailed;
+}
+
+}  // namespace
+
+Command add_reproduce(CLI::App& program) {
+  CLI::App* command = program.add_subcommand(
+      "reproduce", "the paper's experiments, with a report that sets its numbers beside ours");
+  const auto options = std::make_shared<Options>();
+  std::string names;
+  for (const std::string& name : figure_names()) names += (names.empty() ? "" : ", ") + name;
+  command->add_option("figures", options->figures, "all if none is given; one or more of: " + names)
+      ->type_name("FIGURE");
+  command
+      ->add_option("--realizations", options->realizations, "samples of each kind [10; quick: 2]")
+      ->type_name("N");
+  command->add_option("--width", options->width, "of the box [51 d; quick: 24 d]")->type_name("W");
+  command->add_option("--height", options->height, "of the box [199 d; quick: 50 d]")
+      ->type_name("H");
+  command->add_option("--out", options->out, "folder of runs and report [out/paper]")
+      ->type_name("DIR");
+  command->add_option("--threads", options->threads, "runs at the same time [all cores]")
+      ->type_name("N");
+  command->add_flag("--quick", options->quick, "a small box and two realizations, in minutes");
+  command->add_flag("--dry-run", options->dry_run, "list the runs");
+  command->add_flag("--quiet", options->quiet, "no progress");
+  command->footer(
+      "Runs that have finished are not repeated: the same command goes on after an interruption.\n"
+      "DIR receives report.html, report.md, plots/ and a folder for each run.\n\n"
+      "Example:\n  quicksand reproduce --quick --out out/quick");
+  return {command, [options] { return reproduce(*options); }};
+}
+
+}  // namespace quicksand
