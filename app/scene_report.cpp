@@ -172,6 +172,9 @@ std::string scene_report(const Scenario& s) {
   text += line("box", number(s.box.width) + " x " + number(s.box.height) + " d, sides " +
                           word(scene, "box", "sides") + (s.box.floor ? ", floor at y = 0" : ""));
   text += line("gravity", gravity_text(s));
+  if (s.drag)
+    text += line("drag", "of a grain: " + number(s.drag->linear) + " F_g/sqrt(g d) v + " +
+                             number(s.drag->quadratic) + " F_g/(g d) v^2");
   text += line("contact", law_text(s.grain_law));
   if (s.wall_law) text += line("wall_contact", law_text(*s.wall_law));
   if (s.intruder_law) text += line("intruder_contact", law_text(*s.intruder_law));

@@ -33,6 +33,7 @@ std::vector<std::string> model_terms(const Scenario& scenario) {
   if (scenario.box.sides == Sides::periodic) terms.emplace_back("periodic sides");
   if (scenario.box.floor || scenario.box.sides == Sides::walls || !scenario.walls.empty())
     terms.emplace_back("walls");
+  if (scenario.drag) terms.emplace_back("drag");
   return terms;
 }
 

@@ -13,6 +13,7 @@
 #include "core/bonds.h"
 #include "core/contact_law.h"
 #include "core/disks.h"
+#include "core/drag.h"
 #include "core/solver.h"
 #include "core/walls.h"
 
@@ -139,6 +140,7 @@ struct Scenario {
   std::uint64_t seed = 1;
   std::optional<PhysicalScale> physical;
   std::optional<Vec2> gravity;  // vector [g]; absent: no gravity
+  std::optional<Drag> drag;     // of a fluid on every body
   Box box;
   ContactLaw grain_law;                    // grain on grain
   std::optional<ContactLaw> wall_law;      // grain on wall; as grain_law if absent
