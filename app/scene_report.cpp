@@ -59,8 +59,11 @@ struct PhaseText {
     return (p.height > 0
                 ? "about " + grains + " grains, up to a height of " + number(p.height) + " d"
                 : grains + " grains") +
+           (p.polydispersity ? ", diameters 1 +- " + number(p.polydispersity->deviation) + " d"
+                             : "") +
            (p.interval > 0 ? ", one every " + number(p.interval) + " sqrt(d/g)"
-                           : std::string(", all at once, sticking where they touch"));
+                           : std::string(", all at once, sticking where they touch")) +
+           (p.capture_radius > 0 ? ", captured within " + number(p.capture_radius) + " d" : "");
   }
   std::string operator()(const SettlePhase& p) const {
     return (p.until_rest ? rest(p.rest_speed, p.rest_time, p.max_time)

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "core/errors.h"
+#include "core/grain_sizes.h"
 #include "core/neighbors.h"
 #include "core/world.h"
 
@@ -128,9 +129,12 @@ void check_phases(const Scenario& scenario) {
 void validate(const Scenario& scenario) {
   double largest = 1;
   for (const Disk& disk : scenario.disks) largest = std::max(largest, 2 * disk.radius);
-  for (const Phase& phase : scenario.phases)
+  for (const Phase& phase : scenario.phases) {
     if (const auto* push = std::get_if<PushPhase>(&phase.kind))
       largest = std::max(largest, push->diameter);
+    const auto* deposit = std::get_if<DepositPhase>(&phase.kind);
+    if (deposit && deposit->polydispersity) largest = std::max(largest, kMostDiameter);
+  }
   // Two bodies must never touch both directly and through the periodic image.
   if (scenario.box.sides == Sides::periodic && scenario.box.width < 3 * largest)
     throw InputError("box.width", "is " + number(scenario.box.width) +

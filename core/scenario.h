@@ -57,12 +57,21 @@ struct StepSettings {
   bool operator==(const StepSettings&) const = default;
 };
 
-// Ballistic deposition: grains fall straight down at random places and stick where they touch.
+// Spread of the grains' diameters about their mean, 1 d; see grain_sizes.h.
+struct Polydispersity {
+  double deviation = 0;  // standard deviation [d]
+  bool operator==(const Polydispersity&) const = default;
+};
+
+// Ballistic deposition: grains fall straight down at random places and stick where they touch, or at
+// the side of what captures them.
 struct DepositPhase {
   std::int64_t grains = 0;   // number of grains; 0: until the height is reached
   double height = 0;         // top of the packing that ends the phase [d]; 0: by number only
   double interval = 1e-2;    // time between grains [sqrt(d/g)]; 0: all at once, no dynamics
   double drop_velocity = 0;  // downward, at the place of first contact [sqrt(g d)]
+  std::optional<Polydispersity> polydispersity;  // absent: equal grains
+  double capture_radius = 0;  // a grain is drawn in that comes this close to another's surface [d]
   bool operator==(const DepositPhase&) const = default;
 };
 
