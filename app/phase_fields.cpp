@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "app/scene_fields.h"
+#include "core/grain_sizes.h"
 
 namespace quicksand {
 
@@ -16,6 +17,11 @@ constexpr std::string_view kPhases[] = {"deposit", "settle", "push",  "pull",
 constexpr std::string_view kPushEnds[] = {"rest", "intruder_rest"};
 constexpr double kDense = 0.91;  // more than any packing of equal disks reaches
 
+void describe_polydispersity(Fields& f, Polydispersity& p) {
+  f.number({"deviation", "standard deviation, after the cut", Presence::required},
+           above(0, kMostDeviation, "d"), p.deviation);
+}
+
 void describe_deposit(Fields& f, DepositPhase& p, const Box& box) {
   f.integer({"grains", "number of grains; 0: until the height is reached"}, 0, kMaxBodies,
             p.grains);
@@ -26,6 +32,14 @@ void describe_deposit(Fields& f, DepositPhase& p, const Box& box) {
   f.number({"drop_velocity", "downward, at the place of first contact"},
            between(0, 1e6, "sqrt(g d)"), p.drop_velocity);
   describe_adiabatic(f, p);
+  f.optional_object({"polydispersity",
+                     "normal distribution of the diameters about 1 d, cut at 0.2 "
+                     "and 1.8 d; absent: equal grains"},
+                    p.polydispersity, describe_polydispersity);
+  f.number({"capture_radius",
+            "a falling grain is drawn in by the first that comes this close to its "
+            "surface; 0: only where they touch"},
+           between(0, 10, "d"), p.capture_radius);
   if (!f.reading()) return;
   if (p.grains == 0 && p.height == 0) {
     f.refuse("grains", "and height are both 0; give a number of grains, a height [d] or both");

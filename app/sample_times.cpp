@@ -49,7 +49,8 @@ std::int64_t estimated_grains(const Scenario& scenario, const DepositPhase& phas
   constexpr double kLoose = 0.37;
   constexpr double kDense = 0.8;
   const double share = scenario.grain_law.cohesion_force ? kLoose : kDense;
-  const double grain_area = std::numbers::pi / 4;
+  const double deviation = phase.polydispersity ? phase.polydispersity->deviation : 0;
+  const double grain_area = std::numbers::pi / 4 * (1 + deviation * deviation);
   const auto room =
       static_cast<std::int64_t>(share * scenario.box.width * phase.height / grain_area);
   return phase.grains > 0 ? std::min(phase.grains, room) : room;

@@ -159,6 +159,8 @@ void describe_scene(Fields& f, Scenario& s) {
   f.optional_object({"gravity", "absent: no gravity; {} is 1 g straight down"}, gravity,
                     describe_gravity);
   if (gravity) s.gravity = gravity->vector;
+  f.optional_object({"drag", "of a fluid on every body, implicit in the step; absent: none"},
+                    s.drag, [&](Fields& g, Drag& drag) { describe_drag(g, drag, s.physical); });
   f.object({"box", "borders of the system", Presence::required},
            [&](Fields& g) { describe_box(g, s.box); });
   f.object({"contact", "law of grains touching each other"},

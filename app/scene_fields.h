@@ -12,6 +12,9 @@ constexpr std::int64_t kMaxBodies = 5'000'000;
 
 void describe_scene(Fields& f, Scenario& scenario);
 
+// Drag, which may be given by the properties of a fluid where the scene is `physical`.
+void describe_drag(Fields& f, Drag& drag, const std::optional<PhysicalScale>& physical);
+
 // One phase of the protocol. The scenario must hold box and contact law already: forces may be given
 // relative to the cohesion force.
 void describe_phase(Fields& f, Phase& phase, const Scenario& scenario);

@@ -59,8 +59,11 @@ struct PhaseText {
     return (p.height > 0
                 ? "about " + grains + " grains, up to a height of " + number(p.height) + " d"
                 : grains + " grains") +
+           (p.polydispersity ? ", diameters 1 +- " + number(p.polydispersity->deviation) + " d"
+                             : "") +
            (p.interval > 0 ? ", one every " + number(p.interval) + " sqrt(d/g)"
                            : std::string(", all at once, sticking where they touch")) +
+           (p.capture_radius > 0 ? ", captured within " + number(p.capture_radius) + " d" : "") +
            (p.adiabatic ? "; whole samples, the interval times " + number(p.adiabatic->factor) +
                               " each, until the volume fraction changes by less than " +
                               number(p.adiabatic->tolerance) + " or the interval would pass " +
@@ -197,6 +200,9 @@ std::string scene_report(const Scenario& s) {
   text += line("box", number(s.box.width) + " x " + number(s.box.height) + " d, sides " +
                           word(scene, "box", "sides") + (s.box.floor ? ", floor at y = 0" : ""));
   text += line("gravity", gravity_text(s));
+  if (s.drag)
+    text += line("drag", "of a grain: " + number(s.drag->linear) + " F_g/sqrt(g d) v + " +
+                             number(s.drag->quadratic) + " F_g/(g d) v^2");
   text += line("contact", law_text(s.grain_law));
   if (s.wall_law) text += line("wall_contact", law_text(*s.wall_law));
   if (s.intruder_law) text += line("intruder_contact", law_text(*s.intruder_law));

@@ -130,6 +130,10 @@ void write_world(Writer& w, const World& world) {
       world.gravity ? std::vector<double>{world.gravity->x(), world.gravity->y()}
                     : std::vector<double>{};
   w.array("gravity", gravity);
+  const std::vector<double> drag =
+      world.drag ? std::vector<double>{world.drag->linear, world.drag->quadratic}
+                 : std::vector<double>{};
+  w.array("drag", drag);
   Columns bonds, contacts, walls;
   for (const Bond& bond : world.bonds.list) {
     bonds.a.push_back(bond.pair.a), bonds.b.push_back(bond.pair.b);
@@ -179,6 +183,10 @@ World world_from(const Json& json) {
   reader.array("gravity", gravity);
   require(gravity.empty() || gravity.size() == 2, "gravity is no vector");
   if (gravity.size() == 2) world.gravity = Vec2(gravity[0], gravity[1]);
+  std::vector<double> drag;
+  reader.array("drag", drag);
+  require(drag.empty() || drag.size() == 2, "drag is not two numbers");
+  if (drag.size() == 2) world.drag = Drag{.linear = drag[0], .quadratic = drag[1]};
 
   Columns bonds, contacts, walls;
   reader.object("bonds", [&](Reader& a) { describe_bonds(a, bonds); });

@@ -95,6 +95,8 @@ const char* impossible(const World& world) {
       !finite(world.box.height) || (world.box.sides != Sides::open && world.box.width == 0))
     return "no such box";
   if (world.gravity && !world.gravity->allFinite()) return "gravity is not a number";
+  if (world.drag && !(not_negative(world.drag->linear) && not_negative(world.drag->quadratic)))
+    return "no such drag";
   if (!possible(world.grain_law) || !possible(world.wall_law) || !possible(world.intruder_law))
     return "no such contact law";
   if (!possible(world.disks)) return "a number of a disk is not possible";

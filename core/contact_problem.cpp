@@ -67,6 +67,7 @@ void free_velocities(const World& world, double dt, std::vector<Vec3>& velocity)
     const Vec2 push = wall.force * wall.normal + wall.mass * g;
     v += dt * wall.inverse_mass().cwiseProduct(Vec3(push.x(), push.y(), 0));
   }
+  if (world.drag) apply_drag(world, dt, velocity);
 }
 
 double least_reach(const World& world) {
@@ -145,6 +146,7 @@ void build_problem(const World& world, const std::vector<Contact>& contacts,
   problem.dt = dt;
   problem.inverse_mass.assign(disks.inverse_mass.begin(), disks.inverse_mass.end());
   for (const Wall& wall : world.walls) problem.inverse_mass.push_back(wall.inverse_mass());
+  if (world.drag) apply_drag(world, dt, problem.inverse_mass);
   problem.free_velocity = free_velocity;
 
   const auto has = [&](auto term) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "core/ballistic.h"
+#include "core/grain_sizes.h"
 #include "core/measures.h"
 #include "core/protocols.h"
 
@@ -29,18 +30,22 @@ double Protocol::interval(const DepositPhase& phase) const {
 
 // Drops one grain at a random place; false if there is no place left below the height.
 bool Protocol::drop_grain(const DepositPhase& phase) {
-  constexpr double kRadius = 0.5;
+  double radius = 0.5;
+  if (phase.polydispersity) {
+    const double before_cut = deviation_before_cut(phase.polydispersity->deviation);
+    radius = draw_diameter(world_.random, before_cut) / 2;
+  }
   const Box& box = world_.box;
-  const double margin = box.sides == Sides::walls ? kRadius : 0;
+  const double margin = box.sides == Sides::walls ? radius : 0;
   // A surface is never flat: the packing is full when as many grains in a row as the box is wide
   // found no place.
   const int tries = phase.height > 0 ? std::max(10, static_cast<int>(box.width)) : 1;
   for (int k = 0; k < tries; ++k) {
     const double x = margin + world_.random.uniform() * (box.width - 2 * margin);
-    const std::optional<Landing> landing = land(world_, x, kRadius);
-    if (!landing || (phase.height > 0 && landing->centre.y() + kRadius > phase.height)) continue;
+    const std::optional<Landing> landing = land(world_, x, radius, phase.capture_radius);
+    if (!landing || (phase.height > 0 && landing->centre.y() + radius > phase.height)) continue;
     const int grain = world_.disks.add(
-        {.position = landing->centre, .radius = kRadius, .velocity = {0, -phase.drop_velocity}});
+        {.position = landing->centre, .radius = radius, .velocity = {0, -phase.drop_velocity}});
     const int touched = landing->touched;
     const Pair pair = is_wall(touched) ? Pair{grain, touched} : Pair{touched, grain};
     if (world_.law(pair).cohesion_force) world_.bonds.form({pair});

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "core/errors.h"
+#include "core/grain_sizes.h"
 #include "core/neighbors.h"
 #include "core/world.h"
 
@@ -35,6 +36,7 @@ std::vector<std::string> model_terms(const Scenario& scenario) {
   if (scenario.box.sides == Sides::periodic) terms.emplace_back("periodic sides");
   if (scenario.box.floor || scenario.box.sides == Sides::walls || !scenario.walls.empty())
     terms.emplace_back("walls");
+  if (scenario.drag) terms.emplace_back("drag");
   return terms;
 }
 
@@ -141,9 +143,12 @@ void check_phases(const Scenario& scenario) {
 void validate(const Scenario& scenario) {
   double largest = 1;
   for (const Disk& disk : scenario.disks) largest = std::max(largest, 2 * disk.radius);
-  for (const Phase& phase : scenario.phases)
+  for (const Phase& phase : scenario.phases) {
     if (const auto* push = std::get_if<PushPhase>(&phase.kind))
       largest = std::max(largest, push->diameter);
+    const auto* deposit = std::get_if<DepositPhase>(&phase.kind);
+    if (deposit && deposit->polydispersity) largest = std::max(largest, kMostDiameter);
+  }
   // Two bodies must never touch both directly and through the periodic image.
   if (scenario.box.sides == Sides::periodic && scenario.box.width < 3 * largest)
     throw InputError("box.width", "is " + number(scenario.box.width) +

@@ -13,6 +13,7 @@
 #include "core/bonds.h"
 #include "core/contact_law.h"
 #include "core/disks.h"
+#include "core/drag.h"
 #include "core/solver.h"
 #include "core/walls.h"
 
@@ -65,12 +66,21 @@ struct Adiabatic {
   bool operator==(const Adiabatic&) const = default;
 };
 
-// Ballistic deposition: grains fall straight down at random places and stick where they touch.
+// Spread of the grains' diameters about their mean, 1 d; see grain_sizes.h.
+struct Polydispersity {
+  double deviation = 0;  // standard deviation [d]
+  bool operator==(const Polydispersity&) const = default;
+};
+
+// Ballistic deposition: grains fall straight down at random places and stick where they touch, or at
+// the side of what captures them.
 struct DepositPhase {
   std::int64_t grains = 0;   // number of grains; 0: until the height is reached
   double height = 0;         // top of the packing that ends the phase [d]; 0: by number only
   double interval = 1e-2;    // time between grains [sqrt(d/g)]; 0: all at once, no dynamics
   double drop_velocity = 0;  // downward, at the place of first contact [sqrt(g d)]
+  std::optional<Polydispersity> polydispersity = {};  // absent: equal grains
+  double capture_radius = 0;  // a grain is drawn in that comes this close to another's surface [d]
   std::optional<Adiabatic> adiabatic = {};  // engaged: `interval` is the first one
   bool operator==(const DepositPhase&) const = default;
 };
@@ -178,6 +188,7 @@ struct Scenario {
   std::uint64_t seed = 1;
   std::optional<PhysicalScale> physical;
   std::optional<Vec2> gravity;  // vector [g]; absent: no gravity
+  std::optional<Drag> drag;     // of a fluid on every body
   Box box;
   ContactLaw grain_law;                    // grain on grain
   std::optional<ContactLaw> wall_law;      // grain on wall; as grain_law if absent

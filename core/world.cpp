@@ -47,6 +47,7 @@ World make_world(const Scenario& scenario) {
   World world;
   world.box = scenario.box;
   world.gravity = scenario.gravity;
+  world.drag = scenario.drag;
   world.grain_law = scenario.grain_law;
   world.wall_law = scenario.wall_law.value_or(scenario.grain_law);
   world.intruder_law = scenario.intruder_law.value_or(scenario.grain_law);
@@ -136,6 +137,7 @@ std::uint64_t world_hash(const World& world) {
   hash.add(static_cast<int>(world.bonding));
   hash.add(world.box.width), hash.add(static_cast<int>(world.box.sides));
   hash.add(world.gravity.has_value() ? 1 : 0), hash.add(world.gravity.value_or(Vec2(0, 0)));
+  if (world.drag) hash.add(world.drag->linear), hash.add(world.drag->quadratic);
   hash.add(world.grain_law), hash.add(world.wall_law), hash.add(world.intruder_law);
   hash.add(world.impulse_dt);
   hash.add_all(world.disks.position);

@@ -10,6 +10,7 @@
 #include "core/contact_law.h"
 #include "core/contacts.h"
 #include "core/disks.h"
+#include "core/drag.h"
 #include "core/intruder_way.h"
 #include "core/random.h"
 #include "core/scenario.h"
@@ -20,6 +21,7 @@ namespace quicksand {
 struct World {
   Box box;
   std::optional<Vec2> gravity;  // [g]
+  std::optional<Drag> drag;
   ContactLaw grain_law, wall_law, intruder_law;
   Disks disks;
   std::vector<Wall> walls;

@@ -1,10 +1,13 @@
 // What a scene file means: what is written is what is read.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "app/assets.h"
 #include "app/scenario_json.h"
 #include "app/scene_file.h"
 #include "app/scene_override.h"
+#include "tests/support/core/tolerance.h"
 #include "tests/support/files.h"
 
 namespace quicksand::test {
@@ -85,6 +88,22 @@ TEST(SceneFormat, SearchesReadBackTheSame) {
   const auto& deposit = std::get<DepositPhase>(scene.phases[0].kind);
   EXPECT_EQ(deposit.adiabatic, (Adiabatic{.tolerance = 0.01, .factor = 4, .max_interval = 0.5}));
   EXPECT_EQ(scenario_from_json(to_json(scene)).phases, scene.phases);
+}
+
+// A grain in water: Stokes' velocity rho d^2 g/(18 eta) where gamma v = F_g.
+TEST(SceneFormat, DragMayBeGivenByTheFluid) {
+  const std::string start = R"({"box": {"width": 9},
+    "physical": {"grain_diameter": 344e-6, "grain_density": 2500}, "drag": )";
+  const Scenario viscous = scenario(start + R"({"viscosity": 1e-3}})");
+  const double unit = std::sqrt(9.81 * 344e-6);
+  const double stokes = 2500 * 344e-6 * 344e-6 * 9.81 / (18 * 1e-3) / unit;
+  EXPECT_NEAR(1 / viscous.drag->linear, stokes, tolerance::rounding(stokes));
+  EXPECT_EQ(viscous.drag->quadratic, 0);
+  // v^2 = 4/3 rho_s/rho d g/C_D
+  const Scenario turbulent = scenario(start + R"({"coefficient": 0.44, "fluid_density": 1000}})");
+  const double squared = 4.0 / 3 * 2.5 / 0.44;
+  EXPECT_NEAR(1 / turbulent.drag->quadratic, squared, tolerance::rounding(squared));
+  EXPECT_EQ(*scenario_from_json(to_json(viscous)).drag, *viscous.drag);
 }
 
 TEST(SceneFormat, ARepeatedBodyIsARow) {

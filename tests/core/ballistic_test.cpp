@@ -64,6 +64,31 @@ TEST(Landing, TouchesATiltedFloorWithoutOverlap) {
   EXPECT_NEAR(world.gap({0, kWallBase}), 0, tolerance::rounding(10));
 }
 
+TEST(Capture, DrawsTheDiskInAlongTheLineOfCentres) {
+  World world = box(Sides::periodic);
+  world.disks.add({.position = {9.8, 3}});
+  // Passing 1.2 d beside it, through the sides; met at a distance of 1.5.
+  EXPECT_EQ(land(world, 1, 0.5)->touched, kWallBase);
+  const auto landing = land(world, 1, 0.5, 0.5);
+  ASSERT_TRUE(landing);
+  EXPECT_EQ(landing->touched, 0);
+  EXPECT_NEAR(landing->centre.x(), 1 - 1.2 / 3, tolerance::rounding(10));
+  EXPECT_NEAR(landing->centre.y(), 3 + 0.9 * 2 / 3, tolerance::rounding(10));
+}
+
+TEST(Capture, ByTheFloorEndsWhereTheDiskWouldTouchIt) {
+  EXPECT_NEAR(land(box(Sides::periodic), 3, 0.5, 2)->centre.y(), 0.5, tolerance::rounding(10));
+}
+
+TEST(Capture, IntoASideWallGoesOnToTheFirstTouch) {
+  World world = box(Sides::walls);
+  world.disks.add({.position = {0.1, 3}, .radius = 0.1});
+  const auto landing = land(world, 1, 0.9, 0.5);
+  ASSERT_TRUE(landing);
+  EXPECT_EQ(landing->touched, 0);
+  EXPECT_EQ(landing->centre, land(world, 1, 0.9)->centre);
+}
+
 // Sticking without restructuring. The literature's 0.357 is that of large systems [Meakin 1987]: with the
 // same rule four million grains give 0.357 above a height of 400 d, but samples of 200 d by 230 d, as
 // here, 0.353 to 0.369, and 0.363 on average.

@@ -64,6 +64,12 @@ TEST_P(Restart, InAPistonAndAHealingGivesTheSameBytes) {
   expect_restarts_to_agree(scene, 3);
 }
 
+TEST_P(Restart, WithDragGivesTheSameBytes) {
+  Scenario scene = small_collapse(GetParam());
+  scene.drag = Drag{.linear = 0.7, .quadratic = 0.3};
+  expect_restarts_to_agree(scene, 3);
+}
+
 // The time since which a scene is at rest is part of where a protocol stands.
 TEST_P(Restart, WhileWaitingForRestEndsThePhaseInTime) {
   Scenario scene = column(GetParam(), 2);
@@ -206,6 +212,7 @@ TEST_F(CheckpointFile, OfAnImpossibleWorldIsRefused) {
       [](Checkpoint& c) { c.world.gravity = Vec2(0, std::nan("")); },
       [](Checkpoint& c) { c.world.way.places = {Vec2(0, std::nan(""))}; },
       [](Checkpoint& c) { c.world.way.surface = std::nan(""); },
+      [](Checkpoint& c) { c.world.drag = Drag{.linear = -1}; },
       [](Checkpoint& c) { c.protocol.phase = -1; },
       [](Checkpoint& c) { c.protocol.next_drop = std::nan(""); },
   };
