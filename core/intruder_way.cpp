@@ -89,14 +89,13 @@ std::vector<double> distances_from_way(const World& world, double at_most) {
         nearest = nearer(stretch, p, nearest);
         continue;
       }
-      // The image beside it bounds the distance; then all that are as near, since a stretch may be as
-      // long as a narrow box is wide.
-      const double beside = std::nearbyint((stretch.around.center().x() - p.x()) / width);
-      nearest = nearer(stretch, p + Vec2(beside * width, 0), nearest);
-      const double first = std::ceil((stretch.around.min().x() - nearest - p.x()) / width);
-      const double last = std::floor((stretch.around.max().x() + nearest - p.x()) / width);
-      for (double k = first; k <= last; ++k)
-        nearest = nearer(stretch, p + Vec2(k * width, 0), nearest);
+      // A point of the stretch is nearest to an image that is at most half a box beside it.
+      const double centre = stretch.around.center().x();
+      const Vec2 image = p + Vec2(width * std::nearbyint((centre - p.x()) / width), 0);
+      const double extent = stretch.around.sizes().x();
+      const int reach = static_cast<int>(std::min(1 + extent / (2 * width), 1e9));
+      for (int k = -reach; k <= reach; ++k)
+        nearest = nearer(stretch, image + Vec2(k * width, 0), nearest);
     }
   }
   return distances;

@@ -21,9 +21,10 @@ struct MeasureChoices {
   double channel_margin = 0.5;
   // The intact region: grains farther from the way than this. Where it lies, not what became of its
   // bonds, decides, so that a share of active bonds below one can show there; the other definition,
-  // by the bonds, is kept_all_bonds(). In the paper's box at F_c, half-way down, 0.997 of the initial
-  // bonds remain beyond 6 diameters and 0.64 at 3; with the intruder at the bottom nothing in that
-  // box is whole, 0.7 to 0.86 at 8. [diameters of the intruder]
+  // by the bonds, is kept_all_bonds(). In the paper's box at F_c (one sample, a
+  // straight way assumed) 0.997 of the initial bonds remain from 6 diameters on and 0.64 at 3 while the
+  // intruder is half-way down; with it at the bottom no distance in that box is whole.
+  // [diameters of the intruder]
   double intact_distance = 6;
   // What is above the intruder has its centre higher than this over the intruder's: 0 its centre, 1 its
   // top, -1 its lowest point. [radii of the intruder]
