@@ -15,6 +15,7 @@
 #include "app/pool_progress.h"
 #include "app/run_scene.h"
 #include "core/errors.h"
+#include "render/renderer.h"
 
 namespace quicksand {
 
@@ -199,6 +200,9 @@ std::size_t PoolReport::count(JobStatus status) const {
 }
 
 PoolReport run_jobs(std::span<const Job> jobs, const PoolOptions& options) {
+  // A system that cannot draw says so now; and the first renderer changes the environment, which must
+  // not happen beside other threads.
+  if (options.frames) const Renderer first;
   return Pool(jobs, options).complete();
 }
 

@@ -33,6 +33,7 @@ struct PoolReport {
   std::size_t count(JobStatus status) const;
 };
 
+// Throws RenderError, before anything is computed, if frames are wanted and this system cannot draw.
 // Ctrl-C ends the runs after their present steps. What goes wrong in a run, an InputError of its
 // folder included, is its outcome; what `ended` throws leaves the pool after
 // the present runs.
