@@ -47,12 +47,8 @@ std::vector<std::string> figure_names() {
 std::vector<Chosen> chosen(const Options& options) {
   const std::vector<std::string> names = figure_names();
   for (const std::string& word : options.figures)
-    if (std::ranges::find(names, word) == names.end()) {
-      std::string known;
-      for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
-      throw InputError("figure \"" + word + "\"",
-                       "is not known" + suggestion(word, names) + "; there are " + known);
-    }
+    if (std::ranges::find(names, word) == names.end())
+      throw InputError("figure \"" + word + "\"", "is not known" + suggestion(word, names));
   std::vector<Chosen> all;
   for (const PaperFigure& figure : paper_figures()) {
     if (!options.figures.empty() &&

@@ -92,7 +92,12 @@ RunGroup PaperJobs::pulls(const RunGroup& pushes, double first_force_over_cohesi
 }
 
 RunGroup PaperJobs::pistons(const RunGroup& samples) {
-  return add("piston", samples.name + ".piston", &samples, {}, {});
+  // The pressure, and the mass that it drives, are those on the paper's width.
+  const double share = scale_.width / PaperScale{}.width;
+  constexpr double kMass = 2000, kForce = 30;  // [grain masses], [F_c]
+  return add(
+      "piston", samples.name + ".piston", &samples, {},
+      {{"phases[0].mass", kMass * share}, {"phases[0].force_over_cohesion", kForce * share}});
 }
 
 RunGroup PaperJobs::shears(const RunGroup& states, double top, double first_force) {

@@ -47,29 +47,32 @@ class Samples : public PaperExperiment {
                             {"volume fraction", true},
                             {"coordination", true},
                             {"active of contacts", true}}};
-    Plot plot{
-        .name = "samples",
-        .title = "Samples: coordination number and volume fraction",
-        .x = {.label = "volume fraction"},
-        .y = {.label = "coordination number"},
-        .references = {{.name = "paper: 0.40 to 0.43", .low = 0.40, .high = 0.43, .of_x = true},
-                       {.name = "paper: 2.05 to 2.06", .low = 2.05, .high = 2.06}},
-        .legend = Legend::below};
+    Plot plot{.name = "samples",
+              .title = "Samples: coordination number and volume fraction",
+              .x = {.label = "volume fraction"},
+              .y = {.label = "coordination number"},
+              .references =
+                  {{.name = "paper: 0.40 to 0.43, and", .low = 0.40, .high = 0.43, .of_x = true},
+                   {.name = "paper: 2.05 to 2.06", .low = 2.05, .high = 2.06}},
+              .legend = Legend::below};
+    Curve points{.name = "depositions, numbered as in the table"};
     const std::vector<Setting> all = settings();
     for (std::size_t k = 0; k < all.size(); ++k) {
       const auto density = results.mean(groups_[k], "volume_fraction");
       const auto coordination = results.mean(groups_[k], "coordination");
-      table.rows.push_back({{.text = all[k].text},
+      table.rows.push_back({{.text = std::to_string(k + 1) + ". " + all[k].text},
                             cell_of(density, all_),
                             cell_of(coordination, all_),
                             cell_of(results.mean(groups_[k], "active_bond_fraction"), all_)});
       if (!density) continue;
-      plot.curves.push_back({.name = all[k].text,
-                             .x = {density->value},
-                             .y = {coordination->value},
-                             .x_error = {density->standard_error.value_or(0)},
-                             .y_error = {coordination->standard_error.value_or(0)}});
+      points.x.push_back(density->value);
+      points.y.push_back(coordination->value);
+      points.x_error.push_back(density->standard_error.value_or(0));
+      points.y_error.push_back(coordination->standard_error.value_or(0));
+      plot.annotations.push_back(
+          {density->value, coordination->value, "  " + std::to_string(k + 1)});
     }
+    plot.curves.push_back(std::move(points));
     section.blocks.emplace_back(std::move(table));
     section.blocks.emplace_back(
         Figure{std::move(plot),

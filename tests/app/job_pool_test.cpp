@@ -161,7 +161,7 @@ TEST_F(JobPoolTest, AFolderInWhichAnotherProcessComputesIsLeftAlone) {
 // A job that starts from the packing of the first one.
 Job tilted(Job job, const Job& start) {
   job.scenario.gravity = Vec2(0.5, -1);
-  job.scenario.phases = {Phase{SettlePhase{.max_time = 0.1, .until_rest = false}, {}, {}}};
+  job.scenario.phases = {Phase{SettlePhase{.max_time = 0.1, .until_rest = false}, {}, {}, {}}};
   job.scenario.start_from = start.folder.state().string();
   job.after = 0;
   return job;

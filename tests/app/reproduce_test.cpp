@@ -1,0 +1,136 @@
+// The paper's experiments: how their runs are chained and shared, and the report.
+#include <gtest/gtest.h>
+
+#include "app/paper_experiments.h"
+#include "app/paper_strength.h"
+#include "app/scenario_json.h"
+#include "core/errors.h"
+#include "tests/support/files.h"
+#include "tests/support/program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace quicksand::test {
+namespace {
+
+class Reproduce : public testing::Test {
+ protected:
+  PaperScale small() const {
+    PaperScale scale = quick_scale();
+    scale.width = 12;
+    scale.height = 20;
+    return scale;
+  }
+  Outcome reproduce(std::vector<std::string> words) const {
+    words.insert(words.begin(), "reproduce");
+    return run_program(words, folder_.path());
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(Reproduce, EachPushStartsFromTheSampleOfItsSeed) {
+  PaperJobs jobs(small(), folder_.path());
+  const RunGroup samples = jobs.samples();
+  const RunGroup pushes = jobs.pushes(samples, 0.33);
+  ASSERT_EQ(pushes.runs.size(), 2U);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Job& push = jobs.jobs()[pushes.runs[k]];
+    const Job& sample = jobs.jobs()[samples.runs[k]];
+    EXPECT_EQ(*push.after, samples.runs[k]);
+    EXPECT_EQ(push.scenario.start_from, sample.folder.state().string());
+    EXPECT_EQ(push.scenario.seed, sample.scenario.seed);
+    EXPECT_EQ(std::get<PushPhase>(push.scenario.phases[0].kind).force, 0.33 * 1e4);
+  }
+  EXPECT_NE(jobs.jobs()[samples.runs[0]].scenario.seed, jobs.jobs()[samples.runs[1]].scenario.seed);
+}
+
+TEST_F(Reproduce, RunsThatTwoFiguresNeedAreMadeOnce) {
+  PaperJobs jobs(small(), folder_.path());
+  make_penetration_experiment()->plan(jobs);
+  const std::size_t alone = jobs.jobs().size();
+  make_velocity_experiment()->plan(jobs);
+  EXPECT_EQ(jobs.jobs().size(), alone);
+  make_pull_out_experiment()->plan(jobs);
+  EXPECT_EQ(jobs.jobs().size(), alone + 2 * quick_scale().push_forces.size());
+}
+
+TEST_F(Reproduce, LawsOfASampleHoldForAllThatFollows) {
+  PaperJobs jobs(small(), folder_.path());
+  const RunGroup rough = jobs.samples("friction_0.6", {{"contact.friction", 0.6}});
+  const RunGroup shears = jobs.shears(jobs.pistons(rough), 10, 5);
+  EXPECT_EQ(jobs.jobs()[shears.runs[0]].scenario.grain_law.friction, 0.6);
+  const RunGroup usual = jobs.shears(jobs.pistons(jobs.samples()), 10, 5);
+  EXPECT_EQ(jobs.jobs()[usual.runs[0]].scenario.grain_law.friction, 0.3);
+}
+
+TEST_F(Reproduce, EveryFigureIsMadeOfScenesThatCanRun) {
+  for (const PaperFigure& figure : paper_figures()) {
+    PaperJobs jobs(PaperScale{}, folder_.path());
+    figure.make()->plan(jobs);
+    EXPECT_GT(jobs.jobs().size(), 0U) << figure.name;
+    for (const Job& job : jobs.jobs())
+      EXPECT_EQ(to_text(scenario_from_json(to_json(job.scenario))), to_text(job.scenario));
+  }
+}
+
+// Two runs with the strengths 10 + 2 depth: the line is found, and grains that no force moved are counted.
+TEST_F(Reproduce, StrengthIsPooledOverTheGrainsOfAllRuns) {
+  PaperJobs jobs(small(), folder_.path());
+  const RunGroup shears = jobs.shears(jobs.samples(), 10, 5);
+  for (std::size_t k = 0; k < 2; ++k) {
+    Json forces = Json::array();
+    for (const double depth : {1.0, 2.0, 4.0}) {
+      const double middle = 10 + 2 * depth + (k == 0 ? -1 : 1);
+      forces.push_back({{"depth", depth},
+                        {"force_low", middle - 0.5},
+                        {"force_high", middle + 0.5},
+                        {"weight_above", 5 * depth}});
+    }
+    forces.push_back({{"depth", 4.0}, {"force_low", 99}, {"force_high", nullptr}});
+    const Job& job = jobs.jobs()[shears.runs[k]];
+    std::filesystem::create_directories(job.folder.path);
+    write_whole(job.folder.scene(), to_text(job.scenario));
+    write_whole(job.folder.series(), "time,step,phase\n0,0,shear\n");
+    write_whole(job.folder.summary(),
+                Json{{"finished", true}, {"version", "0"}, {"critical_forces", forces}}.dump());
+  }
+  const PaperResults results(jobs.jobs());
+  const PaperStrength strength = paper_strength(results, shears);
+  EXPECT_EQ(strength.grains, 6);
+  EXPECT_EQ(strength.never_moved, 2);
+  ASSERT_TRUE(strength.against_depth);
+  EXPECT_NEAR(strength.against_depth->slope, 2, 1e-12);
+  EXPECT_NEAR(strength.against_depth->intercept, 10, 1e-12);
+  EXPECT_NEAR(strength.against_weight->slope, 0.4, 1e-12);
+}
+
+TEST_F(Reproduce, AnUnknownFigureIsRefusedWithTheNearest) {
+  const Outcome outcome = reproduce({"penetrtion"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("did you mean \"penetration\""), std::string::npos) << outcome.err;
+}
+
+TEST_F(Reproduce, ATooSmallBoxIsRefused) {
+  const Outcome outcome = reproduce({"--width", "3"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("from 12 to 1000"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Reproduce, ReportsOnWhatRanAndRepeatsNothing) {
+  const std::string out = (folder_.path() / "paper").string();
+  const std::vector<std::string> words{"piston", "--quick",        "--width", "12",      "--height",
+                                       "20",     "--realizations", "1",       "--quiet", "--out",
+                                       out};
+  const Outcome first = reproduce(words);
+  ASSERT_EQ(first.exit_code, 0) << first.err;
+  EXPECT_NE(first.out.find("2 of 2 runs finished"), std::string::npos) << first.out;
+  const std::string page = contents(out + "/report.md");
+  EXPECT_NE(page.find("after the piston: volume fraction"), std::string::npos);
+  EXPECT_NE(page.find("Compaction by a piston"), std::string::npos);
+  const auto when = std::filesystem::last_write_time(out + "/runs/sample/00/summary.json");
+  ASSERT_EQ(reproduce(words).exit_code, 0);
+  EXPECT_EQ(std::filesystem::last_write_time(out + "/runs/sample/00/summary.json"), when);
+  EXPECT_EQ(contents(out + "/report.md"), page);
+}
+
+}  // namespace
+}  // namespace quicksand::test
