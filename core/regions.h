@@ -21,9 +21,9 @@ struct MeasureChoices {
   double channel_margin = 0.5;
   // The intact region: grains farther from the way than this. Where it lies, not what became of its
   // bonds, decides, so that a share of active bonds below one can show there; the other definition,
-  // by the bonds, is kept_all_bonds(). In the paper's box at F_c (one sample, a
-  // straight way assumed) 0.997 of the initial bonds remain from 6 diameters on and 0.64 at 3 while the
-  // intruder is half-way down; with it at the bottom no distance in that box is whole.
+  // by the bonds, is kept_all_bonds(). In the paper's box at F_c (one sample, a straight way assumed)
+  // at least 0.99 of the initial bonds remain from 6 diameters on and 0.63 at 3 while the intruder is
+  // half-way down; with it at the bottom and debris still falling no distance in that box is whole.
   // [diameters of the intruder]
   double intact_distance = 6;
   // What is above the intruder has its centre higher than this over the intruder's: 0 its centre, 1 its
