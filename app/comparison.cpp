@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "app/typeset_number.h"
-#include "core/statistics.h"
+#include "core/linear_fit.h"
 
 namespace quicksand {
 
@@ -55,7 +55,8 @@ std::string note_text(const Target& target, const std::string& note) {
 }  // namespace
 
 Measured measured_over(std::span<const double> values, std::string note) {
-  return {mean(values), standard_error(values), static_cast<int>(values.size()), std::move(note)};
+  const Mean mean = *mean_of(values);
+  return {mean.value, mean.error, static_cast<int>(values.size()), std::move(note)};
 }
 
 Verdict judge(const Target& target, const Measured& measured) {

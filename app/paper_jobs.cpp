@@ -86,6 +86,12 @@ RunGroup PaperJobs::pushes(const RunGroup& samples, double force_over_cohesion,
       &samples, laws, {{"phases[0].force_over_cohesion", force_over_cohesion}});
 }
 
+std::vector<RunGroup> PaperJobs::push_curve(const RunGroup& samples) {
+  std::vector<RunGroup> curve;
+  for (const double force : scale_.push_forces) curve.push_back(pushes(samples, force));
+  return curve;
+}
+
 RunGroup PaperJobs::pulls(const RunGroup& pushes, double first_force_over_cohesion) {
   return add("pull", pushes.name + ".pull", &pushes, {},
              {{"phases[1].first_force_over_cohesion", first_force_over_cohesion}});

@@ -47,6 +47,8 @@ class PaperJobs {
                    const ParameterValues& set = {});
   RunGroup pushes(const RunGroup& samples, double force_over_cohesion, const std::string& tag = {},
                   const ParameterValues& laws = {});
+  // With each of the scale's forces (forces).
+  std::vector<RunGroup> push_curve(const RunGroup& samples);
   RunGroup pulls(const RunGroup& pushes, double first_force_over_cohesion);
   RunGroup pistons(const RunGroup& samples);
   // `top`: about where the packing ends [d].

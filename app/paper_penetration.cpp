@@ -29,8 +29,7 @@ class Penetration : public PaperExperiment {
     all_ = jobs.scale().realizations;
     height_ = jobs.scale().height;
     forces_ = jobs.scale().push_forces;
-    const RunGroup samples = jobs.samples();
-    for (const double force : forces_) pushes_.push_back(jobs.pushes(samples, force));
+    pushes_ = jobs.push_curve(jobs.samples());
   }
 
   void report(const PaperResults& results, const std::filesystem::path& pictures, Section& section,

@@ -12,12 +12,10 @@ class PullOut : public PaperExperiment {
   void plan(PaperJobs& jobs) override {
     all_ = jobs.scale().realizations;
     cohesion_ = 1e4;
-    const RunGroup samples = jobs.samples();
-    for (const double force : jobs.scale().push_forces) {
-      forces_.push_back(force);
-      pushes_.push_back(jobs.pushes(samples, force));
-      pulls_.push_back(jobs.pulls(pushes_.back(), force));
-    }
+    forces_ = jobs.scale().push_forces;
+    pushes_ = jobs.push_curve(jobs.samples());
+    for (std::size_t k = 0; k < forces_.size(); ++k)
+      pulls_.push_back(jobs.pulls(pushes_[k], forces_[k]));
   }
 
   void report(const PaperResults& results, const std::filesystem::path&, Section& section,

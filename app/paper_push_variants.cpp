@@ -52,10 +52,7 @@ class Density : public PaperExperiment {
     height_ = jobs.scale().height;
     // The lower rolling friction makes the denser sample; it stays during the push.
     samples_ = {jobs.samples(), jobs.samples("rolling_0.02", {{"contact.rolling_friction", 0.02}})};
-    for (const RunGroup& sample : samples_) {
-      std::vector<RunGroup>& pushes = pushes_.emplace_back();
-      for (const double force : forces_) pushes.push_back(jobs.pushes(sample, force));
-    }
+    for (const RunGroup& sample : samples_) pushes_.push_back(jobs.push_curve(sample));
   }
 
   void report(const PaperResults& results, const std::filesystem::path&, Section& section,

@@ -13,7 +13,7 @@
 #include "app/slurm.h"
 #include "core/errors.h"
 #include "tests/support/files.h"
-#include "tests/support/program.h"
+#include "tests/support/program_fixture.h"
 
 namespace quicksand::test {
 namespace {
@@ -41,16 +41,12 @@ const char* const kFailing = R"({
             "solver.method": "gauss_seidel"}, {"solver.tolerance": 1e-5}]
 })";
 
-class CampaignTest : public testing::Test {
+class CampaignTest : public ProgramFixture {
  protected:
   void SetUp() override {
     folder_.write("small.json", kScene);
     folder_.write("many.json", kCampaign);
   }
-  Outcome quicksand(const std::vector<std::string>& arguments) const {
-    return run_program(arguments, folder_.path());
-  }
-  fs::path at(const std::string& name) const { return folder_.path() / name; }
   Json summary(const std::string& run) const {
     return parse_json(contents(at("out/many/runs/" + run + "/summary.json")));
   }
@@ -59,8 +55,6 @@ class CampaignTest : public testing::Test {
     folder_.write("many.json", R"({"scene": "small.json", "realizations": 3,
                                    "set": {"phases[1].max_time": 60}})");
   }
-
-  TemporaryFolder folder_;
 };
 
 // Cells of a column of results.csv; no text of these tests holds a comma.

@@ -7,7 +7,7 @@
 #include "app/json_text.h"
 #include "app/quantities.h"
 #include "tests/support/files.h"
-#include "tests/support/program.h"
+#include "tests/support/program_fixture.h"
 
 namespace quicksand::test {
 namespace {
@@ -25,20 +25,14 @@ const char* const kScene = R"({
     {"type": "push", "diameter": 2, "force": 300, "max_time": 0.2, "sample_every": 0.05}]
 })";
 
-class MeasureTest : public testing::Test {
+class MeasureTest : public ProgramFixture {
  protected:
-  Outcome quicksand(const std::vector<std::string>& arguments) const {
-    return run_program(arguments, folder_.path());
-  }
-  fs::path at(const std::string& name) const { return folder_.path() / name; }
   void run_scene(const std::vector<std::string>& more = {}) const {
     folder_.write("pierced.json", kScene);
     std::vector<std::string> arguments{"run", "pierced.json", "--no-frames"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     ASSERT_EQ(quicksand(arguments).exit_code, 0);
   }
-
-  TemporaryFolder folder_;
 };
 
 std::vector<std::string> lines_of(const std::string& text) {

@@ -1,6 +1,4 @@
 // The program as a user meets it: exit codes, messages, and what is left in the folder.
-#include "tests/support/program.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include "app/quantities.h"
 #include "app/series.h"
 #include "tests/support/files.h"
+#include "tests/support/program_fixture.h"
 
 namespace quicksand::test {
 namespace {
@@ -30,15 +29,9 @@ const char* const kScene = R"({
     {"type": "push", "diameter": 2, "force": 300, "max_time": 0.3, "sample_every": 0.05}]
 })";
 
-class ProgramTest : public testing::Test {
+class ProgramTest : public ProgramFixture {
  protected:
-  Outcome quicksand(const std::vector<std::string>& arguments) const {
-    return run_program(arguments, folder_.path());
-  }
-  fs::path at(const std::string& name) const { return folder_.path() / name; }
   void write_scene() const { folder_.write("small.json", kScene); }
-
-  TemporaryFolder folder_;
 };
 
 int rows(const std::string& csv) {

@@ -6,13 +6,12 @@
 #include "app/scenario_json.h"
 #include "core/errors.h"
 #include "tests/support/files.h"
-#include "tests/support/program.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/support/program_fixture.h"
 
 namespace quicksand::test {
 namespace {
 
-class Reproduce : public testing::Test {
+class Reproduce : public ProgramFixture {
  protected:
   PaperScale small() const {
     PaperScale scale = quick_scale();
@@ -22,9 +21,8 @@ class Reproduce : public testing::Test {
   }
   Outcome reproduce(std::vector<std::string> words) const {
     words.insert(words.begin(), "reproduce");
-    return run_program(words, folder_.path());
+    return quicksand(words);
   }
-  TemporaryFolder folder_;
 };
 
 TEST_F(Reproduce, EachPushStartsFromTheSampleOfItsSeed) {
