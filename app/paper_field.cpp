@@ -11,7 +11,6 @@ namespace quicksand {
 
 namespace {
 
-constexpr double kFieldSlope = 0.75, kFieldStrength = 5;  // [kPa/cm], [kPa] of the paper
 constexpr double kCentimetre = 100, kKilopascal = 1e-3;
 
 class Field : public PaperExperiment {
@@ -39,21 +38,25 @@ class Field : public PaperExperiment {
               .x = {.label = "depth", .unit = "cm", .low = 0},
               .y = {.label = "shear strength", .unit = "kPa", .low = 0},
               .legend = Legend::top_left};
+    const PaperTargets targets = read_targets(shipped_targets());
+    const double slope = *targets.at("field.perturbed.slope").low;          // [kPa/cm]
+    const double strength = *targets.at("field.unperturbed.strength").low;  // [kPa]
     double deepest = 0;
-    for (const PaperStrength* strength : {&loose, &compact}) {
-      if (!strength->depth.empty()) deepest = std::max(deepest, strength->depth.back() * depth);
-      for (Curve& part : strength_curves(
-               *strength, strength == &loose ? "unperturbed" : "perturbed", depth, stress))
+    for (const PaperStrength* ours : {&loose, &compact}) {
+      if (!ours->depth.empty()) deepest = std::max(deepest, ours->depth.back() * depth);
+      const char* name = ours == &loose ? "unperturbed" : "perturbed";
+      for (Curve& part : strength_curves(*ours, name, depth, stress))
         plot.curves.push_back(std::move(part));
     }
     if (deepest > 0) {
-      plot.curves.push_back({.name = "field, perturbed: 0.75 kPa/cm",
+      plot.curves.push_back({.name = "field, perturbed: " + typeset(slope) + " kPa/cm",
                              .kind = Curve::Kind::line,
                              .role = Curve::Role::paper,
                              .x = {0, deepest},
-                             .y = {0, kFieldSlope * deepest}});
-      plot.references.push_back(
-          {.name = "field, unperturbed: 5 kPa", .low = kFieldStrength, .high = kFieldStrength});
+                             .y = {0, slope * deepest}});
+      plot.references.push_back({.name = "field, unperturbed: " + typeset(strength) + " kPa",
+                                 .low = strength,
+                                 .high = strength});
     }
     section.blocks.emplace_back(
         Figure{std::move(plot), "The field's lines in black, the simulation's in colour."});

@@ -10,18 +10,18 @@ namespace {
 // The forces of the paper's three snapshots; the last stands for its "strong" one.
 constexpr double kWeak = 0.33, kEqual = 1, kStrong = 3;
 
-struct Column2 {
+struct Shown {
   const char* quantity;
   const char* title;
 };
-constexpr Column2 kColumns[] = {{"depth", "depth [d]"},
-                                {"active_bond_fraction", "active of contacts"},
-                                {"remaining_bond_fraction", "remaining of initial"},
-                                {"coordination", "coordination"},
-                                {"channel_active_bond_fraction", "channel: active"},
-                                {"channel_coordination", "channel: coordination"},
-                                {"intact_active_bond_fraction", "intact: active"},
-                                {"intact_coordination", "intact: coordination"}};
+constexpr Shown kShown[] = {{"depth", "depth [d]"},
+                            {"active_bond_fraction", "active of contacts"},
+                            {"remaining_bond_fraction", "remaining of initial"},
+                            {"coordination", "coordination"},
+                            {"channel_active_bond_fraction", "channel: active"},
+                            {"channel_coordination", "channel: coordination"},
+                            {"intact_active_bond_fraction", "intact: active"},
+                            {"intact_coordination", "intact: coordination"}};
 
 class Penetration : public PaperExperiment {
  public:
@@ -39,10 +39,10 @@ class Penetration : public PaperExperiment {
                     "After the push, when everything rests. Channel: where the intruder has "
                     "passed; intact: farther from its way than six of its diameters.",
                 .columns = {{"push force [F_c]", true}}};
-    for (const Column2& column : kColumns) table.columns.push_back({column.title, true});
+    for (const Shown& column : kShown) table.columns.push_back({column.title, true});
     for (std::size_t k = 0; k < forces_.size(); ++k) {
       std::vector<Cell> row{{.text = number_text(forces_[k])}};
-      for (const Column2& column : kColumns)
+      for (const Shown& column : kShown)
         row.push_back(cell_of(results.mean(pushes_[k], column.quantity), all_));
       table.rows.push_back(std::move(row));
     }
@@ -66,6 +66,14 @@ class Penetration : public PaperExperiment {
     if (!gallery.pictures.empty()) section.blocks.emplace_back(std::move(gallery));
   }
 
+  static Curve paper_curve(const std::string& name, const std::string& quantity) {
+    const PaperTargets targets = read_targets(shipped_targets());
+    Curve curve{.name = name, .role = Curve::Role::paper, .x = {kWeak, kEqual, kStrong}};
+    for (const char* force : {"0.33", "1.0", "strong"})
+      curve.y.push_back(*targets.at("penetration." + std::string(force) + "." + quantity).low);
+    return curve;
+  }
+
   void add_plots(const PaperResults& results, Section& section) const {
     Plot bonds{.name = "penetration_bonds",
                .title = "Bonds after the push",
@@ -75,14 +83,8 @@ class Penetration : public PaperExperiment {
     bonds.curves = {
         curve_over(results, "active of contacts", forces_, pushes_, "active_bond_fraction"),
         curve_over(results, "remaining of initial", forces_, pushes_, "remaining_bond_fraction"),
-        {.name = "paper: active of contacts",
-         .role = Curve::Role::paper,
-         .x = {kWeak, kEqual, kStrong},
-         .y = {0.93, 0.68, 0.30}},
-        {.name = "paper: remaining of initial",
-         .role = Curve::Role::paper,
-         .x = {kWeak, kEqual, kStrong},
-         .y = {0.97, 0.78, 0.43}}};
+        paper_curve("paper: active of contacts", "active_of_contacts"),
+        paper_curve("paper: remaining of initial", "remaining_of_initial")};
     section.blocks.emplace_back(
         Figure{std::move(bonds),
                "Shares of bonds against the push force. The paper's strong force has no "

@@ -11,11 +11,11 @@ class PullOut : public PaperExperiment {
  public:
   void plan(PaperJobs& jobs) override {
     all_ = jobs.scale().realizations;
-    cohesion_ = 1e4;
     forces_ = jobs.scale().push_forces;
     pushes_ = jobs.push_curve(jobs.samples());
     for (std::size_t k = 0; k < forces_.size(); ++k)
       pulls_.push_back(jobs.pulls(pushes_[k], forces_[k]));
+    cohesion_ = *jobs.jobs()[pulls_[0].runs[0]].scenario.grain_law.cohesion_force;
   }
 
   void report(const PaperResults& results, const std::filesystem::path&, Section& section,

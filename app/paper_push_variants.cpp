@@ -150,10 +150,13 @@ class Choices : public PaperExperiment {
     section.blocks.emplace_back(push_table(
         results, "Pushes of the same samples with the cohesion force under other choices.", rows_,
         all_));
+    const PaperTargets targets = read_targets(shipped_targets());
     section.blocks.emplace_back(Paragraph{
-        "The paper has 0.68 active of contacts and 0.78 remaining of initial bonds, and the "
-        "intruder "
-        "almost at the bottom. Choices of the deposition are in the section on samples."});
+        "The paper has " + paper_text(targets.at("penetration.1.0.active_of_contacts")) +
+        " active of contacts and " +
+        paper_text(targets.at("penetration.1.0.remaining_of_initial")) +
+        " remaining of initial bonds, and the intruder almost at the bottom. Choices of the "
+        "deposition are in the section on samples."});
   }
 
  private:
