@@ -7,16 +7,16 @@ namespace quicksand {
 namespace {
 
 // The intruder's values exist only where there is one.
-Value of_intruder(const Row& row, double value) {
-  return row.sample.has_intruder ? Value(value) : Value();
-}
-
-Value of_intruder(const Row& row, std::int64_t value) {
+template <class Number>
+Value of_intruder(const Row& row, Number value) {
   return row.sample.has_intruder ? Value(value) : Value();
 }
 
 // A trial is there only while a critical force is sought.
-Value of_trial(const Row& row, Value value) { return row.trial > 0 ? value : Value(); }
+template <class Number>
+Value of_trial(const Row& row, Number value) {
+  return row.trial > 0 ? Value(value) : Value();
+}
 
 const Quantity kQuantities[] = {
     {"time", "sqrt(d/g)", "since the beginning",

@@ -69,6 +69,7 @@ class MarkdownWriter {
     std::string table = table_row(titles) + table_row(rules);
     for (const std::vector<Cell>& row : block.rows) {
       std::vector<std::string> cells;
+      cells.reserve(row.size());
       for (const Cell& cell : row) cells.push_back(symbol_of(cell.mark) + markdown_text(cell.text));
       table += table_row(cells);
     }

@@ -154,7 +154,7 @@ std::vector<std::size_t> shown_rows(const RunResults& run, std::size_t frames) {
   constexpr std::size_t kMost = 4;
   if (ends.size() >= 2 && ends.size() <= kMost) return ends;
   std::vector<std::size_t> rows{0, last / 2, last};
-  rows.erase(std::ranges::unique(rows).begin(), rows.end());
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
   return rows;
 }
 

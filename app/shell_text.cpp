@@ -3,7 +3,7 @@
 namespace quicksand {
 
 std::string shell_text(const std::filesystem::path& path) {
-  const std::string text = path.string();
+  std::string text = path.string();
   constexpr const char* kPlain =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789/._-+=:,@%";
   if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;

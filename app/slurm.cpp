@@ -88,7 +88,7 @@ std::string submit_tasks(const Campaign& campaign, const fs::path& out,
                      "here with --engine local");
   }
   // "job" or "job;cluster". With --wait the exit code is that of the tasks.
-  const std::string job = end.answer.substr(0, end.answer.find_first_of(";\n"));
+  std::string job = end.answer.substr(0, end.answer.find_first_of(";\n"));
   if (!job.empty()) return job;
   std::string problem = end.problem;
   if (problem.find("array") != std::string::npos) {
