@@ -28,9 +28,10 @@ PaperScale quick_scale() {
           .realizations = 2,
           .push_forces = {0.1, 0.33, 1, 3},
           .shear_depths = {0.2, 0.45, 0.7},
-          .grains_per_depth = 2,
-          .shear_distance = 5,
-          .shear_tolerance = 0.2};
+          .grains_per_depth = 1,
+          .shear_distance = 3,
+          .shear_tolerance = 0.25,
+          .shear_time = 10};
 }
 
 PaperJobs::PaperJobs(PaperScale scale, fs::path out)
@@ -114,6 +115,7 @@ RunGroup PaperJobs::shears(const RunGroup& states, double top, double first_forc
               {"phases[0].grains_per_depth", scale_.grains_per_depth},
               {"phases[0].distance", scale_.shear_distance},
               {"phases[0].tolerance", scale_.shear_tolerance},
+              {"phases[0].max_time", scale_.shear_time},
               {"phases[0].first_force", first_force}});
 }
 

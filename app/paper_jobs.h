@@ -23,6 +23,7 @@ struct PaperScale {
   int grains_per_depth = 10;
   double shear_distance = 20;     // [d]
   double shear_tolerance = 0.05;  // relative width of the interval of force [1]
+  double shear_time = 20;         // of a trial, at most [sqrt(d/g)]
 };
 PaperScale quick_scale();
 
