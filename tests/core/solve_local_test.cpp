@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/residual.h"
+#include "tests/support/core/random_heaps.h"
 #include "tests/support/core/scenes.h"
 #include "tests/support/core/simulation.h"
 #include "tests/support/core/tolerance.h"
@@ -48,6 +49,22 @@ TEST(Locality, GivesTheVelocitiesOfTheFullSolution) {
   }
   EXPECT_GE(local, 100) << "locality was hardly used";
   EXPECT_GE(compared, 95 * local / 100);
+}
+
+// What a much harder problem of the same step needed is not tried from the easy end again.
+TEST(Locality, IsNotTriedWhereTheCallerKnowsBetter) {
+  Simulation run(hanging_chain(Method::automatic, 300, 1e4));
+  run.advance(4);
+  run.world.disks.velocity[300].y() = -1e-4;
+  const ContactProblem problem = next_problem(run.world, run.step);
+  ContactState inherited;
+  for (const Contact& contact : run.world.contacts) inherited.impulse.push_back(contact.impulse);
+  ContactState state = inherited;
+  EXPECT_EQ(ContactSolver().solve(problem, run.solver, state).rung, Rung::locality);
+  state = inherited;
+  const SolveReport told = ContactSolver().solve(problem, run.solver, state, Rung::interior_point);
+  EXPECT_TRUE(told.converged);
+  EXPECT_EQ(told.rung, Rung::interior_point);
 }
 
 TEST(Locality, LeavesWhatItCannotSolveAsItWas) {
