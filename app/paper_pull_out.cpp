@@ -20,7 +20,7 @@ class PullOut : public PaperExperiment {
 
   void report(const PaperResults& results, const std::filesystem::path&, Section& section,
               Findings& findings) const override {
-    Curve pull{.name = "pull-out force (left)", .kind = Curve::Kind::line_points};
+    Curve pull{.name = "pull-out force (left)"};
     Curve weight = curve_over(results, "weight above the intruder's height, over the total (right)",
                               forces_, pushes_, "weight_above_level");
     weight.second_axis = true;

@@ -53,7 +53,7 @@ Cell cell_of(const std::optional<Measured>& measured, int all) {
 
 Curve curve_over(const PaperResults& results, const std::string& name, std::span<const double> x,
                  std::span<const RunGroup> groups, const std::string& quantity) {
-  Curve curve{.name = name, .kind = Curve::Kind::line_points};
+  Curve curve{.name = name};
   for (std::size_t k = 0; k < groups.size(); ++k) {
     const auto mean = results.mean(groups[k], quantity);
     if (!mean) continue;

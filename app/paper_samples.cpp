@@ -47,14 +47,14 @@ class Samples : public PaperExperiment {
                             {"volume fraction", true},
                             {"coordination", true},
                             {"active of contacts", true}}};
-    Plot plot{.name = "samples",
-              .title = "Samples: coordination number and volume fraction",
-              .x = {.label = "volume fraction"},
-              .y = {.label = "coordination number"},
-              .references =
-                  {{.name = "paper: 0.40 to 0.43, and", .low = 0.40, .high = 0.43, .of_x = true},
-                   {.name = "paper: 2.05 to 2.06", .low = 2.05, .high = 2.06}},
-              .legend = Legend::below};
+    Plot plot{
+        .name = "samples",
+        .title = "Samples: coordination number and volume fraction",
+        .x = {.label = "volume fraction"},
+        .y = {.label = "coordination number"},
+        .references = {{.name = "paper: volume fraction", .low = 0.40, .high = 0.43, .of_x = true},
+                       {.name = "paper: coordination number", .low = 2.05, .high = 2.06}},
+        .legend = Legend::below};
     Curve points{.name = "depositions, numbered as in the table"};
     const std::vector<Setting> all = settings();
     for (std::size_t k = 0; k < all.size(); ++k) {
