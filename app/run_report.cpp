@@ -52,6 +52,7 @@ std::string value_text(const RunResults& run, const std::string& key) {
 std::vector<Column> columns_of(const std::vector<std::string>& first,
                                const std::vector<std::string>& names) {
   std::vector<Column> columns;
+  columns.reserve(first.size() + names.size());
   for (const std::string& title : first) columns.push_back({.title = title});
   for (const std::string& name : names) columns.push_back({.title = name, .number = true});
   return columns;
