@@ -5,14 +5,14 @@
 #include <memory>
 #include <thread>
 
-#include "app/campaign.h"
+#include "app/campaign/campaign.h"
+#include "app/campaign/job_pool.h"
+#include "app/campaign/results_table.h"
+#include "app/campaign/slurm.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
-#include "app/job_pool.h"
 #include "app/nearest_name.h"
-#include "app/results_table.h"
 #include "app/shell_text.h"
-#include "app/slurm.h"
 #include "core/errors.h"
 
 namespace quicksand {

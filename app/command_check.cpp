@@ -4,8 +4,8 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
-#include "app/scene_options.h"
-#include "app/scene_report.h"
+#include "app/scene/scene_options.h"
+#include "app/scene/scene_report.h"
 
 namespace quicksand {
 

@@ -6,13 +6,13 @@
 #include <memory>
 
 #include "app/assets.h"
-#include "app/campaign.h"
+#include "app/campaign/campaign.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/nearest_name.h"
-#include "app/quantities.h"
-#include "app/scenario_json.h"
-#include "app/scene_file.h"
+#include "app/run/quantities.h"
+#include "app/scene/scenario_json.h"
+#include "app/scene/scene_file.h"
 #include "core/errors.h"
 #include "render/view.h"
 

@@ -5,8 +5,8 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
-#include "app/json_reader.h"
-#include "app/measurements.h"
+#include "app/json/json_reader.h"
+#include "app/run/measurements.h"
 #include "core/errors.h"
 
 namespace quicksand {

@@ -4,9 +4,9 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
-#include "app/film.h"
 #include "app/picture_options.h"
-#include "app/state_file.h"
+#include "app/run/film.h"
+#include "app/run/state_file.h"
 #include "render/png.h"
 
 namespace quicksand {

@@ -4,8 +4,8 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
-#include "app/provenance.h"
-#include "app/run_report.h"
+#include "app/report/provenance.h"
+#include "app/report/run_report.h"
 
 namespace quicksand {
 

@@ -4,13 +4,13 @@
 #include <memory>
 #include <thread>
 
+#include "app/campaign/job_pool.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
-#include "app/job_pool.h"
-#include "app/json_reader.h"
+#include "app/json/json_reader.h"
 #include "app/nearest_name.h"
-#include "app/paper_experiments.h"
-#include "app/provenance.h"
+#include "app/paper/paper_experiments.h"
+#include "app/report/provenance.h"
 #include "core/errors.h"
 
 namespace quicksand {

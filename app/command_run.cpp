@@ -4,10 +4,10 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
-#include "app/json_reader.h"
+#include "app/json/json_reader.h"
 #include "app/picture_options.h"
-#include "app/run_scene.h"
-#include "app/scene_options.h"
+#include "app/run/run_scene.h"
+#include "app/scene/scene_options.h"
 #include "app/shell_text.h"
 #include "core/errors.h"
 

@@ -5,9 +5,9 @@
 #include <ostream>
 
 #include "app/assets.h"
-#include "app/campaign.h"
-#include "app/scenario_json.h"
-#include "app/scene_override.h"
+#include "app/campaign/campaign.h"
+#include "app/scene/scenario_json.h"
+#include "app/scene/scene_override.h"
 #include "core/errors.h"
 #include "tests/support/files.h"
 

@@ -8,9 +8,9 @@
 #include <sstream>
 #include <thread>
 
-#include "app/json_text.h"
+#include "app/campaign/slurm.h"
+#include "app/json/json_text.h"
 #include "app/shell_text.h"
-#include "app/slurm.h"
 #include "core/errors.h"
 #include "tests/support/files.h"
 #include "tests/support/program_fixture.h"

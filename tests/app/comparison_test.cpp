@@ -1,5 +1,5 @@
 // Verdicts on measurements, and the file of the paper's targets.
-#include "app/comparison.h"
+#include "app/report/comparison.h"
 
 #include <gtest/gtest.h>
 

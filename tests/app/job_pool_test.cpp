@@ -1,12 +1,12 @@
 // Many runs at the same time: each result is what it would be alone.
-#include "app/job_pool.h"
+#include "app/campaign/job_pool.h"
 
 #include <gtest/gtest.h>
 
-#include "app/folder_lock.h"
-#include "app/results_table.h"
-#include "app/scenario_json.h"
-#include "app/scene_file.h"
+#include "app/campaign/folder_lock.h"
+#include "app/campaign/results_table.h"
+#include "app/scene/scenario_json.h"
+#include "app/scene/scene_file.h"
 #include "core/checkpoint.h"
 #include "tests/support/files.h"
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <sstream>
 
-#include "app/json_text.h"
-#include "app/quantities.h"
+#include "app/json/json_text.h"
+#include "app/run/quantities.h"
 #include "tests/support/files.h"
 #include "tests/support/program_fixture.h"
 

@@ -1,5 +1,5 @@
 // Plots: their data, and what the real gnuplot makes of them.
-#include "app/plot.h"
+#include "app/report/plot.h"
 
 #include <gtest/gtest.h>
 

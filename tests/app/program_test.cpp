@@ -6,9 +6,9 @@
 #include <csignal>
 #include <thread>
 
-#include "app/json_text.h"
-#include "app/quantities.h"
-#include "app/series.h"
+#include "app/json/json_text.h"
+#include "app/run/quantities.h"
+#include "app/run/series.h"
 #include "tests/support/files.h"
 #include "tests/support/program_fixture.h"
 

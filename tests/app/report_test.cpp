@@ -1,5 +1,5 @@
 // Reports as pages, of invented content.
-#include "app/report.h"
+#include "app/report/report.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // How text and numbers are written in reports.
-#include "app/report_text.h"
+#include "app/report/report_text.h"
 
 #include <gtest/gtest.h>
 
-#include "app/provenance.h"
-#include "app/typeset_number.h"
+#include "app/report/provenance.h"
+#include "app/report/typeset_number.h"
 
 namespace quicksand::test {
 namespace {

@@ -1,9 +1,9 @@
 // The paper's experiments: how their runs are chained and shared, and the report.
 #include <gtest/gtest.h>
 
-#include "app/paper_experiments.h"
-#include "app/paper_strength.h"
-#include "app/scenario_json.h"
+#include "app/paper/paper_experiments.h"
+#include "app/paper/paper_strength.h"
+#include "app/scene/scenario_json.h"
 #include "core/errors.h"
 #include "tests/support/files.h"
 #include "tests/support/program_fixture.h"

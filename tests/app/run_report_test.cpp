@@ -1,12 +1,12 @@
 // Reports of real runs, as the program leaves them, and what is read back from its folders.
-#include "app/run_report.h"
+#include "app/report/run_report.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 
-#include "app/run_results.h"
+#include "app/report/run_results.h"
 #include "core/errors.h"
 #include "tests/support/files.h"
 #include "tests/support/program.h"

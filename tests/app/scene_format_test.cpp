@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "app/assets.h"
-#include "app/scenario_json.h"
-#include "app/scene_file.h"
-#include "app/scene_override.h"
+#include "app/scene/scenario_json.h"
+#include "app/scene/scene_file.h"
+#include "app/scene/scene_override.h"
 #include "tests/support/core/tolerance.h"
 #include "tests/support/files.h"
 

@@ -3,8 +3,8 @@
 
 #include <ostream>
 
-#include "app/scenario_json.h"
-#include "app/scene_file.h"
+#include "app/scene/scenario_json.h"
+#include "app/scene/scene_file.h"
 #include "core/errors.h"
 #include "tests/support/files.h"
 

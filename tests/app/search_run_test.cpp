@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "app/json_text.h"
+#include "app/json/json_text.h"
 #include "tests/support/files.h"
 #include "tests/support/program.h"
 

@@ -5,9 +5,9 @@
 
 #include "app/interrupt.h"
 #include "app/nearest_name.h"
-#include "app/quantities.h"
-#include "app/sample_times.h"
-#include "app/si_scale.h"
+#include "app/run/quantities.h"
+#include "app/run/sample_times.h"
+#include "app/scene/si_scale.h"
 
 namespace quicksand::test {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/progress_line.h"
+#include "app/run/progress_line.h"
 #include "core/solver.h"
 #include "tests/bench/stopwatch.h"
 

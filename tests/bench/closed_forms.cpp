@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "app/assets.h"
-#include "app/scene_file.h"
+#include "app/scene/scene_file.h"
 #include "core/step.h"
 #include "tests/bench/cases.h"
 #include "tests/bench/velocity_error.h"

@@ -6,7 +6,7 @@
 
 #include "app/exit_code.h"
 #include "app/nearest_name.h"
-#include "app/run_folder.h"
+#include "app/run/run_folder.h"
 #include "core/errors.h"
 #include "tests/bench/cases.h"
 #include "tests/bench/paper_states.h"

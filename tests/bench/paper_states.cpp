@@ -6,8 +6,8 @@
 
 #include "app/assets.h"
 #include "app/build_info.h"
-#include "app/scenario_json.h"
-#include "app/scene_file.h"
+#include "app/scene/scenario_json.h"
+#include "app/scene/scene_file.h"
 #include "core/errors.h"
 #include "core/measures.h"
 #include "core/protocols.h"

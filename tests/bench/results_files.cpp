@@ -5,9 +5,9 @@
 #include <cstdio>
 
 #include "app/build_info.h"
-#include "app/json_text.h"
+#include "app/json/json_text.h"
 #include "app/machine.h"
-#include "app/run_folder.h"
+#include "app/run/run_folder.h"
 #include "tests/bench/results.h"
 #include "tests/bench/statistics.h"
 

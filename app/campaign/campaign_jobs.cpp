@@ -1,0 +1,211 @@
+// From a campaign to its runs.
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <set>
+
+#include "app/campaign/campaign.h"
+#include "app/campaign/results_table.h"
+#include "app/json/json_reader.h"
+#include "app/scene/scenario_json.h"
+#include "app/scene/scene_file.h"
+#include "app/scene/scene_override.h"
+#include "core/errors.h"
+
+namespace quicksand {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kSeed = "seed";
+constexpr const char* kStart = "start_from";
+constexpr std::uint64_t kMaxSeed = std::uint64_t{1} << 53U;  // as in a scene
+// Listed bodies of all runs together, which are in memory at the same time.
+constexpr std::size_t kMaxListedBodies = 5'000'000;
+
+std::string id_of(std::size_t number) {
+  // Always five digits, so that a longer grid keeps the names of the runs that are there already.
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%05zu", number);
+  return text.data();
+}
+
+// Each path is given in one place only, and none is also a column of its own in results.csv.
+void check_paths(const Campaign& campaign) {
+  std::map<std::string, std::string> given;
+  const auto add = [&](const Json& values, const std::string& place) {
+    for (const auto& [path, value] : values.items()) {
+      const auto [known, is_new] = given.try_emplace(path, place);
+      if (!is_new && known->second != place) {
+        throw InputError(place + ": " + path, "is given in " + known->second + ", too");
+      }
+      if (place != "set" && path != kSeed && is_results_column(path)) {
+        throw InputError(place + ": " + path,
+                         "is also a column of results.csv; vary the fields inside it");
+      }
+    }
+  };
+  add(campaign.set, "set");
+  for (const Json& point : campaign.list) add(point, "list");
+  add(campaign.grid, "grid");
+  if (campaign.realizations > 1 && campaign.grid.contains(kSeed)) {
+    throw InputError("grid: seed", "clashes with realizations, which count seeds up themselves");
+  }
+}
+
+std::int64_t number_of_runs(const Campaign& campaign) {
+  std::int64_t runs = campaign.realizations;
+  const auto times = [&](std::size_t count) {
+    if (count > static_cast<std::size_t>(kMaxRuns / runs)) {
+      throw InputError("", "has more than " + std::to_string(kMaxRuns) +
+                               " runs: realizations times the lists' lengths");
+    }
+    runs *= static_cast<std::int64_t>(count);
+  };
+  if (campaign.list.is_array()) times(campaign.list.size());
+  for (const Json& values : campaign.grid) times(values.size());
+  return runs;
+}
+
+// All combinations of an entry of the list with values of the grid, the last path varying fastest.
+std::vector<ParameterValues> points_of(const Campaign& campaign) {
+  std::vector<ParameterValues> points;
+  for (const Json& entry : campaign.list) {
+    ParameterValues values;
+    for (const auto& [path, value] : entry.items()) values.emplace_back(path, value);
+    points.push_back(std::move(values));
+  }
+  if (points.empty()) points.emplace_back();
+  for (const auto& [path, values] : campaign.grid.items()) {
+    std::vector<ParameterValues> longer;
+    for (const ParameterValues& point : points) {
+      for (const Json& value : values) {
+        longer.push_back(point);
+        longer.back().emplace_back(path, value);
+      }
+    }
+    points = std::move(longer);
+  }
+  return points;
+}
+
+class Expansion {
+ public:
+  Expansion(const Campaign& campaign, fs::path file, fs::path out)
+      : campaign_(campaign), file_(std::move(file)), out_(std::move(out)) {}
+
+  std::vector<Job> jobs() {
+    try {
+      check_paths(campaign_);
+      jobs_.reserve(static_cast<std::size_t>(number_of_runs(campaign_)));
+    } catch (const InputError& error) {
+      throw InputError(file_.string() + (error.where().empty() ? "" : ": " + error.where()),
+                       error.what());
+    }
+    for (const ParameterValues& point : points_of(campaign_)) add(point);
+    return std::move(jobs_);
+  }
+
+ private:
+  void add(const ParameterValues& point) {
+    Job job;
+    try {
+      Json scene = campaign_.scene;
+      for (const auto& [path, value] : campaign_.set.items()) set_value(scene, path, value, path);
+      for (const auto& [path, value] : point) set_value(scene, path, value, path);
+      job.scenario = scenario_from_json(scene);
+      validate(job.scenario);
+      check_start(job.scenario);
+      job.values = columns(scene);
+      add_realizations(job);
+    } catch (const InputError& error) {
+      const std::string& where = error.where();
+      const std::string place = where.empty() ? "(" : where + " (" + origin(where) + "; ";
+      const std::string values = point.empty() ? std::string() : ": " + values_text(point);
+      throw InputError(file_.string() + ": " + place + "run " + id_of(jobs_.size()) + values + ")",
+                       error.what());
+    }
+  }
+
+  // What the runs' parameters are at this point, also where only another point of the list names them.
+  ParameterValues columns(const Json& scene) const {
+    ParameterValues values;
+    for (const std::string& path : paths_) {
+      if (path != kSeed) values.emplace_back(path, value_at(scene, path));
+    }
+    return values;
+  }
+
+  void add_realizations(Job& job) {
+    const std::uint64_t first = job.scenario.seed;
+    if (first + static_cast<std::uint64_t>(campaign_.realizations - 1) > kMaxSeed) {
+      throw InputError(kSeed, "is too large for " + std::to_string(campaign_.realizations) +
+                                  " realizations; at most 2^53 is possible");
+    }
+    bodies_ += job.scenario.disks.size() * static_cast<std::size_t>(campaign_.realizations);
+    if (bodies_ > kMaxListedBodies) {
+      throw InputError("bodies", "are too many to hold for all runs at once; at most " +
+                                     std::to_string(kMaxListedBodies) + " are possible");
+    }
+    job.scenario.seed = 0;
+    const std::size_t physics = std::hash<std::string>()(to_text(job.scenario));
+    for (std::int64_t k = 0; k < campaign_.realizations; ++k) {
+      job.scenario.seed = first + static_cast<std::uint64_t>(k);
+      job.id = id_of(jobs_.size());
+      job.folder = {out_ / "runs" / job.id};
+      const auto [known, is_new] = known_.try_emplace({physics, job.scenario.seed}, job.id);
+      if (!is_new) throw InputError("", "is the same as run " + known->second);
+      jobs_.push_back(job);
+    }
+  }
+
+  // Reads a state to start from once for all runs that do.
+  void check_start(const Scenario& scenario) {
+    if (scenario.start_from.empty()) return;
+    const std::string box = number_text(scenario.box.width) +
+                            (scenario.box.floor ? " floor " : " ") +
+                            std::to_string(static_cast<int>(scenario.box.sides));
+    if (!checked_.insert(scenario.start_from + " " + box).second) return;
+    try {
+      start_world(scenario);
+    } catch (const InputError& error) {
+      throw InputError(kStart, error.where() + ": " + error.what());
+    }
+  }
+
+  // Where in the campaign file a value is from.
+  std::string origin(const std::string& where) const {
+    const auto names = [&](const Json& values) {
+      for (const auto& [path, value] : values.items()) {
+        if (where == path || where.starts_with(path + ".") || where.starts_with(path + "[")) {
+          return true;
+        }
+      }
+      return false;
+    };
+    if (names(campaign_.grid)) return "from grid";
+    if (std::ranges::any_of(campaign_.list, names)) return "from list";
+    if (names(campaign_.set)) return "from set";
+    return "from scene";
+  }
+
+  const Campaign& campaign_;
+  fs::path file_, out_;
+  std::vector<std::string> paths_ = parameter_paths(campaign_);
+  std::vector<Job> jobs_;
+  std::size_t bodies_ = 0;
+  std::map<std::pair<std::size_t, std::uint64_t>, std::string> known_;  // runs by scene and seed
+  std::set<std::string> checked_;
+};
+
+}  // namespace
+
+std::vector<Job> campaign_jobs(const Campaign& campaign, const fs::path& file,
+                               const fs::path& out) {
+  return Expansion(campaign, file, out).jobs();
+}
+
+}  // namespace quicksand

@@ -1,0 +1,35 @@
+// results.csv: one row a job, in their order, whatever became of it.
+//
+// Columns: run, the parameters under their paths, seed, status, failure, the final quantities of
+// summary.json, steps, wall_seconds, version, world_hash. Texts are quoted as in [RFC 4180].
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/campaign/job.h"
+#include "app/campaign/run_record.h"
+
+namespace quicksand {
+
+// Whether a column has this name that is no parameter.
+bool is_results_column(std::string_view name);
+
+class ResultsTable {
+ public:
+  // All rows are `missing` at first. The jobs must outlive the table.
+  explicit ResultsTable(std::span<const Job> jobs);
+
+  void set(std::size_t job, const RunRecord& record);
+  std::string text() const;
+
+ private:
+  std::span<const Job> jobs_;
+  std::vector<std::string> parameters_;  // paths, in the order in which jobs name them first
+  std::vector<std::string> rows_;
+};
+
+}  // namespace quicksand

@@ -1,0 +1,123 @@
+// The language in which a file format is described once: a function visits the fields of a struct
+// with a Fields, and the same visit reads a file (json_reader), writes one (json_writer) or makes
+// the schema (json_schema).
+//
+// The default of an optional field is what the struct holds before the visit.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/json/json_text.h"
+#include "core/types.h"
+
+namespace quicksand {
+
+enum class Presence : std::uint8_t { optional, required };
+
+struct Field {
+  const char* name;
+  const char* help;  // what it is, for the schema
+  Presence presence = Presence::optional;
+};
+
+// Admissible numbers, both ends included unless `above` is set, which leaves out `low`.
+struct Limits {
+  const char* unit;  // "d", "F_g", ...; "1" if none
+  double low;        // [unit]
+  double high;       // [unit]
+  bool above = false;
+  double scale = 1;  // value in the program over value in the file; a power of two, so that writing
+                     // and reading give back the same bits
+};
+constexpr Limits above(double low, double high, const char* unit, double scale = 1) {
+  return {unit, low, high, true, scale};
+}
+constexpr Limits between(double low, double high, const char* unit, double scale = 1) {
+  return {unit, low, high, false, scale};
+}
+
+// What a value looks like that is kept as the JSON it is.
+struct Shape {
+  const char* words;  // "a list of texts"
+  bool (*fits)(const Json& value);
+  Json (*schema)();  // its type in a JSON Schema
+};
+
+class Fields {
+ public:
+  using Visit = std::function<void(Fields&)>;
+  using VisitItem = std::function<void(Fields&, std::size_t)>;
+
+  Fields() = default;
+  virtual ~Fields() = default;
+  Fields(const Fields&) = delete;
+  Fields& operator=(const Fields&) = delete;
+
+  virtual void number(const Field& field, const Limits& limits, double& value) = 0;
+  virtual void number(const Field& field, const Limits& limits, std::optional<double>& value) = 0;
+  virtual void vector(const Field& field, const Limits& limits, Vec2& value) = 0;
+  virtual void vector(const Field& field, const Limits& limits, std::optional<Vec2>& value) = 0;
+  // A list of at most `most` numbers.
+  virtual void numbers(const Field& field, const Limits& limits, std::size_t most,
+                       std::vector<double>& values) = 0;
+  virtual void integer(const Field& field, std::int64_t low, std::int64_t high,
+                       std::int64_t& value) = 0;
+  virtual void flag(const Field& field, bool& value) = 0;
+  virtual void text(const Field& field, std::string& value) = 0;
+  // One of `words`, numbered from 0.
+  virtual void word(const Field& field, std::span<const std::string_view> words, int& value) = 0;
+  // Null if absent.
+  virtual void json(const Field& field, const Shape& shape, Json& value) = 0;
+  virtual void object(const Field& field, const Visit& visit) = 0;
+  // Exactly one of these optional fields, described before, must be given.
+  virtual void exactly_one(const std::vector<std::string>& names) = 0;
+
+  // An enum whose values are the indices of `words`.
+  template <class Enum>
+  void choice(const Field& field, std::span<const std::string_view> words, Enum& value) {
+    int index = static_cast<int>(value);
+    word(field, words, index);
+    value = static_cast<Enum>(index);
+  }
+
+  // An object that may be absent; `describe(Fields&, T&)` visits its fields.
+  template <class T, class Describe>
+  void optional_object(const Field& field, std::optional<T>& value, Describe describe) {
+    T present = value.value_or(T{});
+    if (begin_optional(field, value.has_value(), [&](Fields& f) { describe(f, present); })) {
+      value = std::move(present);
+    }
+  }
+
+  // A list of at most `most` objects; `describe(Fields&, T&)` visits the fields of one.
+  template <class T, class Describe>
+  void list(const Field& field, std::size_t most, std::vector<T>& values, Describe describe) {
+    items(
+        field, most, values.size(), [&](std::size_t size) { values.resize(size); },
+        [&](Fields& f, std::size_t i) { describe(f, values[i]); });
+  }
+
+  // The whole of the present object depends on the word in `field`: `visit(Fields&, index)`.
+  virtual void variant(const Field& field, std::span<const std::string_view> words, int index,
+                       const std::function<void(Fields&, int)>& visit) = 0;
+
+  // Reports that a value is not admissible for a reason that a range cannot say. Only a reader has
+  // values to judge; it throws InputError.
+  virtual void refuse(const char* name, const std::string& problem) = 0;
+  // Whether values come from a file, so that what depends on them can be worked out after the visit.
+  virtual bool reading() const { return false; }
+
+ protected:
+  // Returns whether the object is there.
+  virtual bool begin_optional(const Field& field, bool present, const Visit& visit) = 0;
+  virtual void items(const Field& field, std::size_t most, std::size_t size,
+                     const std::function<void(std::size_t)>& resize, const VisitItem& visit) = 0;
+};
+
+}  // namespace quicksand

@@ -1,0 +1,122 @@
+#include "app/paper/paper_jobs.h"
+
+#include <cstdio>
+
+#include "app/assets.h"
+#include "app/json/json_reader.h"
+#include "app/scene/scenario_json.h"
+#include "app/scene/scene_file.h"
+#include "app/scene/scene_override.h"
+#include "core/errors.h"
+
+namespace quicksand {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string two_digits(std::size_t number) {
+  std::string text = std::to_string(number);
+  return text.size() < 2 ? "0" + text : text;
+}
+
+}  // namespace
+
+PaperScale quick_scale() {
+  return {.width = 24,
+          .height = 50,
+          .realizations = 2,
+          .push_forces = {0.1, 0.33, 1, 3},
+          .shear_depths = {0.2, 0.45, 0.7},
+          .grains_per_depth = 1,
+          .shear_distance = 3,
+          .shear_tolerance = 0.25,
+          .shear_time = 10};
+}
+
+PaperJobs::PaperJobs(PaperScale scale, fs::path out)
+    : scale_(std::move(scale)), out_(std::move(out)) {}
+
+RunGroup PaperJobs::add(const std::string& scene, const std::string& name, const RunGroup* after,
+                        ParameterValues laws, const ParameterValues& set) {
+  if (const auto known = known_.find(name); known != known_.end()) return known->second;
+  RunGroup group{.name = name, .runs = {}, .laws = after ? after->laws : ParameterValues{}};
+  group.laws.insert(group.laws.end(), laws.begin(), laws.end());
+
+  const fs::path file = assets_folder() / "paper" / (scene + ".json");
+  Json json = parse_json(read_scene_text(file));
+  ParameterValues changes{{"box.width", scale_.width}, {"box.height", scale_.height}};
+  changes.insert(changes.end(), group.laws.begin(), group.laws.end());
+  changes.insert(changes.end(), set.begin(), set.end());
+  for (const auto& [path, value] : changes) set_value(json, path, value, file.string());
+
+  Job job;
+  job.values = changes;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(scale_.realizations); ++k) {
+    job.id = name + "/" + two_digits(k);
+    job.folder = {fs::absolute(out_ / "runs" / name / two_digits(k)).lexically_normal()};
+    if (after) {
+      job.after = after->runs[k];
+      set_value(json, "start_from", jobs_[*job.after].folder.state().string(), file.string());
+    }
+    try {
+      job.scenario = scenario_from_json(json);
+      job.scenario.seed += k;
+      validate(job.scenario);
+    } catch (const InputError& error) {
+      throw InputError(file.string() + ": " + error.where(), error.what());
+    }
+    group.runs.push_back(jobs_.size());
+    jobs_.push_back(job);
+  }
+  return known_[name] = group;
+}
+
+RunGroup PaperJobs::samples(const std::string& tag, const ParameterValues& laws,
+                            const ParameterValues& set) {
+  ParameterValues changes{{"phases[0].height", scale_.height}};
+  changes.insert(changes.end(), set.begin(), set.end());
+  return add("sample", tag.empty() ? "sample" : "sample_" + tag, nullptr, laws, changes);
+}
+
+RunGroup PaperJobs::pushes(const RunGroup& samples, double force_over_cohesion,
+                           const std::string& tag, const ParameterValues& laws) {
+  return add(
+      "push",
+      samples.name + ".push_" + number_text(force_over_cohesion) + (tag.empty() ? "" : "_" + tag),
+      &samples, laws, {{"phases[0].force_over_cohesion", force_over_cohesion}});
+}
+
+std::vector<RunGroup> PaperJobs::push_curve(const RunGroup& samples) {
+  std::vector<RunGroup> curve;
+  for (const double force : scale_.push_forces) curve.push_back(pushes(samples, force));
+  return curve;
+}
+
+RunGroup PaperJobs::pulls(const RunGroup& pushes, double first_force_over_cohesion) {
+  return add("pull", pushes.name + ".pull", &pushes, {},
+             {{"phases[1].first_force_over_cohesion", first_force_over_cohesion}});
+}
+
+RunGroup PaperJobs::pistons(const RunGroup& samples) {
+  // The pressure, and the mass that it drives, are those on the paper's width.
+  const double share = scale_.width / PaperScale{}.width;
+  constexpr double kMass = 2000, kForce = 30;  // [grain masses], [F_c]
+  return add(
+      "piston", samples.name + ".piston", &samples, {},
+      {{"phases[0].mass", kMass * share}, {"phases[0].force_over_cohesion", kForce * share}});
+}
+
+RunGroup PaperJobs::shears(const RunGroup& states, double top, double first_force) {
+  Json depths = Json::array();
+  for (const double share : scale_.shear_depths) depths.push_back(share * top);
+  return add("shear", states.name + ".shear", &states, {},
+             {{"phases[0].depths", depths},
+              {"phases[0].grains_per_depth", scale_.grains_per_depth},
+              {"phases[0].distance", scale_.shear_distance},
+              {"phases[0].tolerance", scale_.shear_tolerance},
+              {"phases[0].max_time", scale_.shear_time},
+              {"phases[0].first_force", first_force}});
+}
+
+}  // namespace quicksand

@@ -1,0 +1,68 @@
+// The runs of the paper's experiments: samples, and what is done to them, each from the state that the
+// run before it left.
+//
+// The scenes are assets/paper/*.json; here they are cut to size, varied and chained. Runs that several
+// figures need are made once.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/campaign/job.h"
+
+namespace quicksand {
+
+// How much of the paper's programme is computed.
+struct PaperScale {
+  double width = 51, height = 199;  // of the box [d]
+  int realizations = 10;
+  std::vector<double> push_forces{0.1, 0.33, 0.67, 1, 2, 3};    // [F_c]
+  std::vector<double> shear_depths{0.1, 0.25, 0.4, 0.55, 0.7};  // over the packing's height [1]
+  int grains_per_depth = 10;
+  double shear_distance = 20;     // [d]
+  double shear_tolerance = 0.05;  // relative width of the interval of force [1]
+  double shear_time = 20;         // of a trial, at most [sqrt(d/g)]
+};
+PaperScale quick_scale();
+
+// Runs that differ by their seed only, as indices into PaperJobs::jobs().
+struct RunGroup {
+  std::string name;               // "push_1.interval_0.05"
+  std::vector<std::size_t> runs;  // (realizations)
+  ParameterValues laws;           // changes that hold for all that follows, such as friction
+};
+
+class PaperJobs {
+ public:
+  // Results will be in `out`/runs. Reads the scenes; throws InputError.
+  PaperJobs(PaperScale scale, std::filesystem::path out);
+
+  const PaperScale& scale() const { return scale_; }
+  const std::vector<Job>& jobs() const { return jobs_; }
+
+  // `tag` names what is different, "" for nothing; `set` are changes of this scene alone, `laws` also of
+  // what follows. The same tag must mean the same changes.
+  RunGroup samples(const std::string& tag = {}, const ParameterValues& laws = {},
+                   const ParameterValues& set = {});
+  RunGroup pushes(const RunGroup& samples, double force_over_cohesion, const std::string& tag = {},
+                  const ParameterValues& laws = {});
+  // With each of the scale's forces (forces).
+  std::vector<RunGroup> push_curve(const RunGroup& samples);
+  RunGroup pulls(const RunGroup& pushes, double first_force_over_cohesion);
+  RunGroup pistons(const RunGroup& samples);
+  // `top`: about where the packing ends [d].
+  RunGroup shears(const RunGroup& states, double top, double first_force);
+
+ private:
+  RunGroup add(const std::string& scene, const std::string& name, const RunGroup* after,
+               ParameterValues laws, const ParameterValues& set);
+
+  PaperScale scale_;
+  std::filesystem::path out_;
+  std::vector<Job> jobs_;
+  std::map<std::string, RunGroup> known_;
+};
+
+}  // namespace quicksand

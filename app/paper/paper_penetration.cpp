@@ -1,0 +1,144 @@
+// An intruder pushed in with a constant force: depth, bonds, coordination numbers, by regions.
+#include "app/json/json_reader.h"
+#include "app/paper/paper_experiments.h"
+#include "core/errors.h"
+
+namespace quicksand {
+
+namespace {
+
+// The forces of the paper's three snapshots; the last stands for its "strong" one.
+constexpr double kWeak = 0.33, kEqual = 1, kStrong = 3;
+
+struct Shown {
+  const char* quantity;
+  const char* title;
+};
+constexpr Shown kShown[] = {{"depth", "depth [d]"},
+                            {"active_bond_fraction", "active of contacts"},
+                            {"remaining_bond_fraction", "remaining of initial"},
+                            {"coordination", "coordination"},
+                            {"channel_active_bond_fraction", "channel: active"},
+                            {"channel_coordination", "channel: coordination"},
+                            {"intact_active_bond_fraction", "intact: active"},
+                            {"intact_coordination", "intact: coordination"}};
+
+class Penetration : public PaperExperiment {
+ public:
+  void plan(PaperJobs& jobs) override {
+    all_ = jobs.scale().realizations;
+    height_ = jobs.scale().height;
+    forces_ = jobs.scale().push_forces;
+    pushes_ = jobs.push_curve(jobs.samples());
+  }
+
+  void report(const PaperResults& results, const std::filesystem::path& pictures, Section& section,
+              Findings& findings) const override {
+    add_pictures(results, pictures, section);
+    Table table{.caption =
+                    "After the push, when everything rests. Channel: where the intruder has "
+                    "passed; intact: farther from its way than six of its diameters.",
+                .columns = {{"push force [F_c]", true}}};
+    for (const Shown& column : kShown) table.columns.push_back({column.title, true});
+    for (std::size_t k = 0; k < forces_.size(); ++k) {
+      std::vector<Cell> row{{.text = number_text(forces_[k])}};
+      for (const Shown& column : kShown)
+        row.push_back(cell_of(results.mean(pushes_[k], column.quantity), all_));
+      table.rows.push_back(std::move(row));
+    }
+    section.blocks.emplace_back(std::move(table));
+    add_plots(results, section);
+    for (std::size_t k = 0; k < forces_.size(); ++k) compare(results, k, findings);
+  }
+
+ private:
+  void add_pictures(const PaperResults& results, const std::filesystem::path& folder,
+                    Section& section) const {
+    Gallery gallery{.caption =
+                        "Final states, coloured by active bonds: with a third of the cohesion "
+                        "force, with the cohesion force, and with a strong force."};
+    for (std::size_t k = 0; k < forces_.size(); ++k) {
+      if (forces_[k] != kWeak && forces_[k] != kEqual && forces_[k] != kStrong) continue;
+      const std::string caption = "push force " + number_text(forces_[k]) + " F_c";
+      if (auto picture = picture_of(results, pushes_[k], folder, caption))
+        gallery.pictures.push_back(*picture);
+    }
+    if (!gallery.pictures.empty()) section.blocks.emplace_back(std::move(gallery));
+  }
+
+  static Curve paper_curve(const std::string& name, const std::string& quantity) {
+    const PaperTargets targets = read_targets(shipped_targets());
+    Curve curve{.name = name, .role = Curve::Role::paper, .x = {kWeak, kEqual, kStrong}};
+    for (const char* force : {"0.33", "1.0", "strong"})
+      curve.y.push_back(*targets.at("penetration." + std::string(force) + "." + quantity).low);
+    return curve;
+  }
+
+  void add_plots(const PaperResults& results, Section& section) const {
+    Plot bonds{.name = "penetration_bonds",
+               .title = "Bonds after the push",
+               .x = {.label = "push force", .unit = "F_c", .logarithmic = true},
+               .y = {.label = "share", .low = 0, .high = 1.02},
+               .legend = Legend::below};
+    bonds.curves = {
+        curve_over(results, "active of contacts", forces_, pushes_, "active_bond_fraction"),
+        curve_over(results, "remaining of initial", forces_, pushes_, "remaining_bond_fraction"),
+        paper_curve("paper: active of contacts", "active_of_contacts"),
+        paper_curve("paper: remaining of initial", "remaining_of_initial")};
+    section.blocks.emplace_back(
+        Figure{std::move(bonds),
+               "Shares of bonds against the push force. The paper's strong force has no "
+               "number; its points are drawn at 3 F_c."});
+    Plot depth{.name = "penetration_depth",
+               .title = "Depth of the intruder",
+               .x = {.label = "push force", .unit = "F_c", .logarithmic = true},
+               .y = {.label = "depth", .unit = "d", .low = 0},
+               .references = {{.name = "height of the box",
+                               .low = height_,
+                               .high = height_,
+                               .role = Reference::Role::guide}},
+               .legend = Legend::bottom_right};
+    depth.curves = {curve_over(results, "depth", forces_, pushes_, "depth")};
+    section.blocks.emplace_back(
+        Figure{std::move(depth), "Final depth of the intruder's lowest point."});
+  }
+
+  void compare(const PaperResults& results, std::size_t k, Findings& findings) const {
+    const auto find = [&](const std::string& id, const char* quantity) {
+      note(findings, id, results.mean(pushes_[k], quantity));
+    };
+    if (forces_[k] == kWeak) {
+      find("penetration.0.33.active_of_contacts", "active_bond_fraction");
+      find("penetration.0.33.remaining_of_initial", "remaining_bond_fraction");
+    } else if (forces_[k] == kEqual) {
+      find("penetration.1.0.active_of_contacts", "active_bond_fraction");
+      find("penetration.1.0.remaining_of_initial", "remaining_bond_fraction");
+      std::vector<double> shares;
+      for (const double depth : results.values(pushes_[k], "depth"))
+        shares.push_back(depth / height_);
+      note(findings, "penetration.1.0.depth", mean_over(shares));
+    } else if (forces_[k] == kStrong) {
+      const std::string strong = "penetration.strong.";
+      find(strong + "active_of_contacts", "active_bond_fraction");
+      find(strong + "remaining_of_initial", "remaining_bond_fraction");
+      find(strong + "coordination", "coordination");
+      find(strong + "channel.active_of_contacts", "channel_active_bond_fraction");
+      find(strong + "channel.coordination", "channel_coordination");
+      find(strong + "intact.active_of_contacts", "intact_active_bond_fraction");
+      find(strong + "intact.coordination", "intact_coordination");
+    }
+  }
+
+  std::vector<double> forces_;
+  std::vector<RunGroup> pushes_;
+  double height_ = 0;
+  int all_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<PaperExperiment> make_penetration_experiment() {
+  return std::make_unique<Penetration>();
+}
+
+}  // namespace quicksand

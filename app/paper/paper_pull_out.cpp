@@ -1,0 +1,106 @@
+// After a push, the weight above the intruder and the force that takes it out, bonds restored.
+#include "app/json/json_reader.h"
+#include "app/paper/paper_experiments.h"
+#include "core/linear_fit.h"
+
+namespace quicksand {
+
+namespace {
+
+class PullOut : public PaperExperiment {
+ public:
+  void plan(PaperJobs& jobs) override {
+    all_ = jobs.scale().realizations;
+    forces_ = jobs.scale().push_forces;
+    pushes_ = jobs.push_curve(jobs.samples());
+    for (std::size_t k = 0; k < forces_.size(); ++k)
+      pulls_.push_back(jobs.pulls(pushes_[k], forces_[k]));
+    cohesion_ = *jobs.jobs()[pulls_[0].runs[0]].scenario.grain_law.cohesion_force;
+  }
+
+  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
+              Findings& findings) const override {
+    Curve pull{.name = "pull-out force (left)"};
+    Curve weight = curve_over(results, "weight above the intruder's height, over the total (right)",
+                              forces_, pushes_, "weight_above_level");
+    weight.second_axis = true;
+    Table table{.caption =
+                    "Pull-out after all bonds were restored: the middle of the interval that "
+                    "holds the critical force.",
+                .columns = {{"push force [F_c]", true},
+                            {"pull-out force [F_c]", true},
+                            {"pull-out over push", true},
+                            {"weight above, by height", true},
+                            {"weight above, by column", true}}};
+    std::optional<Measured> largest;
+    for (std::size_t k = 0; k < forces_.size(); ++k) {
+      const std::vector<double> forces = pull_forces(results, pulls_[k]);
+      const auto mean = mean_over(forces);
+      std::vector<double> ratios = forces;
+      for (double& ratio : ratios) ratio /= forces_[k];
+      const auto ratio = mean_over(ratios);
+      if (ratio && (!largest || ratio->value > largest->value)) largest = ratio;
+      if (mean) {
+        pull.x.push_back(forces_[k]);
+        pull.y.push_back(mean->value);
+        pull.y_error.push_back(mean->standard_error.value_or(0));
+      }
+      table.rows.push_back({{.text = number_text(forces_[k])},
+                            cell_of(mean, all_),
+                            cell_of(ratio, all_),
+                            cell_of(results.mean(pushes_[k], "weight_above_level"), all_),
+                            cell_of(results.mean(pushes_[k], "weight_above_column"), all_)});
+    }
+    section.blocks.emplace_back(std::move(table));
+    note(findings, "penetration.pull_out_over_push", largest);
+    note_slope(findings, "penetration.pull_out_slope", pull);
+    note_slope(findings, "penetration.weight_above_slope", weight);
+    Plot plot{.name = "pull_out",
+              .title = "Pull-out force and weight above against the push force",
+              .x = {.label = "push force", .unit = "F_c"},
+              .y = {.label = "pull-out force", .unit = "F_c", .low = 0},
+              .y2 = Axis{.label = "weight above / total weight", .low = 0, .high = 1},
+              .curves = {std::move(pull), std::move(weight)},
+              .legend = Legend::below};
+    section.blocks.emplace_back(Figure{std::move(plot),
+                                       "Left axis: the force that takes the intruder "
+                                       "out; right axis: the share of the grains' "
+                                       "weight that lies higher than its centre."});
+  }
+
+ private:
+  // The middles of the intervals [F_c]; trials that never took it out are left out.
+  std::vector<double> pull_forces(const PaperResults& results, const RunGroup& group) const {
+    std::vector<double> forces;
+    for (const RunResults* run : results.runs(group)) {
+      const auto found = run->summary().find("critical_forces");
+      if (found == run->summary().end()) continue;
+      for (const Json& force : *found) {
+        if (force["force_high"].is_null()) continue;
+        forces.push_back((force["force_low"].get<double>() + force["force_high"].get<double>()) /
+                         2 / cohesion_);
+      }
+    }
+    return forces;
+  }
+
+  static void note_slope(Findings& findings, const std::string& id, const Curve& curve) {
+    const auto line = fit_line(curve.x, curve.y);
+    if (!line) return;
+    findings[id] = {.value = line->slope,
+                    .standard_error = line->slope_error,
+                    .n = static_cast<int>(curve.x.size()),
+                    .note = "straight line through the means; n counts forces"};
+  }
+
+  std::vector<double> forces_;
+  std::vector<RunGroup> pushes_, pulls_;
+  double cohesion_ = 1;  // [F_g]
+  int all_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<PaperExperiment> make_pull_out_experiment() { return std::make_unique<PullOut>(); }
+
+}  // namespace quicksand

@@ -1,0 +1,173 @@
+// Pushes of other samples and under other choices: density, drag, and the model's free choices.
+#include <cmath>
+
+#include "app/json/json_reader.h"
+#include "app/paper/paper_experiments.h"
+
+namespace quicksand {
+
+namespace {
+
+// The force at which choices are compared [F_c].
+constexpr double kForce = 1;
+
+struct Row {
+  std::string text;
+  RunGroup pushes;
+};
+
+Table push_table(const PaperResults& results, const std::string& caption,
+                 const std::vector<Row>& rows, int all) {
+  Table table{.caption = caption,
+              .columns = {{"case"},
+                          {"depth [d]", true},
+                          {"active of contacts", true},
+                          {"remaining of initial", true},
+                          {"coordination", true}}};
+  for (const Row& row : rows) {
+    std::vector<Cell> cells{{.text = row.text}};
+    for (const char* quantity :
+         {"depth", "active_bond_fraction", "remaining_bond_fraction", "coordination"})
+      cells.push_back(cell_of(results.mean(row.pushes, quantity), all));
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
+// Force at which a curve first reaches a height, between its points linear in the logarithm of the force.
+std::optional<double> force_for(const Curve& curve, double height) {
+  for (std::size_t k = 1; k < curve.x.size(); ++k) {
+    const double low = curve.y[k - 1], high = curve.y[k];
+    if (low > height || high < height || low == high) continue;
+    return curve.x[k - 1] * std::pow(curve.x[k] / curve.x[k - 1], (height - low) / (high - low));
+  }
+  return std::nullopt;
+}
+
+class Density : public PaperExperiment {
+ public:
+  void plan(PaperJobs& jobs) override {
+    all_ = jobs.scale().realizations;
+    forces_ = jobs.scale().push_forces;
+    height_ = jobs.scale().height;
+    // The lower rolling friction makes the denser sample; it stays during the push.
+    samples_ = {jobs.samples(), jobs.samples("rolling_0.02", {{"contact.rolling_friction", 0.02}})};
+    for (const RunGroup& sample : samples_) pushes_.push_back(jobs.push_curve(sample));
+  }
+
+  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
+              Findings& findings) const override {
+    section.blocks.emplace_back(
+        Paragraph{"The denser sample is made with a fifth of the rolling friction, which also "
+                  "holds while the "
+                  "intruder is pushed: part of the difference may be due to that."});
+    const char* const names[] = {"usual sample", "denser sample"};
+    Plot plot{.name = "density",
+              .title = "Depth of the intruder in samples of two densities",
+              .x = {.label = "push force", .unit = "F_c", .logarithmic = true},
+              .y = {.label = "depth", .unit = "d", .low = 0},
+              .legend = Legend::bottom_right};
+    std::vector<Row> rows;
+    for (std::size_t s = 0; s < samples_.size(); ++s) {
+      const auto density = results.mean(samples_[s], "volume_fraction");
+      const std::string name =
+          std::string(names[s]) + ", volume fraction " + cell_of(density, all_).text;
+      plot.curves.push_back(curve_over(results, name, forces_, pushes_[s], "depth"));
+      for (std::size_t k = 0; k < forces_.size(); ++k)
+        rows.push_back({name + ", " + number_text(forces_[k]) + " F_c", pushes_[s][k]});
+    }
+    const double half = height_ / 2;
+    const auto loose = force_for(plot.curves[0], half), dense = force_for(plot.curves[1], half);
+    if (loose && dense)
+      findings["penetration.density_shift"] = {
+          .value = *dense / *loose, .n = 2, .note = "at half the box's height; n counts samples"};
+    section.blocks.emplace_back(
+        push_table(results, "Pushes of both samples, after everything rests.", rows, all_));
+    section.blocks.emplace_back(Figure{std::move(plot), "Final depth against the push force."});
+  }
+
+ private:
+  std::vector<double> forces_;
+  std::vector<RunGroup> samples_;
+  std::vector<std::vector<RunGroup>> pushes_;
+  double height_ = 0;
+  int all_ = 0;
+};
+
+class WaterDrag : public PaperExperiment {
+ public:
+  void plan(PaperJobs& jobs) override {
+    all_ = jobs.scale().realizations;
+    const RunGroup samples = jobs.samples();
+    constexpr double kWater = 1e-3;  // viscosity [Pa s]
+    without_ = jobs.pushes(samples, kForce);
+    with_ = jobs.pushes(samples, kForce, "drag", {{"drag", {{"viscosity", kWater}}}});
+  }
+
+  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
+              Findings& findings) const override {
+    section.blocks.emplace_back(
+        push_table(results,
+                   "Pushes with the cohesion force, with and without viscous drag of water "
+                   "(Stokes' law on each grain).",
+                   {{"without drag", without_}, {"with drag", with_}}, all_));
+    std::vector<double> changes;
+    for (std::size_t k = 0; k < with_.runs.size(); ++k) {
+      const RunResults *with = results.run(with_.runs[k]), *without = results.run(without_.runs[k]);
+      if (!with || !without) continue;
+      const double depth = *without->final_value("depth");
+      changes.push_back((*with->final_value("depth") - depth) / depth);
+    }
+    note(findings, "penetration.drag_effect", mean_over(changes));
+  }
+
+ private:
+  RunGroup without_, with_;
+  int all_ = 0;
+};
+
+class Choices : public PaperExperiment {
+ public:
+  void plan(PaperJobs& jobs) override {
+    all_ = jobs.scale().realizations;
+    const RunGroup samples = jobs.samples();
+    const auto add = [&](const std::string& text, const std::string& tag,
+                         const ParameterValues& laws) {
+      rows_.push_back({text, jobs.pushes(samples, kForce, tag, laws)});
+    };
+    add("reference: energy rule, dt 0.01, max_turn 0.15, residual 1e-5", "", {});
+    add("break rule linearised", "linearised", {{"step.break_rule", "linearised"}});
+    add("break rule geometric", "geometric", {{"step.break_rule", "geometric"}});
+    add("dt 0.003", "dt_0.003", {{"step.dt", 3e-3}});
+    add("residual 1e-6", "residual_1e-6", {{"phases[0].solver_tolerance", 1e-6}});
+    add("bonds form during the push", "bonding", {{"phases[0].bonding", true}});
+    add("half the rolling friction", "rolling_0.05", {{"contact.rolling_friction", 0.05}});
+    add("friction 0.6", "friction_0.6", {{"contact.friction", 0.6}});
+  }
+
+  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
+              Findings&) const override {
+    section.blocks.emplace_back(push_table(
+        results, "Pushes of the same samples with the cohesion force under other choices.", rows_,
+        all_));
+    const PaperTargets targets = read_targets(shipped_targets());
+    section.blocks.emplace_back(Paragraph{
+        "The paper has " + paper_text(targets.at("penetration.1.0.active_of_contacts")) +
+        " active of contacts and " +
+        paper_text(targets.at("penetration.1.0.remaining_of_initial")) +
+        " remaining of initial bonds, and the intruder almost at the bottom. Choices of the "
+        "deposition are in the section on samples."});
+  }
+
+ private:
+  std::vector<Row> rows_;
+  int all_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<PaperExperiment> make_density_experiment() { return std::make_unique<Density>(); }
+std::unique_ptr<PaperExperiment> make_drag_experiment() { return std::make_unique<WaterDrag>(); }
+std::unique_ptr<PaperExperiment> make_choices_experiment() { return std::make_unique<Choices>(); }
+
+}  // namespace quicksand

@@ -1,0 +1,67 @@
+#include "app/paper/paper_results.h"
+
+#include "app/campaign/run_record.h"
+#include "app/report/typeset_number.h"
+
+namespace quicksand {
+
+PaperResults::PaperResults(std::span<const Job> jobs) : results_(jobs.size()) {
+  for (std::size_t k = 0; k < jobs.size(); ++k) {
+    const RunRecord record = read_record(jobs[k]);
+    if (record.status == JobStatus::finished && !record.other_scene)
+      results_[k].emplace(jobs[k].folder.path);
+  }
+}
+
+const RunResults* PaperResults::run(std::size_t job) const {
+  return results_[job] ? &*results_[job] : nullptr;
+}
+
+std::vector<const RunResults*> PaperResults::runs(const RunGroup& group) const {
+  std::vector<const RunResults*> finished;
+  for (const std::size_t job : group.runs)
+    if (const RunResults* result = run(job)) finished.push_back(result);
+  return finished;
+}
+
+std::vector<double> PaperResults::values(const RunGroup& group, const std::string& quantity) const {
+  std::vector<double> values;
+  for (const RunResults* result : runs(group))
+    if (const auto value = result->final_value(quantity)) values.push_back(*value);
+  return values;
+}
+
+std::optional<Measured> PaperResults::mean(const RunGroup& group,
+                                           const std::string& quantity) const {
+  return mean_over(values(group, quantity));
+}
+
+std::optional<Measured> mean_over(std::span<const double> values, const std::string& note) {
+  if (values.empty()) return std::nullopt;
+  return measured_over(values, note);
+}
+
+void note(Findings& findings, const std::string& id, const std::optional<Measured>& found) {
+  if (found) findings[id] = *found;
+}
+
+Cell cell_of(const std::optional<Measured>& measured, int all) {
+  if (!measured) return {.text = "-"};
+  const std::string runs = measured->n == all ? "" : " (" + std::to_string(measured->n) + ")";
+  return {.text = typeset_with_error(measured->value, measured->standard_error) + runs};
+}
+
+Curve curve_over(const PaperResults& results, const std::string& name, std::span<const double> x,
+                 std::span<const RunGroup> groups, const std::string& quantity) {
+  Curve curve{.name = name};
+  for (std::size_t k = 0; k < groups.size(); ++k) {
+    const auto mean = results.mean(groups[k], quantity);
+    if (!mean) continue;
+    curve.x.push_back(x[k]);
+    curve.y.push_back(mean->value);
+    curve.y_error.push_back(mean->standard_error.value_or(0));
+  }
+  return curve;
+}
+
+}  // namespace quicksand

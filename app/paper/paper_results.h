@@ -1,0 +1,51 @@
+// What the runs of the paper's experiments left, by group of realizations. Runs that did not finish are
+// left out of every mean, and the mean says over how many runs it is.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/paper/paper_jobs.h"
+#include "app/report/comparison.h"
+#include "app/report/run_results.h"
+
+namespace quicksand {
+
+// By id of the target in assets/paper/targets.json.
+using Findings = std::map<std::string, Measured>;
+
+class PaperResults {
+ public:
+  explicit PaperResults(std::span<const Job> jobs);
+
+  // Null if the run did not finish.
+  const RunResults* run(std::size_t job) const;
+  // The finished runs of a group.
+  std::vector<const RunResults*> runs(const RunGroup& group) const;
+
+  // Final values of a quantity, those that are there.
+  std::vector<double> values(const RunGroup& group, const std::string& quantity) const;
+  // Their mean; absent if there are none.
+  std::optional<Measured> mean(const RunGroup& group, const std::string& quantity) const;
+
+ private:
+  std::vector<std::optional<RunResults>> results_;  // (jobs)
+};
+
+// Mean and error of values, absent if there are none.
+std::optional<Measured> mean_over(std::span<const double> values, const std::string& note = {});
+
+// Notes a finding if there is one.
+void note(Findings& findings, const std::string& id, const std::optional<Measured>& found);
+
+// "0.372 ± 0.004 (10)", "-" if absent; the number of runs is left out where it is `all`.
+Cell cell_of(const std::optional<Measured>& measured, int all);
+
+// Points with error bars: one x a group, y a final quantity. Groups without a value are left out.
+Curve curve_over(const PaperResults& results, const std::string& name, std::span<const double> x,
+                 std::span<const RunGroup> groups, const std::string& quantity);
+
+}  // namespace quicksand

@@ -1,0 +1,102 @@
+// Which deposition gives which density and coordination number.
+#include "app/paper/paper_experiments.h"
+
+namespace quicksand {
+
+namespace {
+
+struct Setting {
+  const char* tag;
+  const char* text;
+  ParameterValues laws = {};
+  ParameterValues set = {};
+};
+
+std::vector<Setting> settings() {
+  return {{"", "reference: a grain every 0.01, no drop velocity"},
+          {"interval_0.001",
+           "a grain every 0.001, dt 0.001",
+           {},
+           {{"step.dt", 1e-3}, {"phases[0].interval", 1e-3}}},
+          {"interval_0.05", "a grain every 0.05", {}, {{"phases[0].interval", 0.05}}},
+          {"drop_10", "drop velocity 10 √(gd)", {}, {{"phases[0].drop_velocity", 10}}},
+          {"rolling_0.05", "half the rolling friction", {{"contact.rolling_friction", 0.05}}},
+          {"rolling_0.02", "a fifth of the rolling friction", {{"contact.rolling_friction", 0.02}}},
+          {"polydisperse",
+           "diameters with 35 % deviation",
+           {},
+           {{"phases[0].polydispersity.deviation", 0.35}}},
+          {"capture_0.5", "capture radius 0.5 d", {}, {{"phases[0].capture_radius", 0.5}}},
+          {"cohesion_100", "cohesion force 100 F_g", {{"contact.cohesion_force", 100}}},
+          {"ballistic", "no dynamics: sticking where they touch", {}, {{"phases[0].interval", 0}}}};
+}
+
+class Samples : public PaperExperiment {
+ public:
+  void plan(PaperJobs& jobs) override {
+    all_ = jobs.scale().realizations;
+    for (const Setting& s : settings()) groups_.push_back(jobs.samples(s.tag, s.laws, s.set));
+  }
+
+  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
+              Findings& findings) const override {
+    Table table{.caption =
+                    "Samples after deposition and settling. Volume fraction of the lower 70 %; "
+                    "mean ± standard error over realizations.",
+                .columns = {{"deposition"},
+                            {"volume fraction", true},
+                            {"coordination", true},
+                            {"active of contacts", true}}};
+    Plot plot{
+        .name = "samples",
+        .title = "Samples: coordination number and volume fraction",
+        .x = {.label = "volume fraction"},
+        .y = {.label = "coordination number"},
+        .references = {{.name = "paper: volume fraction", .low = 0.40, .high = 0.43, .of_x = true},
+                       {.name = "paper: coordination number", .low = 2.05, .high = 2.06}},
+        .legend = Legend::below};
+    Curve points{.name = "depositions, numbered as in the table"};
+    const std::vector<Setting> all = settings();
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const auto density = results.mean(groups_[k], "volume_fraction");
+      const auto coordination = results.mean(groups_[k], "coordination");
+      table.rows.push_back({{.text = std::to_string(k + 1) + ". " + all[k].text},
+                            cell_of(density, all_),
+                            cell_of(coordination, all_),
+                            cell_of(results.mean(groups_[k], "active_bond_fraction"), all_)});
+      if (!density) continue;
+      points.x.push_back(density->value);
+      points.y.push_back(coordination->value);
+      points.x_error.push_back(density->standard_error.value_or(0));
+      points.y_error.push_back(coordination->standard_error.value_or(0));
+      plot.annotations.push_back(
+          {density->value, coordination->value, "  " + std::to_string(k + 1)});
+    }
+    plot.curves.push_back(std::move(points));
+    section.blocks.emplace_back(std::move(table));
+    section.blocks.emplace_back(
+        Figure{std::move(plot),
+               "Each deposition's volume fraction and coordination number. The paper's "
+               "sample lies where the two bands cross."});
+    const auto find = [&](const char* id, std::size_t setting, const char* quantity) {
+      note(findings, id, results.mean(groups_[setting], quantity));
+    };
+    find("unperturbed.volume_fraction", 0, "volume_fraction");
+    find("unperturbed.coordination", 0, "coordination");
+    find("unperturbed.active_bond_fraction", 0, "active_bond_fraction");
+    find("unperturbed.cohesion_1e2.volume_fraction", all.size() - 2, "volume_fraction");
+    find("unperturbed.cohesion_1e2.coordination", all.size() - 2, "coordination");
+    find("literature.ballistic.volume_fraction", all.size() - 1, "volume_fraction");
+    find("literature.ballistic.coordination", all.size() - 1, "coordination");
+  }
+
+ private:
+  std::vector<RunGroup> groups_;
+  int all_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<PaperExperiment> make_samples_experiment() { return std::make_unique<Samples>(); }
+
+}  // namespace quicksand

@@ -1,0 +1,124 @@
+// Shear strength over depth: unperturbed samples, and samples perturbed by the piston.
+#include "app/paper/paper_experiments.h"
+#include "app/paper/paper_strength.h"
+#include "app/report/typeset_number.h"
+
+namespace quicksand {
+
+namespace {
+
+Measured measured(double value, std::optional<double> error, const PaperStrength& strength) {
+  return {.value = value,
+          .standard_error = error,
+          .n = strength.grains,
+          .note = "n counts grains" + (strength.never_moved > 0
+                                           ? "; " + std::to_string(strength.never_moved) +
+                                                 " more were moved by no force"
+                                           : std::string())};
+}
+
+std::string line_text(const std::optional<Line>& line, double Line::*value,
+                      std::optional<double> Line::*error) {
+  return line ? typeset_with_error((*line).*value, (*line).*error) : "-";
+}
+
+class Shear : public PaperExperiment {
+ public:
+  void plan(PaperJobs& jobs) override { runs_ = plan_strength(jobs); }
+
+  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
+              Findings& findings) const override {
+    const PaperStrength loose = paper_strength(results, runs_.loose),
+                        strong = paper_strength(results, runs_.loose_strong),
+                        compact = paper_strength(results, runs_.compact),
+                        rough = paper_strength(results, runs_.compact_rough);
+    section.blocks.emplace_back(table({{"unperturbed, F_c = 10^4 F_g", &loose},
+                                       {"unperturbed, F_c = 10^6 F_g", &strong},
+                                       {"perturbed, friction 0.3", &compact},
+                                       {"perturbed, friction 0.6", &rough}}));
+    section.blocks.emplace_back(Figure{
+        plot("shear_unperturbed", "Shear strength of unperturbed samples",
+             {{"F_c = 10^4 F_g", &loose}, {"F_c = 10^6 F_g", &strong}}),
+        "Smallest horizontal force that moves a grain, with standard errors over grains, and "
+        "straight lines through them."});
+    section.blocks.emplace_back(
+        Figure{plot("shear_perturbed", "Shear strength of perturbed samples",
+                    {{"friction 0.3", &compact}, {"friction 0.6", &rough}}),
+               "The same after the piston."});
+    compare(loose, strong, compact, rough, findings);
+  }
+
+ private:
+  using Named = std::pair<const char*, const PaperStrength*>;
+
+  static Table table(const std::vector<Named>& all) {
+    Table table{.caption =
+                    "Straight lines through the strength against depth; effective friction: "
+                    "slope of the strength against the weight of all grains above.",
+                .columns = {{"sample"},
+                            {"slope [F_g/d]", true},
+                            {"at the surface [F_g]", true},
+                            {"effective friction", true},
+                            {"grains", true},
+                            {"never moved", true}}};
+    for (const auto& [name, strength] : all)
+      table.rows.push_back(
+          {{.text = name},
+           {.text = line_text(strength->against_depth, &Line::slope, &Line::slope_error)},
+           {.text = line_text(strength->against_depth, &Line::intercept, &Line::intercept_error)},
+           {.text = line_text(strength->against_weight, &Line::slope, &Line::slope_error)},
+           {.text = std::to_string(strength->grains)},
+           {.text = std::to_string(strength->never_moved)}});
+    return table;
+  }
+
+  static Plot plot(const char* name, const char* title, const std::vector<Named>& all) {
+    Plot plot{.name = name,
+              .title = title,
+              .x = {.label = "depth", .unit = "d", .low = 0},
+              .y = {.label = "shear strength", .unit = "F_g", .low = 0},
+              .legend = Legend::top_left};
+    for (const auto& [curve, strength] : all)
+      for (Curve& part : strength_curves(*strength, curve)) plot.curves.push_back(std::move(part));
+    return plot;
+  }
+
+  static void compare(const PaperStrength& loose, const PaperStrength& strong,
+                      const PaperStrength& compact, const PaperStrength& rough,
+                      Findings& findings) {
+    const auto line = [&](const std::string& id, const PaperStrength& s,
+                          const std::optional<Line>& fit) {
+      if (fit) findings[id] = measured(fit->slope, fit->slope_error, s);
+    };
+    line("shear.perturbed.slope.mu_0.3", compact, compact.against_depth);
+    line("shear.perturbed.slope.mu_0.6", rough, rough.against_depth);
+    line("shear.perturbed.effective_friction.mu_0.3", compact, compact.against_weight);
+    line("shear.perturbed.effective_friction.mu_0.6", rough, rough.against_weight);
+    if (compact.against_depth && rough.against_depth)
+      findings["shear.perturbed.slope_ratio"] =
+          measured(rough.against_depth->slope / compact.against_depth->slope, {}, rough);
+    if (compact.against_depth) {
+      const Line& fit = *compact.against_depth;
+      findings["shear.perturbed.intercept"] =
+          measured(fit.intercept / (fit.intercept + fit.slope * compact.depth.back()), {}, compact);
+    }
+    if (loose.against_depth) {
+      findings["shear.unperturbed.intercept"] =
+          measured(loose.against_depth->intercept / loose.mean(), {}, loose);
+      if (compact.against_depth)
+        findings["shear.unperturbed.slope"] =
+            measured(loose.against_depth->slope / compact.against_depth->slope, {}, loose);
+    }
+    if (!loose.depth.empty() && !strong.depth.empty())
+      findings["shear.unperturbed.cohesion_effect"] =
+          measured(strong.mean() / loose.mean(), {}, strong);
+  }
+
+  StrengthRuns runs_;
+};
+
+}  // namespace
+
+std::unique_ptr<PaperExperiment> make_shear_experiment() { return std::make_unique<Shear>(); }
+
+}  // namespace quicksand

@@ -1,0 +1,86 @@
+#include "app/paper/paper_strength.h"
+
+#include <map>
+#include <numeric>
+
+namespace quicksand {
+
+double PaperStrength::mean() const {
+  return std::accumulate(strength.begin(), strength.end(), 0.0) /
+         static_cast<double>(strength.size());
+}
+
+PaperStrength paper_strength(const PaperResults& results, const RunGroup& shears) {
+  struct AtDepth {
+    std::vector<double> forces, weights;
+  };
+  std::map<double, AtDepth> depths;
+  PaperStrength pooled;
+  for (const RunResults* run : results.runs(shears)) {
+    for (const Json& found : run->summary().value("critical_forces", Json::array())) {
+      if (found["force_high"].is_null()) {
+        ++pooled.never_moved;
+        continue;
+      }
+      ++pooled.grains;
+      AtDepth& at = depths[found["depth"].get<double>()];
+      at.forces.push_back((found["force_low"].get<double>() + found["force_high"].get<double>()) /
+                          2);
+      at.weights.push_back(found["weight_above"].get<double>());
+    }
+  }
+  bool all_known = true;
+  for (const auto& [depth, at] : depths) {
+    const Mean force = *mean_of(at.forces);
+    pooled.depth.push_back(depth);
+    pooled.strength.push_back(force.value);
+    pooled.error.push_back(force.error.value_or(0));
+    pooled.weight_above.push_back(mean_of(at.weights)->value);
+    all_known = all_known && pooled.error.back() > 0;
+  }
+  const auto fit = [&](const std::vector<double>& x) {
+    return all_known ? fit_line(x, pooled.strength, pooled.error) : fit_line(x, pooled.strength);
+  };
+  pooled.against_depth = fit(pooled.depth);
+  pooled.against_weight = fit(pooled.weight_above);
+  return pooled;
+}
+
+std::vector<Curve> strength_curves(const PaperStrength& strength, const std::string& name,
+                                   double x_scale, double y_scale) {
+  Curve points{.name = name};
+  for (std::size_t k = 0; k < strength.depth.size(); ++k) {
+    points.x.push_back(strength.depth[k] * x_scale);
+    points.y.push_back(strength.strength[k] * y_scale);
+    points.y_error.push_back(strength.error[k] * y_scale);
+  }
+  std::vector<Curve> curves;
+  if (strength.against_depth && !points.x.empty()) {
+    const auto line = [&](double depth) {
+      return (strength.against_depth->intercept + strength.against_depth->slope * depth) * y_scale;
+    };
+    const double deepest = strength.depth.back();
+    curves.push_back({.kind = Curve::Kind::line,
+                      .role = Curve::Role::fit,
+                      .x = {0, deepest * x_scale},
+                      .y = {line(0), line(deepest)}});
+  }
+  curves.insert(curves.begin(), std::move(points));
+  return curves;
+}
+
+StrengthRuns plan_strength(PaperJobs& jobs) {
+  // About where the packings end, over the height of the box: deposited, and after the piston.
+  constexpr double kLoose = 0.9, kCompact = 0.5;
+  constexpr double kLooseForce = 100, kCompactForce = 100;  // of the first trials [F_g]
+  const double height = jobs.scale().height;
+  const RunGroup usual = jobs.samples();
+  const RunGroup strong = jobs.samples("cohesion_1e6", {{"contact.cohesion_force", 1e6}});
+  const RunGroup rough = jobs.samples("friction_0.6", {{"contact.friction", 0.6}});
+  return {.loose = jobs.shears(usual, kLoose * height, kLooseForce),
+          .loose_strong = jobs.shears(strong, kLoose * height, kLooseForce),
+          .compact = jobs.shears(jobs.pistons(usual), kCompact * height, kCompactForce),
+          .compact_rough = jobs.shears(jobs.pistons(rough), kCompact * height, kCompactForce)};
+}
+
+}  // namespace quicksand

@@ -1,0 +1,39 @@
+// Shear strength over depth, pooled over the grains of all realizations.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/paper/paper_results.h"
+#include "core/linear_fit.h"
+
+namespace quicksand {
+
+struct PaperStrength {
+  std::vector<double> depth;           // below the top (n) [d]
+  std::vector<double> strength;        // mean (n) [F_g]
+  std::vector<double> error;           // of the mean (n) [F_g]; 0 for a single grain
+  std::vector<double> weight_above;    // of all grains above (n) [F_g]
+  int grains = 0;                      // with a critical force
+  int never_moved = 0;                 // without
+  std::optional<Line> against_depth;   // [F_g/d], [F_g]
+  std::optional<Line> against_weight;  // slope: the effective friction coefficient [1]
+
+  double mean() const;  // over depths [F_g]; needs one
+};
+
+// Of the shear runs of a group; empty vectors if none has finished.
+PaperStrength paper_strength(const PaperResults& results, const RunGroup& shears);
+
+// Points with error bars, and the straight line through them.
+std::vector<Curve> strength_curves(const PaperStrength& strength, const std::string& name,
+                                   double x_scale = 1, double y_scale = 1);
+
+// The groups of shear runs that the figures on strength share.
+struct StrengthRuns {
+  RunGroup loose, loose_strong;     // unperturbed, with the cohesion force and a hundred times it
+  RunGroup compact, compact_rough;  // perturbed by the piston, friction 0.3 and 0.6
+};
+StrengthRuns plan_strength(PaperJobs& jobs);
+
+}  // namespace quicksand

@@ -1,0 +1,91 @@
+// A plot: what it shows, and its files.
+//
+// NAME.csv holds every number drawn, one row a point; NAME.gp is a gnuplot script that reads it and
+// can be changed by hand; NAME.png and NAME.svg are what gnuplot makes of both. All text is plain
+// (app/report/report_text.h). Equal plots give equal bytes.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace quicksand {
+
+struct Axis {
+  std::string label{};
+  std::string unit = "1";       // shown in brackets; "1" if none
+  std::optional<double> low{};  // ends of the axis; chosen from the data if absent [unit]
+  std::optional<double> high{};
+  bool logarithmic = false;  // what is not positive is left out
+};
+
+struct Curve {
+  enum class Kind : std::uint8_t {
+    points,  // with error bars where errors are given
+    line,    // through the points
+    line_points,
+    steps,      // constant from a point to the next
+    histogram,  // bars centred on x
+    band        // filled from y_low to y_high
+  };
+  // Ours is drawn filled and in colour; the paper's black, open or dashed; a fit as a thin line in the
+  // colour of the curve before it.
+  enum class Role : std::uint8_t { ours, paper, fit };
+
+  std::string name{};  // in the legend; empty: not in it
+  Kind kind = Kind::points;
+  Role role = Role::ours;
+  bool second_axis = false;       // y belongs to the axis on the right
+  std::vector<double> x{}, y{};   // (n); y is unused in a band. What is not finite is left out.
+  std::vector<double> x_error{};  // (n) half lengths of error bars, or empty
+  std::vector<double> y_error{};
+  std::vector<double> y_low{}, y_high{};  // (n) of a band, or ends of uneven error bars, or empty
+};
+
+// A value or an interval that is given, over the whole width (of y) or height (of x).
+struct Reference {
+  // The paper's is black and dashed, and in the legend; a guide is thin and grey, its name beside it.
+  enum class Role : std::uint8_t { paper, guide };
+
+  std::string name{};  // may be empty
+  double low = 0;
+  double high = 0;  // equal to `low`: a line, else a filled band
+  bool of_x = false;
+  Role role = Role::paper;
+};
+
+struct Annotation {
+  double x = 0, y = 0;  // left end of the text, in the units of the axes
+  std::string text{};
+};
+
+enum class Legend : std::uint8_t { top_right, top_left, bottom_right, bottom_left, below, none };
+
+struct Plot {
+  std::string name{};  // of the files: a to z, 0 to 9 and underscores
+  std::string title{};
+  Axis x{}, y{};
+  std::optional<Axis> y2{};  // on the right
+  std::vector<Curve> curves{};
+  std::vector<Reference> references{};
+  std::vector<Annotation> annotations{};
+  Legend legend = Legend::top_right;
+};
+
+struct PlotFiles {
+  bool drawn = false;   // PNG and SVG are there; CSV and script always are
+  std::string problem;  // why they are not; else empty
+};
+
+// id,x,y,x_low,x_high,y_low,y_high,name: a row a point; empty where there is no such number. Curves
+// are numbered from 1, references from 101.
+std::string plot_csv(const Plot& plot);
+
+std::string plot_script(const Plot& plot);
+
+// Writes the files into a folder that exists. Throws InputError if one cannot be written. Where
+// gnuplot is missing or fails, the plot is not drawn, and `problem` says so.
+PlotFiles write_plot(const Plot& plot, const std::filesystem::path& folder);
+
+}  // namespace quicksand

@@ -1,0 +1,265 @@
+// The gnuplot script of a plot: first how it looks, then what is drawn, then both pictures.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "app/json/json_reader.h"
+#include "app/report/plot.h"
+#include "app/report/plot_look.h"
+#include "app/report/plot_rows.h"
+#include "app/report/report_text.h"
+#include "app/report/typeset_number.h"
+
+namespace quicksand {
+
+namespace {
+
+std::string label_of(const Axis& axis) {
+  const std::string unit = typeset_unit(axis.unit);
+  return gnuplot_text(axis.label + (unit.empty() ? "" : " " + unit));
+}
+
+// The ends of what is drawn along an axis.
+struct Extent {
+  double low = HUGE_VAL;
+  double high = -HUGE_VAL;
+
+  bool empty() const { return low > high; }
+  void add(double value) {
+    if (!std::isfinite(value)) return;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
+std::string range_of(const Axis& axis, const Extent& extent) {
+  const auto text = [](const std::optional<double>& end) {
+    return end ? number_text(*end) : std::string("*");
+  };
+  if (!extent.empty()) return "[" + text(axis.low) + ":" + text(axis.high) + "]";
+  // Without values gnuplot would find no range.
+  constexpr double kLowest = 0.1;
+  const double low = axis.low.value_or(axis.logarithmic ? kLowest : 0);
+  return "[" + text(low) + ":" + text(axis.high.value_or(axis.logarithmic ? 10 * low : low + 1)) +
+         "]";
+}
+
+class Script {
+ public:
+  explicit Script(const Plot& plot) : plot_(plot), looks_(looks_of(plot.curves)) {
+    for (const Curve& curve : plot.curves) {
+      rows_.push_back(rows_of(plot, curve));
+      for (const PlotRow& row : rows_.back()) {
+        x_.add(row.x);
+        Extent& y = curve.second_axis && plot.y2 ? y2_ : y_;
+        for (const double value : {row.y, row.y_low, row.y_high}) y.add(value);
+      }
+    }
+    for (const Reference& reference : plot.references) {
+      for (const double end : {reference.low, reference.high}) (reference.of_x ? x_ : y_).add(end);
+    }
+  }
+
+  std::string text() {
+    appearance();
+    axes();
+    given_things();
+    what_is_drawn();
+    pictures();
+    return script_;
+  }
+
+ private:
+  void line(const std::string& text) { script_ += text + "\n"; }
+
+  void appearance() {
+    line("# Draws " + plot_.name + ".png and " + plot_.name + ".svg from " + plot_.name + ".csv:");
+    line("#   gnuplot " + plot_.name + ".gp");
+    line("# in this folder. Columns: 1 id of the curve, 2 x, 3 y, 4 and 5 ends of the bar in x,");
+    line("# 6 and 7 ends of the bar in y or of the band, 8 name.");
+    line("");
+    line("# Appearance");
+    if (!plot_.title.empty()) line("set title " + gnuplot_text(plot_.title) + " offset 0, 0.7");
+    line(std::string("set border ") + (plot_.y2 ? "11" : "3") + " lw 0.8 lc rgb '#333333'");
+    line("set tics nomirror out scale 0.6 textcolor rgb '#333333'");
+    line("set grid lt 1 lw 0.4 lc rgb '#DDDDDD'");
+    line("set bars small");
+    const char* const places[] = {"inside top right", "inside top left", "inside bottom right",
+                                  "inside bottom left", "below center horizontal"};
+    line(plot_.legend == Legend::none
+             ? std::string("unset key")
+             : std::string("set key ") + places[static_cast<int>(plot_.legend)] +
+                   " Left reverse samplen 3 spacing 1.2");
+  }
+
+  void axis(const std::string& name, const Axis& axis, const Extent& extent) {
+    line("set " + name + "label " + label_of(axis) + (name == "x" ? " offset 0, 0.3" : ""));
+    if (axis.logarithmic) {
+      // Small tics between decades only where decades are few.
+      constexpr double kManyDecades = 1e6;
+      line("set logscale " + name);
+      if (extent.high > kManyDecades * extent.low) line("unset m" + name + "tics");
+    }
+    line("set format " + name + (axis.logarithmic ? " '10^{%T}'" : " '%h'"));
+    line("set " + name + "range " + range_of(axis, extent));
+  }
+
+  void axes() {
+    line("");
+    line("# Axes");
+    axis("x", plot_.x, x_);
+    axis("y", plot_.y, y_);
+    if (!plot_.y2) return;
+    axis("y2", *plot_.y2, y2_);
+    line("set y2tics");
+  }
+
+  // References and annotations.
+  void given_things() {
+    for (const Reference& reference : plot_.references) given(reference);
+    for (const Annotation& a : plot_.annotations) {
+      line("set label " + gnuplot_text(a.text) + " at " + number_text(a.x) + ", " +
+           number_text(a.y) + " front" + kGreyText);
+    }
+  }
+
+  void given(const Reference& reference) {
+    const std::string low = number_text(reference.low);
+    const std::string high = number_text(reference.high);
+    const bool guide = reference.role == Reference::Role::guide;
+    const std::string ends = reference.of_x
+                                 ? " from first " + low + ", graph 0 to first " + high + ", graph 1"
+                                 : " from graph 0, first " + low + " to graph 1, first " + high;
+    if (reference.low == reference.high) {
+      line("set arrow" + ends + " nohead" + line_of(reference));
+    } else {
+      line("set object rectangle" + ends + " behind" + filling_of(reference));
+    }
+    if (guide && !reference.name.empty()) {
+      line("set label " + gnuplot_text(reference.name) + " at " +
+           (reference.of_x ? "first " + low + ", graph 1 left offset character 0, 0.7"
+                           : "graph 0.99, first " + high + " right offset character 0, 0.5") +
+           kGreyText);
+    }
+  }
+
+  void what_is_drawn() {
+    line("");
+    line("# What is drawn; pick(i, value) is the value in rows of curve i, and nothing elsewhere");
+    line("set datafile separator comma");
+    line("data = '" + plot_.name + ".csv'");
+    line("pick(i, value) = column(1) == i ? value : NaN");
+    // Bands lie under everything else.
+    for (const bool band : {true, false}) {
+      for (std::size_t i = 0; i < plot_.curves.size(); ++i) {
+        if ((plot_.curves[i].kind == Curve::Kind::band) == band) add_curve(i);
+      }
+    }
+    for (std::size_t i = 0; i < plot_.references.size(); ++i) add_reference(i);
+    if (elements_.empty()) add("NaN notitle");
+    std::string text = "plot ";
+    for (std::size_t i = 0; i < elements_.size(); ++i) {
+      text += (i > 0 ? ", \\\n     " : "") + elements_[i];
+    }
+    plot_command_ = text;
+  }
+
+  void add(const std::string& element) { elements_.push_back(element); }
+
+  static std::string title_of(const std::string& name) {
+    return name.empty() ? " notitle" : " title " + gnuplot_text(name);
+  }
+
+  void add_curve(std::size_t i) {
+    const Curve& curve = plot_.curves[i];
+    const std::vector<PlotRow>& rows = rows_[i];
+    const auto has = [&](double PlotRow::*end) {
+      return std::ranges::any_of(rows, [end](const PlotRow& r) { return std::isfinite(r.*end); });
+    };
+    const bool x_bars = has(&PlotRow::x_low);
+    const bool y_bars = has(&PlotRow::y_low);
+    const bool of_points = curve.kind == Curve::Kind::points;
+    const std::string axes = curve.second_axis && plot_.y2 ? " axes x1y2 " : " ";
+    if (rows.empty()) {
+      if (curve.name.empty()) return;
+      add("NaN" + axes + with(curve, looks_[i], false, false) +
+          title_of(curve.name + " (no values)"));
+      return;
+    }
+    // All values are picked: gnuplot would count others in its ranges.
+    const std::string id = std::to_string(kFirstCurve + static_cast<int>(i));
+    const auto picked = [&](const std::string& value) {
+      return "(pick(" + id + ", " + value + "))";
+    };
+    const std::string x = "data using " + picked("column(2)");
+    if (curve.kind == Curve::Kind::band) {
+      add(x + ":" + picked("column(6)") + ":" + picked("column(7)") + axes +
+          with(curve, looks_[i], false, false) + title_of(curve.name));
+      return;
+    }
+    // A point without a bar of its own gets one of no length, or it would not be drawn.
+    const std::string bars_x = ":" + picked("end(4, 2)") + ":" + picked("end(5, 2)");
+    const std::string bars_y = ":" + picked("end(6, 3)") + ":" + picked("end(7, 3)");
+    const std::string bars = !of_points ? "" : x_bars ? bars_x + bars_y : y_bars ? bars_y : "";
+    if (!bars.empty()) uses_bars_ = true;
+    add(x + ":" + picked("column(3)") + bars + axes +
+        with(curve, looks_[i], of_points && x_bars, of_points && y_bars) + title_of(curve.name));
+  }
+
+  // The line itself stands above; here are its place in the legend and its share in the range.
+  void add_reference(std::size_t i) {
+    const Reference& reference = plot_.references[i];
+    const bool is_line = reference.low == reference.high;
+    const std::string id = std::to_string(kFirstReference + static_cast<int>(i));
+    const Extent& other = reference.of_x ? y_ : x_;
+    const Axis& other_axis = reference.of_x ? plot_.y : plot_.x;
+    const std::string place = number_text(
+        other.empty() ? other_axis.low.value_or(other_axis.logarithmic ? 1 : 0) : other.low);
+    const auto picked = [&](const std::string& value) {
+      return "(pick(" + id + ", " + value + "))";
+    };
+    add("data using " +
+        (reference.of_x ? picked("column(2)") + ":" + picked(place)
+                        : picked(place) + ":" + picked("column(3)")) +
+        " with lines lt nodraw notitle");
+    if (reference.name.empty() || reference.role == Reference::Role::guide) return;
+    add(std::string("NaN with ") +
+        (is_line ? "lines" + line_of(reference) : "filledcurves" + filling_of(reference)) +
+        title_of(reference.name));
+  }
+
+  void pictures() {
+    if (uses_bars_) {
+      line("# The end of a bar, or the point itself where it has none");
+      line("end(bar, point) = valid(bar) ? column(bar) : column(point)");
+    }
+    line("");
+    line("# Pictures");
+    line(
+        "set terminal pngcairo size 1600,1000 font 'Roboto,14' fontscale 2 linewidth 2 pointscale "
+        "2 "
+        "enhanced");
+    line("set output '" + plot_.name + ".png'");
+    line(plot_command_);
+    line(
+        "set terminal svg size 800,500 font 'Roboto,Helvetica,Arial,sans-serif,14' enhanced "
+        "background rgb 'white'");
+    line("set output '" + plot_.name + ".svg'");
+    line("replot");
+  }
+
+  const Plot& plot_;
+  std::vector<Look> looks_;
+  std::vector<std::vector<PlotRow>> rows_;  // of each curve
+  Extent x_, y_, y2_;
+  std::vector<std::string> elements_;  // of the plot command
+  std::string plot_command_;
+  bool uses_bars_ = false;
+  std::string script_;
+};
+
+}  // namespace
+
+std::string plot_script(const Plot& plot) { return Script(plot).text(); }
+
+}  // namespace quicksand

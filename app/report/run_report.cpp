@@ -1,0 +1,263 @@
+#include "app/report/run_report.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "app/json/json_reader.h"
+#include "app/report/typeset_number.h"
+#include "app/run/quantities.h"
+#include "app/scene/scenario_json.h"
+#include "app/scene/scene_report.h"
+#include "core/errors.h"
+
+namespace quicksand {
+
+namespace {
+
+// Deeper overlaps are not the solver's rounding any more. [d]
+constexpr double kSmallOverlap = 1e-3;
+
+struct Named {
+  const char* key;  // of summary.json
+  const char* text;
+  const char* unit;
+};
+constexpr auto kComputing = std::to_array<Named>(
+    {{"steps", "time steps of this run", "1"},
+     {"wall_seconds", "computing time, pictures included", "s"},
+     {"steps_per_second", "time steps per second", "1/s"},
+     {"total_factorisations", "factorisations", "1"},
+     {"total_iterations", "iterations of the solver", "1"},
+     {"worst_residual", "worst residual", "1"},
+     {"unconverged_steps", "steps that did not converge", "1"},
+     {"halved_steps", "steps taken as halves", "1"},
+     {"bonds_broken_in_unconverged_steps", "bonds broken in unconverged steps", "1"},
+     {"bond_breaks_withheld", "breaks of bonds withheld in unconverged steps", "1"}});
+
+double number_or(const RunResults& run, const char* key, double otherwise) {
+  return run.summary().contains(key) ? run.final_value(key).value_or(otherwise) : otherwise;
+}
+
+std::string value_text(const RunResults& run, const std::string& key) {
+  constexpr int kDigits = 5;
+  const auto found = run.summary().find(key);
+  if (found == run.summary().end() || found->is_null()) return "-";
+  if (found->is_string()) return found->get<std::string>();
+  if (found->is_number_integer()) return found->dump();
+  return found->is_number() ? typeset(found->get<double>(), kDigits) : found->dump();
+}
+
+std::vector<Column> columns_of(const std::vector<std::string>& first,
+                               const std::vector<std::string>& names) {
+  std::vector<Column> columns;
+  columns.reserve(first.size() + names.size());
+  for (const std::string& title : first) columns.push_back({.title = title});
+  for (const std::string& name : names) columns.push_back({.title = name, .number = true});
+  return columns;
+}
+
+Table final_values(std::span<const RunResults> runs, const std::vector<std::string>& names) {
+  std::vector<Column> columns = columns_of({"quantity", "unit"}, names);
+  columns.push_back({.title = "meaning"});
+  Table table{.columns = columns};
+  for (const Quantity& quantity : quantities()) {
+    // What is counted between samples is no final value; the next table has the sums.
+    if (quantity.help.find("since the last sample") != std::string_view::npos) continue;
+    const std::string unit = typeset_unit(quantity.unit);
+    std::vector<Cell> row{{std::string(quantity.name)}, {unit}};
+    for (const RunResults& run : runs) row.push_back({value_text(run, std::string(quantity.name))});
+    row.push_back({std::string(quantity.help)});
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+Table computing(std::span<const RunResults> runs, const std::vector<std::string>& names) {
+  Table table{.columns = columns_of({"", "unit"}, names)};
+  for (const Named& entry : kComputing) {
+    std::vector<Cell> row{{entry.text}, {typeset_unit(entry.unit)}};
+    for (const RunResults& run : runs) row.push_back({value_text(run, entry.key)});
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+// The values of a scene by their paths, bodies left out: they may be many.
+void flatten(const Json& value, const std::string& path,
+             std::map<std::string, std::string>& leaves) {
+  if (path == "disks" || path == "walls") {
+    leaves[path] = std::to_string(value.size()) + " listed";
+  } else if (value.is_object()) {
+    for (const auto& [key, inside] : value.items()) {
+      flatten(inside, path.empty() ? key : path + "." + key, leaves);
+    }
+  } else if (value.is_array() && !value.empty() && value[0].is_object()) {
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      flatten(value[i], path + "[" + std::to_string(i) + "]", leaves);
+    }
+  } else {
+    leaves[path] = value.is_string() ? value.get<std::string>() : value.dump();
+  }
+}
+
+Table differences(std::span<const RunResults> runs, const std::vector<std::string>& names) {
+  std::vector<std::map<std::string, std::string>> scenes(runs.size());
+  std::map<std::string, int> paths;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    flatten(runs[i].scene(), "", scenes[i]);
+    for (const auto& [path, value] : scenes[i]) ++paths[path];
+  }
+  Table table{.columns = columns_of({"parameter"}, names)};
+  for (const auto& [path, count] : paths) {
+    std::vector<Cell> row{{path}};
+    for (const auto& scene : scenes) {
+      const auto found = scene.find(path);
+      row.push_back({found == scene.end() ? "-" : found->second});
+    }
+    const auto same = [&](const Cell& cell) { return cell.text == row[1].text; };
+    if (!std::ranges::all_of(row.begin() + 1, row.end(), same)) table.rows.push_back(row);
+  }
+  return table;
+}
+
+std::vector<Block> modelled(std::span<const RunResults> runs,
+                            const std::vector<std::string>& names) {
+  std::vector<Block> blocks;
+  if (runs.size() > 1) {
+    Table table = differences(runs, names);
+    table.caption = "What differs between the scenes of the runs.";
+    if (table.rows.empty()) {
+      blocks.emplace_back(Paragraph{"All runs are of the same scene with the same parameters."});
+    } else {
+      blocks.emplace_back(std::move(table));
+    }
+    blocks.emplace_back(Paragraph{"The scene of " + names.front() + ":"});
+  }
+  try {
+    blocks.emplace_back(Verbatim{scene_report(scenario_from_json(runs.front().scene()))});
+  } catch (const InputError& error) {
+    blocks.emplace_back(Remark{Remark::Kind::warning, "The scene is of another version: " +
+                                                          error.where() + " " + error.what()});
+  }
+  return blocks;
+}
+
+// Frames at the ends of two to four phases, else the first, the middle and the last.
+std::vector<std::size_t> shown_rows(const RunResults& run, std::size_t frames) {
+  const std::vector<std::string>& phases = run.phases();
+  const std::size_t last = std::min(frames, phases.size()) - 1;
+  std::vector<std::size_t> ends;
+  for (std::size_t i = 1; i <= last; ++i) {
+    if (i == last || phases[i + 1] != phases[i]) ends.push_back(i);
+  }
+  constexpr std::size_t kMost = 4;
+  if (ends.size() >= 2 && ends.size() <= kMost) return ends;
+  std::vector<std::size_t> rows{0, last / 2, last};
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  return rows;
+}
+
+Gallery pictures_of(const RunResults& run, const std::string& name) {
+  const std::vector<std::filesystem::path> frames = run.frames();
+  Gallery gallery;
+  if (frames.empty() || run.phases().empty()) return gallery;
+  for (const std::size_t row : shown_rows(run, frames.size())) {
+    gallery.pictures.push_back({frames[row], name + ": t = " + typeset(run.column("time")[row], 4) +
+                                                 " √(d/g), " + run.phases()[row]});
+  }
+  return gallery;
+}
+
+}  // namespace
+
+std::vector<std::string> run_names(std::span<const RunResults> runs) {
+  std::vector<std::string> names;
+  for (const RunResults& run : runs) {
+    const std::filesystem::path path = run.folder().path.lexically_normal();
+    names.push_back((path.has_filename() ? path : path.parent_path()).filename().string());
+  }
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (std::ranges::count(names, names[i]) > 1) {
+      for (std::size_t k = 0; k < runs.size(); ++k) names[k] = runs[k].folder().path.string();
+      break;
+    }
+  }
+  return names;
+}
+
+std::vector<std::string> run_warnings(const RunResults& run) {
+  std::vector<std::string> warnings;
+  const Json& summary = run.summary();
+  if (summary.contains("failure") && summary["failure"].is_string()) {
+    warnings.push_back("The run failed: " + summary["failure"].get<std::string>());
+  }
+  if (summary.value("interrupted", false)) warnings.emplace_back("The run was interrupted.");
+  const double unconverged = number_or(run, "unconverged_steps", 0);
+  if (unconverged > 0) {
+    warnings.push_back(typeset(unconverged) + " steps did not converge; the worst residual is " +
+                       typeset(number_or(run, "worst_residual", 0), 2) + ".");
+  }
+  const double broken = number_or(run, "bonds_broken_in_unconverged_steps", 0);
+  if (broken > 0) {
+    warnings.push_back(typeset(broken) + " bonds broke in steps that did not converge.");
+  }
+  const double withheld = number_or(run, "bond_breaks_withheld", 0);
+  if (withheld > 0) {
+    warnings.push_back(typeset(withheld) +
+                       " breaks of bonds were withheld in steps that did not converge.");
+  }
+  double overlap = 0;
+  for (const double value : run.column("max_overlap")) overlap = std::max(overlap, value);
+  if (overlap > kSmallOverlap) {
+    warnings.push_back("Bodies overlap by up to " + typeset(overlap, 2) + " d.");
+  }
+  return warnings;
+}
+
+Report run_report(std::span<const RunResults> runs) {
+  const std::vector<std::string> names = run_names(runs);
+  Report report;
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  report.title = runs.size() == 1 ? "Run " + all : "Runs " + all;
+  for (const RunResults& run : runs) {
+    const std::string description = run.scene().value("description", "");
+    if (!description.empty() &&
+        std::ranges::find(report.intro, description) == report.intro.end()) {
+      report.intro.push_back(description);
+    }
+  }
+
+  Section result{.title = "Result"};
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    for (const std::string& warning : run_warnings(runs[i])) {
+      result.blocks.emplace_back(
+          Remark{Remark::Kind::warning, (runs.size() > 1 ? names[i] + ": " : "") + warning});
+    }
+  }
+  if (result.blocks.empty()) {
+    result.blocks.emplace_back(
+        Remark{Remark::Kind::note, "Ended as its scene says; every step converged."});
+  }
+  result.blocks.emplace_back(final_values(runs, names));
+  report.sections.push_back(std::move(result));
+
+  Section course{.title = "Course"};
+  for (Figure& figure : run_figures(runs)) course.blocks.emplace_back(std::move(figure));
+  report.sections.push_back(std::move(course));
+
+  Section pictures{.title = "Pictures"};
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    Gallery gallery = pictures_of(runs[i], names[i]);
+    if (!gallery.pictures.empty()) pictures.blocks.emplace_back(std::move(gallery));
+  }
+  if (!pictures.blocks.empty()) report.sections.push_back(std::move(pictures));
+
+  report.sections.push_back({.title = "Model", .blocks = modelled(runs, names)});
+  report.sections.push_back({.title = "Computing", .blocks = {computing(runs, names)}});
+  return report;
+}
+
+}  // namespace quicksand

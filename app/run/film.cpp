@@ -1,0 +1,29 @@
+#include "app/run/film.h"
+
+#include <array>
+
+namespace quicksand {
+
+View view_of(const Scenario& scenario, View view) {
+  view.fit = scenario.box.width > 0 && scenario.box.height > 0 ? Fit::box : Fit::content;
+  view.physical = scenario.physical;
+  return view;
+}
+
+Film::Film(const RunFolder& folder, const Scenario& scenario, const View& view, std::int64_t first)
+    : folder_(folder),
+      view_(view_of(scenario, view)),
+      title_(scenario.name),
+      sequence_(folder.frames(), first) {}
+
+void Film::add(const World& world, const std::string& phase) {
+  const auto caption = std::to_array<std::string>({title_, phase});
+  sequence_.add(renderer_.draw(world, view_, caption));
+}
+
+VideoReport Film::finish() {
+  sequence_.finish();
+  return write_video(folder_.frames(), folder_.film());
+}
+
+}  // namespace quicksand

@@ -1,0 +1,64 @@
+#include "app/run/progress_line.h"
+
+#include <array>
+#include <cstdio>
+
+namespace quicksand {
+
+namespace {
+
+double seconds(std::chrono::steady_clock::duration time) {
+  return std::chrono::duration<double>(time).count();
+}
+
+}  // namespace
+
+void ProgressLine::begin_phase(const Protocol& protocol) {
+  phase_ = protocol.state().phase;
+  phase_began_ = Clock::now();
+  phase_began_at_ = protocol.phase_progress();
+}
+
+std::string ProgressLine::line(const Protocol& protocol, double since_shown) {
+  const World& world = protocol.world();
+  const double share = protocol.phase_progress();
+  const double done = share - phase_began_at_;
+  const double spent = seconds(Clock::now() - phase_began_);
+  std::string left;
+  // Too early an estimate is worse than none. Phases that end at rest may end before their max_time.
+  constexpr double kEnough = 0.01;
+  if (done > kEnough) left = "  at most " + duration_text(spent * (1 - share) / done) + " left";
+  const double rate =
+      since_shown > 0 ? static_cast<double>(world.step - shown_step_) / since_shown : 0;
+  const ProtocolState& state = protocol.state();
+  std::array<char, 200> text{};
+  std::snprintf(
+      text.data(), text.size(),
+      "%-7s %3.0f %%%s  t = %.4g  %d bodies  %.0f steps/s  residual %.1e  unconverged %lld",
+      std::string(phase_name(*protocol.phase())).c_str(), 100 * share, left.c_str(), world.time,
+      world.disks.size(), rate, protocol.last_step().solve.residual.natural,
+      static_cast<long long>(state.unconverged_steps));
+  return text.data();
+}
+
+// The line at the beginning of a phase.
+std::string ProgressLine::heading(const Protocol& protocol) {
+  std::array<char, 100> text{};
+  std::snprintf(text.data(), text.size(), "%s begins at t = %.4g with %d bodies",
+                std::string(phase_name(*protocol.phase())).c_str(), protocol.world().time,
+                protocol.world().disks.size());
+  return text.data();
+}
+
+void ProgressLine::show(const Protocol& protocol) {
+  if (line_.style() == Style::none || protocol.phase() == nullptr) return;
+  const bool new_phase = protocol.state().phase != phase_;
+  if (new_phase) begin_phase(protocol);
+  const bool heads = new_phase && line_.style() == Style::lines;
+  if (!line_.due() && !heads) return;
+  line_.show(heads ? heading(protocol) : line(protocol, seconds(Clock::now() - shown_)));
+  shown_ = Clock::now();
+  shown_step_ = protocol.world().step;
+}
+
+}  // namespace quicksand

@@ -1,0 +1,111 @@
+#include "app/run/search_results.h"
+
+#include "core/shear_strength.h"
+
+namespace quicksand {
+
+namespace {
+
+Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+Json json_of(const CriticalForce& found) {
+  return {{"phase", found.phase},
+          {"kind", found.kind == SearchKind::pull ? "pull" : "shear"},
+          {"body", found.body},
+          {"x", found.position.x()},
+          {"y", found.position.y()},
+          {"depth", found.depth},
+          {"weight_above", found.weight_above},
+          {"force_low", found.force_low},
+          {"force_high", or_null(found.force_high)},
+          {"trials", found.trials},
+          {"undecided", found.undecided}};
+}
+
+Json json_of(const AdiabaticDeposit& sample) {
+  return {{"phase", sample.phase},
+          {"interval", sample.interval},
+          {"volume_fraction", sample.volume_fraction},
+          {"change", or_null(sample.change)},
+          {"coordination", sample.coordination},
+          {"grains", sample.grains}};
+}
+
+Json json_of(const StrengthAtDepth& at) {
+  return {{"depth", at.depth},
+          {"grains", at.grains},
+          {"never_moved", at.never_moved},
+          {"mean", at.strength ? Json(at.strength->value) : Json(nullptr)},
+          {"standard_error", at.strength ? or_null(at.strength->error) : Json(nullptr)},
+          {"weight_above", or_null(at.weight_above)}};
+}
+
+Json json_of(const ShearStrength& strength, int phase) {
+  Json depths = Json::array();
+  for (const StrengthAtDepth& at : strength.depths) depths.push_back(json_of(at));
+  Json json = {{"phase", phase},
+               {"depths", std::move(depths)},
+               {"fit", strength.weighted ? "weighted" : "ordinary"}};
+  const auto add = [&](const char* key, const std::optional<Line>& line, auto member) {
+    json[key] = line ? or_null((*line).*member) : Json(nullptr);
+  };
+  add("slope", strength.against_depth, &Line::slope);
+  add("slope_error", strength.against_depth, &Line::slope_error);
+  add("intercept", strength.against_depth, &Line::intercept);
+  add("intercept_error", strength.against_depth, &Line::intercept_error);
+  add("effective_friction", strength.against_weight, &Line::slope);
+  add("effective_friction_error", strength.against_weight, &Line::slope_error);
+  return json;
+}
+
+template <class Item>
+Json list_of(const std::vector<Item>& items) {
+  Json list = Json::array();
+  for (const Item& item : items) list.push_back(json_of(item));
+  return list;
+}
+
+// A header of the keys, then a row an entry; null is empty.
+std::string table_of(const Json& entries) {
+  std::string text;
+  const auto cell = [&](bool first, const std::string& value) {
+    text += (first ? "" : ",") + value;
+  };
+  for (const auto& [key, value] : entries.front().items()) cell(text.empty(), key);
+  for (const Json& entry : entries) {
+    text += '\n';
+    bool first = true;
+    for (const auto& [key, value] : entry.items()) {
+      cell(first, value.is_null()     ? std::string()
+                  : value.is_string() ? value.get<std::string>()
+                                      : value.dump());
+      first = false;
+    }
+  }
+  return text + '\n';
+}
+
+}  // namespace
+
+Json search_results(const Scenario& scenario, const ProtocolState& state) {
+  Json json = Json::object();
+  if (!state.critical_forces.empty()) json["critical_forces"] = list_of(state.critical_forces);
+  if (!state.adiabatic_deposits.empty()) json["adiabatic"] = list_of(state.adiabatic_deposits);
+  for (std::size_t k = 0; k < scenario.phases.size(); ++k) {
+    const auto* shear = std::get_if<ShearPhase>(&scenario.phases[k].kind);
+    const auto phase = static_cast<int>(k);
+    if (!shear || phase > state.phase) continue;
+    json["shear_strength"].push_back(
+        json_of(shear_strength(state.critical_forces, phase, shear->depths), phase));
+  }
+  return json;
+}
+
+void write_search_tables(const RunFolder& folder, const ProtocolState& state) {
+  if (!state.critical_forces.empty())
+    write_whole(folder.critical_forces(), table_of(list_of(state.critical_forces)));
+  if (!state.adiabatic_deposits.empty())
+    write_whole(folder.adiabatic(), table_of(list_of(state.adiabatic_deposits)));
+}
+
+}  // namespace quicksand

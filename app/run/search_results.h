@@ -1,0 +1,18 @@
+// What the searches of a run found: parts of summary.json, and critical_forces.csv and adiabatic.csv with
+// the same names as columns. Forces [F_g], lengths [d], intervals [sqrt(d/g)].
+#pragma once
+
+#include "app/json/json_text.h"
+#include "app/run/run_folder.h"
+#include "core/protocols.h"
+
+namespace quicksand {
+
+// "critical_forces", "adiabatic" and "shear_strength" (one entry a shear phase); a key is left out if
+// there is nothing to say under it.
+Json search_results(const Scenario& scenario, const ProtocolState& state);
+
+// Writes the tables that have rows. Throws InputError.
+void write_search_tables(const RunFolder& folder, const ProtocolState& state);
+
+}  // namespace quicksand

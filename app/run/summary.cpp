@@ -1,0 +1,71 @@
+#include "app/run/summary.h"
+
+#include <array>
+#include <cinttypes>
+#include <cstdio>
+
+#include "app/run/search_results.h"
+#include "app/scene/si_scale.h"
+
+namespace quicksand {
+
+namespace {
+
+Json si_units(const PhysicalScale& physical) {
+  const SiScale si = si_scale(physical);
+  return {{"d [m]", si.length},       {"m [kg]", si.mass},
+          {"sqrt(d/g) [s]", si.time}, {"sqrt(g d) [m/s]", si.velocity},
+          {"F_g [N]", si.force},      {"F_g d [J]", si.energy}};
+}
+
+}  // namespace
+
+Json json_of(const Value& value) {
+  struct ToJson {
+    Json operator()(std::monostate) const { return nullptr; }
+    Json operator()(std::int64_t number) const { return number; }
+    Json operator()(double number) const { return number; }
+    Json operator()(const std::string& text) const { return text; }
+  };
+  return std::visit(ToJson{}, value);
+}
+
+std::string world_hash_text(const World& world) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "0x%016" PRIx64, world_hash(world));
+  return text.data();
+}
+
+Json summary(const Scenario& scenario, const World& world, const ProtocolState& state,
+             const Row& last, const RunEnd& end) {
+  Json json = {{"program", "quicksand"},
+               {"version", QUICKSAND_VERSION},
+               {"scene", scenario.name},
+               {"seed", scenario.seed},
+               {"finished", end.how == RunEnd::How::finished},
+               {"interrupted", end.how == RunEnd::How::interrupted},
+               {"failure", end.failure.empty() ? Json(nullptr) : Json(end.failure)},
+               {"phases_finished", state.phase},
+               {"phases", scenario.phases.size()}};
+  for (const Quantity& quantity : quantities()) {
+    json[std::string(quantity.name)] = json_of(quantity.get(last));
+  }
+  json["steps"] = end.steps;
+  json["wall_seconds"] = end.wall_seconds;
+  json["steps_per_second"] =
+      end.wall_seconds > 0 ? static_cast<double>(end.steps) / end.wall_seconds : 0;
+  json["total_iterations"] = state.iterations;
+  json["total_factorisations"] = state.factorisations;
+  json["worst_residual"] = state.worst_residual;
+  json["unconverged_steps"] = state.unconverged_steps;
+  json["halved_steps"] = state.halved_steps;
+  json["bonds_broken_in_unconverged_steps"] = state.broken_in_unconverged;
+  json["bond_breaks_withheld"] = state.breaks_withheld;
+  json.update(search_results(scenario, state));
+  json["model_terms"] = model_terms(scenario);
+  json["world_hash"] = world_hash_text(world);
+  if (scenario.physical) json["units_in_si"] = si_units(*scenario.physical);
+  return json;
+}
+
+}  // namespace quicksand

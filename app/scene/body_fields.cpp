@@ -1,0 +1,79 @@
+// Explicitly listed bodies, as fields of a scene file. An entry may stand for a row of bodies.
+#include "app/scene/scene_fields.h"
+
+namespace quicksand {
+
+namespace {
+
+constexpr std::string_view kRoles[] = {"grain", "intruder"};
+
+struct Repeat {
+  std::int64_t count = 1;
+  Vec2 offset{1, 0};  // [d]
+};
+
+struct Entry {
+  Disk disk;
+  Vec2 force{0, 0};   // [F_g]
+  double torque = 0;  // [F_g d]
+  std::optional<Repeat> repeat;
+};
+
+void describe_repeat(Fields& f, Repeat& repeat) {
+  using enum Presence;
+  f.integer({"count", "number of bodies, this one included", required}, 1, kMaxBodies,
+            repeat.count);
+  f.vector({"offset", "from each to the next", required}, between(-1e6, 1e6, "d"), repeat.offset);
+}
+
+void describe_entry(Fields& f, Entry& e) {
+  constexpr double kRadius = 0.5;
+  f.vector({"position", "of the centre", Presence::required}, between(-1e7, 1e7, "d"),
+           e.disk.position);
+  f.number({"diameter", "of the disk"}, above(0, 1e4, "d", kRadius), e.disk.radius);
+  f.number({"density", "over that of a grain"}, above(0, 1e6, "1"), e.disk.density);
+  f.vector({"velocity", "initial, or for good if fixed"}, between(-1e6, 1e6, "sqrt(g d)"),
+           e.disk.velocity);
+  f.number({"spin", "counter-clockwise"}, between(-1e6, 1e6, "sqrt(g/d)"), e.disk.spin);
+  f.vector({"force", "applied besides gravity"}, between(-1e12, 1e12, "F_g"), e.force);
+  f.number({"torque", "applied, counter-clockwise"}, between(-1e12, 1e12, "F_g d"), e.torque);
+  f.choice({"role", "whether it counts as a grain"}, kRoles, e.disk.role);
+  f.flag({"fixed", "moves with its velocity, whatever acts on it"}, e.disk.fixed);
+  f.optional_object({"repeat", "puts a row of such bodies"}, e.repeat, describe_repeat);
+}
+
+}  // namespace
+
+void describe_bodies(Fields& f, std::vector<Disk>& disks, std::vector<Vec3>& forces) {
+  std::vector<Entry> entries;
+  entries.reserve(disks.size());
+  for (std::size_t i = 0; i < disks.size(); ++i) {
+    const Vec3 force = i < forces.size() ? forces[i] : Vec3(0, 0, 0);
+    entries.push_back({disks[i], force.head<2>(), force.z(), std::nullopt});
+  }
+  f.list({"bodies", "listed bodies"}, static_cast<std::size_t>(kMaxBodies), entries,
+         describe_entry);
+  if (!f.reading()) return;
+
+  std::int64_t total = 0;
+  for (const Entry& entry : entries) total += entry.repeat ? entry.repeat->count : 1;
+  if (total > kMaxBodies) {
+    f.refuse("bodies", "are " + std::to_string(total) + " with their repeats, at most " +
+                           std::to_string(kMaxBodies) + " are possible");
+  }
+  disks.clear();
+  forces.clear();
+  disks.reserve(static_cast<std::size_t>(total));
+  forces.reserve(static_cast<std::size_t>(total));
+  for (const Entry& entry : entries) {
+    const Repeat repeat = entry.repeat.value_or(Repeat{});
+    for (std::int64_t i = 0; i < repeat.count; ++i) {
+      Disk disk = entry.disk;
+      disk.position += static_cast<double>(i) * repeat.offset;
+      disks.push_back(disk);
+      forces.emplace_back(entry.force.x(), entry.force.y(), entry.torque);
+    }
+  }
+}
+
+}  // namespace quicksand

@@ -1,0 +1,136 @@
+// The phases of a protocol, as fields of a scene file.
+#include "app/scene/phase_fields.h"
+
+#include <numbers>
+
+#include "app/scene/scene_fields.h"
+#include "core/grain_sizes.h"
+
+namespace quicksand {
+
+namespace {
+
+// In the order of Phase::kind's alternatives.
+constexpr std::string_view kPhases[] = {"deposit", "settle", "push",  "pull",
+                                        "shear",   "heal",   "piston"};
+
+constexpr std::string_view kPushEnds[] = {"rest", "intruder_rest"};
+constexpr double kDense = 0.91;  // more than any packing of equal disks reaches
+
+void describe_polydispersity(Fields& f, Polydispersity& p) {
+  f.number({"deviation", "standard deviation, after the cut", Presence::required},
+           above(0, kMostDeviation, "d"), p.deviation);
+}
+
+void describe_deposit(Fields& f, DepositPhase& p, const Box& box) {
+  f.integer({"grains", "number of grains; 0: until the height is reached"}, 0, kMaxBodies,
+            p.grains);
+  f.number({"height", "top of the packing that ends the phase; 0: by number only"},
+           between(0, 1e6, "d"), p.height);
+  f.number({"interval", "time between grains; 0: all at once, sticking where they touch"},
+           between(0, kMaxTime, "sqrt(d/g)"), p.interval);
+  f.number({"drop_velocity", "downward, at the place of first contact"},
+           between(0, 1e6, "sqrt(g d)"), p.drop_velocity);
+  describe_adiabatic(f, p);
+  f.optional_object({"polydispersity",
+                     "normal distribution of the diameters about 1 d, cut at 0.2 "
+                     "and 1.8 d; absent: equal grains"},
+                    p.polydispersity, describe_polydispersity);
+  f.number({"capture_radius",
+            "a falling grain is drawn in by the first that comes this close to its "
+            "surface; 0: only where they touch"},
+           between(0, 10, "d"), p.capture_radius);
+  if (!f.reading()) return;
+  if (p.grains == 0 && p.height == 0) {
+    f.refuse("grains", "and height are both 0; give a number of grains, a height [d] or both");
+  }
+  if (p.grains == 0 && kDense * box.width * p.height * 4 / std::numbers::pi > kMaxBodies) {
+    f.refuse("height", "times the box's width has room for more than " +
+                           std::to_string(kMaxBodies) + " grains");
+  }
+}
+
+void describe_settle(Fields& f, SettlePhase& p) {
+  describe_rest(f, p.rest_speed, p.rest_time, p.max_time);
+  f.flag({"until_rest", "false: lasts exactly max_time"}, p.until_rest);
+  f.flag({"bonding", "whether first touches form bonds"}, p.bonding);
+}
+
+void describe_push(Fields& f, PushPhase& p, const ContactLaw& law) {
+  f.number({"diameter", "of the intruder"}, above(0, 1e4, "d"), p.diameter);
+  f.number({"density", "of the intruder, over that of a grain"}, above(0, 1e6, "1"), p.density);
+  describe_force(f, "downward, besides the intruder's weight", -1, p.force, law);
+  f.number({"x", "where it is placed on the surface; the middle of the box if absent"},
+           between(-1e7, 1e7, "d"), p.x);
+  describe_rest(f, p.rest_speed, p.rest_time, p.max_time);
+  f.choice({"until", "rest of all bodies, or of the intruder alone"}, kPushEnds, p.until);
+  f.flag({"release", "whether the force ends with the phase; else it stays"}, p.release);
+  f.flag({"bonding", "whether first touches form bonds"}, p.bonding);
+}
+
+}  // namespace
+
+void describe_rest(Fields& f, double& rest_speed, double& rest_time, double& max_time) {
+  f.number({"rest_speed", "rest means that no body is faster than this ..."},
+           above(0, 1e6, "sqrt(g d)"), rest_speed);
+  f.number({"rest_time", "... for this long"}, between(0, kMaxTime, "sqrt(d/g)"), rest_time);
+  f.number({"max_time", "ends the phase in any case"}, above(0, kMaxTime, "sqrt(d/g)"), max_time);
+}
+
+void describe_force(Fields& f, const char* help, double least, double& force,
+                    const ContactLaw& law) {
+  std::optional<double> plain = force;
+  std::optional<double> over_cohesion;
+  f.number({"force", help}, between(least * 1e12, 1e12, "F_g"), plain);
+  f.number({"force_over_cohesion", "the same, over the grains' cohesion force"},
+           between(least * 1e6, 1e6, "F_c"), over_cohesion);
+  f.exactly_one({"force", "force_over_cohesion"});
+  if (!f.reading()) return;
+  if (over_cohesion && !law.cohesion_force) {
+    f.refuse("force_over_cohesion", "needs contact.cohesion_force, which is absent; give force");
+  }
+  force = over_cohesion ? *over_cohesion * *law.cohesion_force : *plain;
+}
+
+namespace {
+
+// The phase's own kind, with its defaults if it was another.
+template <class Kind>
+Kind& as(Phase& phase) {
+  return std::holds_alternative<Kind>(phase.kind) ? std::get<Kind>(phase.kind)
+                                                  : phase.kind.emplace<Kind>();
+}
+
+}  // namespace
+
+void describe_phase(Fields& f, Phase& phase, const Scenario& scenario) {
+  f.variant({"type", "what happens"}, kPhases, static_cast<int>(phase.kind.index()),
+            [&](Fields& g, int type) {
+              if (type == 0) {
+                describe_deposit(g, as<DepositPhase>(phase), scenario.box);
+              } else if (type == 1) {
+                describe_settle(g, as<SettlePhase>(phase));
+              } else if (type == 2) {
+                describe_push(g, as<PushPhase>(phase), scenario.grain_law);
+              } else if (type == 3) {
+                describe_pull(g, as<PullPhase>(phase), scenario.grain_law);
+              } else if (type == 4) {
+                describe_shear(g, as<ShearPhase>(phase), scenario.grain_law);
+              } else if (type == 5) {
+                describe_heal(g, as<HealPhase>(phase));
+                return;  // it takes no time
+              } else {
+                describe_piston(g, as<PistonPhase>(phase), scenario.grain_law);
+              }
+              g.number({"dt", "time step of this phase; step.dt if absent"},
+                       above(0, 1, "sqrt(d/g)"), phase.dt);
+              g.number({"solver_tolerance",
+                        "residual that the solver must reach in this phase; "
+                        "solver.tolerance if absent"},
+                       above(0, 1, "1"), phase.solver_tolerance);
+              g.number({"sample_every", "time between samples and frames; chosen if absent"},
+                       above(0, kMaxTime, "sqrt(d/g)"), phase.sample_every);
+            });
+}
+
+}  // namespace quicksand

@@ -1,0 +1,117 @@
+#include "app/scene/scene_file.h"
+
+#include <algorithm>
+
+#include "app/assets.h"
+#include "app/json/json_reader.h"
+#include "app/nearest_name.h"
+#include "app/scene/scenario_json.h"
+#include "app/scene/scene_override.h"
+#include "core/checkpoint.h"
+#include "core/errors.h"
+
+namespace quicksand {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Where an error is: the file, the place inside, and how the user can have put it there.
+std::string place_of(const InputError& error, const fs::path& file, const Json& json,
+                     const std::vector<Override>& changes) {
+  const std::string& where = error.where();
+  if (where.starts_with("--")) return where;
+  std::string place = file.string() + (where.empty() ? "" : ": " + where);
+  for (const Override& change : changes) {
+    if (!where.empty() && (where == change.path || where.starts_with(change.path + ".") ||
+                           where.starts_with(change.path + "["))) {
+      place += " (from --set)";
+      break;
+    }
+  }
+  const auto bodies = json.is_object() ? json.find("bodies") : json.end();
+  if (where.starts_with("bodies[") && where.find('.') == std::string::npos &&
+      bodies != json.end() && bodies->is_array() &&
+      std::ranges::any_of(*bodies, [](const Json& body) { return body.contains("repeat"); })) {
+    place += " (counting repeated bodies)";
+  }
+  return place;
+}
+
+void require_same_box(const Scenario& scenario, const World& state) {
+  if (scenario.box.width == state.box.width && scenario.box.floor == state.box.floor &&
+      scenario.box.sides == state.box.sides) {
+    return;
+  }
+  throw InputError(scenario.start_from,
+                   "its box has another width (" + number_text(state.box.width) +
+                       " d), other sides or another floor than the scene that starts from it");
+}
+
+// validate() could not know what the state holds.
+void require_intruder(const Scenario& scenario, const World& state) {
+  if (state.intruder() >= 0) return;
+  for (std::size_t k = 0; k < scenario.phases.size(); ++k) {
+    if (std::holds_alternative<PushPhase>(scenario.phases[k].kind)) return;
+    if (!std::holds_alternative<PullPhase>(scenario.phases[k].kind)) continue;
+    throw InputError(scenario.start_from,
+                     "has no intruder, which phases[" + std::to_string(k) + "], a pull, needs");
+  }
+}
+
+}  // namespace
+
+std::string read_scene_text(const fs::path& file) {
+  if (std::error_code error; fs::exists(file, error)) return read_text(file);
+  std::vector<std::string> names;
+  for (const fs::path& scene : shipped_scenes()) names.push_back(scene.stem().string());
+  const std::string near = nearest_name(file.stem().string(), names);
+  throw InputError(
+      file.string(),
+      "there is no such file" +
+          (near.empty() ? std::string("; `quicksand list scenes` shows what is shipped")
+                        : "; did you mean " + shipped_scene(near).string() + "?"));
+}
+
+Scenario read_scene(const SceneRequest& request) {
+  const std::string text = read_scene_text(request.file);
+  Json json;
+  std::vector<Override> changes;
+  try {
+    json = parse_json(text);
+    for (const std::string& assignment : request.overrides) {
+      changes.push_back(parse_override(assignment));
+      apply_override(json, changes.back());
+    }
+    Scenario scenario = scenario_from_json(json);
+    if (request.seed) scenario.seed = *request.seed;
+    if (scenario.name.empty()) scenario.name = request.file.stem().string();
+    if (!scenario.start_from.empty()) {
+      const fs::path folder = fs::absolute(request.file).parent_path();
+      scenario.start_from = (folder / scenario.start_from).lexically_normal().string();
+    }
+    validate(scenario);
+    return scenario;
+  } catch (const InputError& error) {
+    throw InputError(place_of(error, request.file, json, changes), error.what());
+  }
+}
+
+World start_world(const Scenario& scenario) {
+  World world = make_world(scenario);
+  if (scenario.start_from.empty()) return world;
+  World state = read_checkpoint(scenario.start_from).world;
+  require_same_box(scenario, state);
+  require_intruder(scenario, state);
+  world.disks = std::move(state.disks);
+  world.walls = std::move(state.walls);
+  world.bonds = std::move(state.bonds);
+  world.contacts = std::move(state.contacts);
+  world.way = std::move(state.way);
+  world.impulse_dt = state.impulse_dt;
+  world.time = state.time;
+  world.step = state.step;
+  return world;
+}
+
+}  // namespace quicksand

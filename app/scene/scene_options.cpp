@@ -1,0 +1,18 @@
+#include "app/scene/scene_options.h"
+
+namespace quicksand {
+
+void add_scene_options(CLI::App& command, SceneRequest& request) {
+  command.add_option("scene", request.file, "scene file")->type_name("SCENE.json")->required();
+  command
+      .add_option("--set", request.overrides,
+                  "change a value of the scene, as in step.dt=1e-3 or phases[1].force=2e4; null "
+                  "removes a key; may be repeated")
+      ->type_name("PATH=VALUE")
+      ->allow_extra_args(false);
+  command.add_option("--seed", request.seed, "of the random numbers, instead of the scene's")
+      ->type_name("N")
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 53U).description(""));
+}
+
+}  // namespace quicksand

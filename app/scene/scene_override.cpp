@@ -1,0 +1,137 @@
+#include "app/scene/scene_override.h"
+
+#include <algorithm>
+#include <charconv>
+#include <vector>
+
+#include "app/json/json_reader.h"
+#include "app/nearest_name.h"
+#include "core/errors.h"
+
+namespace quicksand {
+
+namespace {
+
+struct Part {
+  std::string name;       // of a key, or
+  std::size_t index = 0;  // of a list entry if the name is empty
+};
+
+std::size_t parse_index(std::string_view digits, const std::string& where) {
+  std::size_t index = 0;
+  const char* end = digits.data() + digits.size();
+  const auto [stop, error] = std::from_chars(digits.data(), end, index);
+  if (error != std::errc() || stop != end) {
+    throw InputError(where, "\"[" + std::string(digits) + "]\" is not the number of a list entry");
+  }
+  return index;
+}
+
+// name, or [index], each further name after a dot.
+std::vector<Part> parse_path(const std::string& path, const std::string& where) {
+  std::vector<Part> parts;
+  std::size_t at = 0;
+  while (at < path.size() || parts.empty()) {
+    if (!parts.empty() && path[at] == '[') {
+      const std::size_t close = std::min(path.find(']', at), path.size());
+      const std::string_view digits = std::string_view(path).substr(at + 1, close - at - 1);
+      parts.push_back({"", parse_index(digits, where)});
+      at = std::min(close + 1, path.size());
+      continue;
+    }
+    if (!parts.empty() && path[at] == '.') ++at;
+    const std::size_t stop = std::min(path.find_first_of(".[", at), path.size());
+    if (stop == at) {
+      throw InputError(where, "lacks a name; write for example step.dt or phases[1].force");
+    }
+    parts.push_back({path.substr(at, stop - at)});
+    at = stop;
+  }
+  return parts;
+}
+
+std::vector<std::string> keys_of(const Json& object) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : object.items()) keys.push_back(key);
+  return keys;
+}
+
+// The entry of a list, which must exist.
+Json& entry(Json& list, std::size_t index, const std::string& name, const std::string& where) {
+  if (!list.is_array()) {
+    throw InputError(where, "\"" + name + "\" is " + described(list) + ", not a list");
+  }
+  if (index >= list.size()) {
+    throw InputError(where, "there is no entry " + std::to_string(index) + "; \"" + name +
+                                "\" has " + std::to_string(list.size()) +
+                                (list.empty() ? "" : ", numbered from 0"));
+  }
+  return list[index];
+}
+
+Json value_of(const std::string& text) {
+  try {
+    return parse_json(text);
+  } catch (const InputError&) {
+    return text;  // a word needs no quotes on a command line
+  }
+}
+
+}  // namespace
+
+Override parse_override(const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string::npos) {
+    throw InputError("--set " + assignment, "has no \"=\"; write path=value, as in step.dt=1e-3");
+  }
+  return {assignment.substr(0, equals), assignment.substr(equals + 1)};
+}
+
+void apply_override(Json& scene, const Override& change) {
+  set_value(scene, change.path, value_of(change.value), "--set " + change.path);
+}
+
+void set_value(Json& scene, const std::string& path, Json value, const std::string& where) {
+  const std::vector<Part> parts = parse_path(path, where);
+  Json* place = &scene;
+  std::string name = "the scene";
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const Part& part = parts[i];
+    if (part.name.empty()) {
+      place = &entry(*place, part.index, name, where);
+      continue;
+    }
+    if (!place->is_object()) {
+      throw InputError(where, "\"" + name + "\" is " + described(*place) + ", it has no keys");
+    }
+    const bool last = i + 1 == parts.size();
+    const bool wants_list = !last && parts[i + 1].name.empty();
+    if (wants_list && !place->contains(part.name)) {
+      throw InputError(
+          where, "there is no list \"" + part.name + "\"" + suggestion(part.name, keys_of(*place)));
+    }
+    if (last && value.is_null()) {
+      place->erase(part.name);
+      return;
+    }
+    if (!last && !place->contains(part.name)) (*place)[part.name] = Json::object();
+    place = &(*place)[part.name];
+    name = part.name;
+  }
+  *place = std::move(value);
+}
+
+Json value_at(const Json& scene, const std::string& path) {
+  const Json* place = &scene;
+  for (const Part& part : parse_path(path, path)) {
+    const bool listed = part.name.empty();
+    if (listed ? !place->is_array() || part.index >= place->size()
+               : !place->is_object() || !place->contains(part.name)) {
+      return nullptr;
+    }
+    place = listed ? &(*place)[part.index] : &(*place)[part.name];
+  }
+  return *place;
+}
+
+}  // namespace quicksand

@@ -1,0 +1,29 @@
+// --set path=value: changes a scene's JSON before it is read, so that a changed scene passes the same
+// checks as a written one.
+#pragma once
+
+#include <string>
+
+#include "app/json/json_text.h"
+
+namespace quicksand {
+
+struct Override {
+  std::string path;   // "step.dt", "phases[1].force"
+  std::string value;  // JSON, or plain text; null removes the key
+};
+
+// Splits "path=value". Throws InputError if there is no "=".
+Override parse_override(const std::string& assignment);
+
+// Objects on the way are made if they are absent, list entries must exist. Whether the key means
+// something is the reader's business. Throws InputError.
+void apply_override(Json& scene, const Override& change);
+
+// The same with a JSON value; `where` is the place that an error names.
+void set_value(Json& scene, const std::string& path, Json value, const std::string& where);
+
+// The value that the path names; null if there is none. Throws InputError if it is not a path.
+Json value_at(const Json& scene, const std::string& path);
+
+}  // namespace quicksand

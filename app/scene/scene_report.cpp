@@ -1,0 +1,230 @@
+#include "app/scene/scene_report.h"
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "app/run/sample_times.h"
+#include "app/scene/scenario_json.h"
+#include "app/scene/si_scale.h"
+
+namespace quicksand {
+
+namespace {
+
+// `label` in a column of its own, then the text.
+std::string line(const std::string& label, const std::string& text) {
+  constexpr std::size_t kLabelWidth = 18;
+  return "  " + label + std::string(kLabelWidth - std::min(kLabelWidth - 1, label.size()), ' ') +
+         text + "\n";
+}
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+// The word of an enum is what the resolved scene says.
+std::string word(const Json& scene, const char* object, const char* key) {
+  return scene.at(object).at(key).get<std::string>();
+}
+
+std::string gravity_text(const Scenario& s) {
+  if (!s.gravity) return "none";
+  const double tilt = std::atan2(s.gravity->x(), -s.gravity->y()) * 180 / std::numbers::pi;
+  return number(s.gravity->norm()) + " g, " +
+         (tilt == 0 ? std::string("straight down")
+                    : number(tilt) + " degrees counter-clockwise from straight down");
+}
+
+std::string law_text(const ContactLaw& law) {
+  std::string text;
+  const auto add = [&](const std::string& term) { text += (text.empty() ? "" : ", ") + term; };
+  if (law.friction) add("friction " + number(*law.friction));
+  if (law.rolling_friction) add("rolling friction " + number(*law.rolling_friction) + " r");
+  if (law.cohesion_force) {
+    add("cohesion F_c = " + number(*law.cohesion_force) + " F_g up to d_c = " +
+        number(2 * law.cohesion_range) + " r = " + number(law.cohesion_range) +
+        " d (energy of a bond " + number(*law.cohesion_force * law.cohesion_range) + " F_g d)");
+  }
+  return text.empty() ? "volume exclusion only" : text;
+}
+
+struct PhaseText {
+  const Scenario& scenario;
+
+  std::string operator()(const DepositPhase& p) const {
+    const std::string grains = std::to_string(estimated_grains(scenario, p));
+    return (p.height > 0
+                ? "about " + grains + " grains, up to a height of " + number(p.height) + " d"
+                : grains + " grains") +
+           (p.polydispersity ? ", diameters 1 +- " + number(p.polydispersity->deviation) + " d"
+                             : "") +
+           (p.interval > 0 ? ", one every " + number(p.interval) + " sqrt(d/g)"
+                           : std::string(", all at once, sticking where they touch")) +
+           (p.capture_radius > 0 ? ", captured within " + number(p.capture_radius) + " d" : "") +
+           (p.adiabatic ? "; whole samples, the interval times " + number(p.adiabatic->factor) +
+                              " each, until the volume fraction changes by less than " +
+                              number(p.adiabatic->tolerance) + " or the interval would pass " +
+                              number(p.adiabatic->max_interval) + " sqrt(d/g)"
+                        : std::string());
+  }
+  std::string operator()(const SettlePhase& p) const {
+    return (p.until_rest ? rest(p.rest_speed, p.rest_time, p.max_time)
+                         : "for " + number(p.max_time) + " sqrt(d/g)") +
+           bonding(p.bonding);
+  }
+  std::string operator()(const PushPhase& p) const {
+    return "intruder of " + number(p.diameter) + " d and density " + number(p.density) +
+           ", pushed down with " + force_text(p.force) + ", " +
+           rest(p.rest_speed, p.rest_time, p.max_time, moving(p.until, "the intruder")) +
+           bonding(p.bonding) + (p.release ? "; then it is released" : "");
+  }
+  std::string operator()(const HealPhase& p) const {
+    const std::string which =
+        p.which == HealPhase::Which::touching ? "touching pairs" : "broken bonds in touch";
+    const std::string share =
+        p.waited ? "each with the chance 1 - exp(-" + number(*p.waited / *p.healing_time) + ")"
+                 : std::string("all");
+    return "bonds of " + which + ", " + share + "; no time passes";
+  }
+  std::string operator()(const PistonPhase& p) const {
+    return "piston of " + number(p.mass) + " grain masses, pressed down with " +
+           force_text(p.force) + " after a ramp of " + number(p.ramp_time) + " sqrt(d/g), then " +
+           rest(p.rest_speed, p.rest_time, p.max_time, moving(p.until, "the piston")) +
+           bonding(p.bonding) + (p.remove ? "; then it is taken away" : "; it stays");
+  }
+
+  std::string operator()(const PullPhase& p) const {
+    return "smallest upward force that " +
+           (p.distance ? "lifts the intruder by " + number(*p.distance) + " d"
+                       : std::string("takes the intruder out of the packing")) +
+           "; " + trials(p.trials);
+  }
+  std::string operator()(const ShearPhase& p) const {
+    std::string depths;
+    for (const double depth : p.depths) depths += (depths.empty() ? "" : ", ") + number(depth);
+    return "smallest force along x that moves a grain by " + number(p.distance) + " d, " +
+           std::to_string(p.grains_per_depth) + " grains each at depths of " + depths + " d; " +
+           trials(p.trials);
+  }
+
+  static std::string trials(const SearchTrials& t) {
+    return "trials from one state, first with " + number(t.first_force) +
+           " F_g, until the interval is " + number(t.tolerance) + " of its upper end; each " +
+           rest(t.rest_speed, t.rest_time, t.max_time);
+  }
+  std::string force_text(double force) const {
+    const auto& cohesion = scenario.grain_law.cohesion_force;
+    return number(force) + " F_g" +
+           (cohesion && *cohesion > 0 ? " = " + number(force / *cohesion) + " F_c" : "");
+  }
+  static std::string moving(RestOf until, const char* driven) {
+    return until == RestOf::all ? "nothing is" : std::string(driven) + " is not";
+  }
+  static std::string rest(double speed, double time, double most,
+                          const std::string& moving = "nothing is") {
+    return "until " + moving + " faster than " + number(speed) + " sqrt(g d) for " + number(time) +
+           " sqrt(d/g), at most " + number(most) + " sqrt(d/g)";
+  }
+  static std::string bonding(bool forms) {
+    return forms ? ", first touches form bonds" : ", no bonds form";
+  }
+};
+
+std::string phases_text(const Scenario& s) {
+  std::string text;
+  for (std::size_t i = 0; i < s.phases.size(); ++i) {
+    const Phase& phase = s.phases[i];
+    text += line("phases[" + std::to_string(i) + "]",
+                 std::string(phase_name(phase)) + ": " + std::visit(PhaseText{s}, phase.kind));
+    if (std::holds_alternative<HealPhase>(phase.kind)) continue;
+    text += line(
+        "", "dt = " + number(phase.dt.value_or(s.step.dt)) + ", a sample every " +
+                number(sample_interval(s, phase, {})) + " sqrt(d/g)" +
+                (phase.solver_tolerance ? ", residual " + number(*phase.solver_tolerance) : ""));
+  }
+  return text.empty() ? line("phases", "none: nothing will be computed") : text;
+}
+
+std::string bodies_text(const Scenario& s) {
+  std::int64_t deposited = 0;
+  std::int64_t intruders = 0;
+  for (const Phase& phase : s.phases) {
+    if (const auto* p = std::get_if<DepositPhase>(&phase.kind))
+      deposited += estimated_grains(s, *p);
+    if (std::holds_alternative<PushPhase>(phase.kind)) ++intruders;
+  }
+  std::string text = std::to_string(s.disks.size()) + " listed";
+  if (!s.start_from.empty()) text = "those of " + s.start_from;
+  if (deposited > 0) text += ", about " + std::to_string(deposited) + " deposited";
+  if (intruders > 0) text += ", " + std::to_string(intruders) + " pushed in";
+  return text;
+}
+
+std::string si_text(const Scenario& s) {
+  const SiScale si = si_scale(*s.physical);
+  std::string text = "in SI (a grain is read as a sphere of diameter d)\n";
+  text += line("d", with_prefix(si.length, "m"));
+  constexpr double kGrams = 1e3;
+  text += line("grain mass", with_prefix(si.mass * kGrams, "g"));
+  text += line("F_g", with_prefix(si.force, "N"));
+  text += line("sqrt(d/g)", with_prefix(si.time, "s"));
+  text += line("sqrt(g d)", with_prefix(si.velocity, "m/s"));
+  text += line("dt", with_prefix(s.step.dt * si.time, "s"));
+  text += line("box", with_prefix(s.box.width * si.length, "m") + " x " +
+                          with_prefix(s.box.height * si.length, "m"));
+  if (s.grain_law.cohesion_force) {
+    const double force = *s.grain_law.cohesion_force * si.force;
+    const double range = s.grain_law.cohesion_range * si.length;
+    text += line("F_c", with_prefix(force, "N"));
+    text += line("d_c", with_prefix(range, "m"));
+    text += line("energy of a bond", with_prefix(force * range, "J"));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string scene_report(const Scenario& s) {
+  Scenario without_bodies = s;  // their words are not needed, and they may be many
+  without_bodies.disks.clear();
+  const Json scene = to_json(without_bodies);
+
+  std::string terms;
+  for (const std::string& term : model_terms(s)) terms += (terms.empty() ? "" : ", ") + term;
+
+  std::string text = s.name + ": " + s.description + "\n";
+  text += line("terms", terms);
+  text += line("box", number(s.box.width) + " x " + number(s.box.height) + " d, sides " +
+                          word(scene, "box", "sides") + (s.box.floor ? ", floor at y = 0" : ""));
+  text += line("gravity", gravity_text(s));
+  if (s.drag)
+    text += line("drag", "of a grain: " + number(s.drag->linear) + " F_g/sqrt(g d) v + " +
+                             number(s.drag->quadratic) + " F_g/(g d) v^2");
+  text += line("contact", law_text(s.grain_law));
+  if (s.wall_law) text += line("wall_contact", law_text(*s.wall_law));
+  if (s.intruder_law) text += line("intruder_contact", law_text(*s.intruder_law));
+  text += line("step", "dt = " + number(s.step.dt) + " sqrt(d/g), " +
+                           word(scene, "step", "break_rule") + " break rule" +
+                           (s.step.curvature_term ? " with curvature term" : "") +
+                           (s.step.max_turn ? ", no bonded pair turns by more than " +
+                                                  number(*s.step.max_turn) + " rad a step"
+                                            : std::string()) +
+                           "; an unconverged step: " + word(scene, "step", "on_unconverged"));
+  text += line("solver", word(scene, "solver", "method") + " to a residual of " +
+                             number(s.solver.tolerance) + ", at most " +
+                             std::to_string(s.solver.max_factorisations) + " factorisations or " +
+                             std::to_string(s.solver.max_iterations) + " sweeps a step");
+  text += line("bodies", bodies_text(s));
+  if (!s.walls.empty()) {
+    text += line("walls", std::to_string(s.walls.size()) + " besides the box's");
+  }
+  text += line("seed", std::to_string(s.seed));
+  text += phases_text(s);
+  if (s.physical) text += si_text(s);
+  return text;
+}
+
+}  // namespace quicksand
