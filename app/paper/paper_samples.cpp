@@ -1,4 +1,6 @@
 // Which deposition gives which density and coordination number.
+#include <cmath>
+
 #include "app/paper/paper_experiments.h"
 
 namespace quicksand {
@@ -69,8 +71,7 @@ class Samples : public PaperExperiment {
       points.y.push_back(coordination->value);
       points.x_error.push_back(density->standard_error.value_or(0));
       points.y_error.push_back(coordination->standard_error.value_or(0));
-      plot.annotations.push_back(
-          {density->value, coordination->value, "  " + std::to_string(k + 1)});
+      number_point(plot.annotations, density->value, coordination->value, std::to_string(k + 1));
     }
     plot.curves.push_back(std::move(points));
     section.blocks.emplace_back(std::move(table));
@@ -91,6 +92,18 @@ class Samples : public PaperExperiment {
   }
 
  private:
+  // Beside its point; points that lie together share a label: "1, 3, 5".
+  static void number_point(std::vector<Annotation>& labels, double x, double y,
+                           const std::string& number) {
+    constexpr double kNearX = 0.03, kNearY = 0.08;
+    for (Annotation& label : labels) {
+      if (std::abs(label.x - x) > kNearX || std::abs(label.y - y) > kNearY) continue;
+      label.text += ", " + number;
+      return;
+    }
+    labels.push_back({x, y + kNearY, number});
+  }
+
   std::vector<RunGroup> groups_;
   int all_ = 0;
 };

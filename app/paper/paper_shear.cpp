@@ -32,17 +32,19 @@ class Shear : public PaperExperiment {
                         strong = paper_strength(results, runs_.loose_strong),
                         compact = paper_strength(results, runs_.compact),
                         rough = paper_strength(results, runs_.compact_rough);
-    section.blocks.emplace_back(table({{"unperturbed, F_c = 10^4 F_g", &loose},
-                                       {"unperturbed, F_c = 10^6 F_g", &strong},
+    section.blocks.emplace_back(table({{"unperturbed, F_c = 10⁴ F_g", &loose},
+                                       {"unperturbed, F_c = 10⁶ F_g", &strong},
                                        {"perturbed, friction 0.3", &compact},
                                        {"perturbed, friction 0.6", &rough}}));
     section.blocks.emplace_back(Figure{
         plot("shear_unperturbed", "Shear strength of unperturbed samples",
-             {{"F_c = 10^4 F_g", &loose}, {"F_c = 10^6 F_g", &strong}}),
+             {.label = "shear strength", .unit = "F_g", .logarithmic = true},
+             {{"F_c = 10⁴ F_g", &loose}, {"F_c = 10⁶ F_g", &strong}}),
         "Smallest horizontal force that moves a grain, with standard errors over grains, and "
         "straight lines through them."});
     section.blocks.emplace_back(
         Figure{plot("shear_perturbed", "Shear strength of perturbed samples",
+                    {.label = "shear strength", .unit = "F_g", .low = 0},
                     {{"friction 0.3", &compact}, {"friction 0.6", &rough}}),
                "The same after the piston."});
     compare(loose, strong, compact, rough, findings);
@@ -72,11 +74,12 @@ class Shear : public PaperExperiment {
     return table;
   }
 
-  static Plot plot(const char* name, const char* title, const std::vector<Named>& all) {
+  static Plot plot(const char* name, const char* title, Axis strength_axis,
+                   const std::vector<Named>& all) {
     Plot plot{.name = name,
               .title = title,
               .x = {.label = "depth", .unit = "d", .low = 0},
-              .y = {.label = "shear strength", .unit = "F_g", .low = 0},
+              .y = std::move(strength_axis),
               .legend = Legend::top_left};
     for (const auto& [curve, strength] : all)
       for (Curve& part : strength_curves(*strength, curve)) plot.curves.push_back(std::move(part));

@@ -59,11 +59,15 @@ std::vector<Curve> strength_curves(const PaperStrength& strength, const std::str
     const auto line = [&](double depth) {
       return (strength.against_depth->intercept + strength.against_depth->slope * depth) * y_scale;
     };
-    const double deepest = strength.depth.back();
-    curves.push_back({.kind = Curve::Kind::line,
-                      .role = Curve::Role::fit,
-                      .x = {0, deepest * x_scale},
-                      .y = {line(0), line(deepest)}});
+    // Enough points for a logarithmic axis, on which the line is bent.
+    constexpr int kPoints = 40;
+    Curve fit{.kind = Curve::Kind::line, .role = Curve::Role::fit};
+    for (int k = 0; k <= kPoints; ++k) {
+      const double depth = strength.depth.back() * k / kPoints;
+      fit.x.push_back(depth * x_scale);
+      fit.y.push_back(line(depth));
+    }
+    curves.push_back(std::move(fit));
   }
   curves.insert(curves.begin(), std::move(points));
   return curves;

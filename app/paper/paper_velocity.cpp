@@ -79,7 +79,9 @@ class Velocity : public PaperExperiment {
     Curve curve{.name = "v² = k (F - F_0)", .kind = Curve::Kind::line, .role = Curve::Role::fit};
     const double start = std::max(0.0, threshold);
     for (int k = 0; k <= kPoints; ++k) {
-      curve.x.push_back(start + (largest - start) * k / kPoints);
+      const double share = static_cast<double>(k) / kPoints;
+      // Closer where the law is steep.
+      curve.x.push_back(start + (largest - start) * share * share);
       curve.y.push_back(std::sqrt(slope * (curve.x.back() - threshold)));
     }
     return curve;

@@ -23,25 +23,41 @@ std::string label_of(const Axis& axis) {
 struct Extent {
   double low = HUGE_VAL;
   double high = -HUGE_VAL;
+  bool of_bars = false;  // gnuplot knows how wide and high they are
 
   bool empty() const { return low > high; }
-  void add(double value) {
-    if (!std::isfinite(value)) return;
+  void add(double value, const Axis& axis) {
+    if (!std::isfinite(value) || (axis.logarithmic && value <= 0)) return;
     low = std::min(low, value);
     high = std::max(high, value);
   }
 };
 
+// Ends that are not given lie a little outside of what is drawn, so that no point hides on a border.
 std::string range_of(const Axis& axis, const Extent& extent) {
-  const auto text = [](const std::optional<double>& end) {
-    return end ? number_text(*end) : std::string("*");
+  constexpr double kMargin = 0.04;  // of the extent
+  const auto range = [](const std::string& low, const std::string& high) {
+    return "[" + low + ":" + high + "]";
   };
-  if (!extent.empty()) return "[" + text(axis.low) + ":" + text(axis.high) + "]";
-  // Without values gnuplot would find no range.
-  constexpr double kLowest = 0.1;
-  const double low = axis.low.value_or(axis.logarithmic ? kLowest : 0);
-  return "[" + text(low) + ":" + text(axis.high.value_or(axis.logarithmic ? 10 * low : low + 1)) +
-         "]";
+  const auto text = [](const std::optional<double>& end, const std::string& otherwise) {
+    return end ? number_text(*end) : otherwise;
+  };
+  if (extent.empty()) {  // without values gnuplot would find no range
+    constexpr double kLowest = 0.1;
+    const double low = axis.low.value_or(axis.logarithmic ? kLowest : 0);
+    return range(number_text(low),
+                 text(axis.high, number_text(axis.logarithmic ? 10 * low : low + 1)));
+  }
+  const double from = axis.low.value_or(extent.low), to = axis.high.value_or(extent.high);
+  if (extent.of_bars || !(to > from)) return range(text(axis.low, "*"), text(axis.high, "*"));
+  if (axis.logarithmic) {
+    const double factor = std::pow(to / from, kMargin);
+    return range(text(axis.low, number_text(from / factor)),
+                 text(axis.high, number_text(to * factor)));
+  }
+  const double margin = kMargin * (to - from);
+  return range(text(axis.low, number_text(from - margin)),
+               text(axis.high, number_text(to + margin)));
 }
 
 class Script {
@@ -50,13 +66,16 @@ class Script {
     for (const Curve& curve : plot.curves) {
       rows_.push_back(rows_of(plot, curve));
       for (const PlotRow& row : rows_.back()) {
-        x_.add(row.x);
-        Extent& y = curve.second_axis && plot.y2 ? y2_ : y_;
-        for (const double value : {row.y, row.y_low, row.y_high}) y.add(value);
+        for (const double value : {row.x, row.x_low, row.x_high}) x_.add(value, plot.x);
+        const bool second = curve.second_axis && plot.y2;
+        for (const double value : {row.y, row.y_low, row.y_high})
+          second ? y2_.add(value, *plot.y2) : y_.add(value, plot.y);
+        if (curve.kind == Curve::Kind::histogram) x_.of_bars = y_.of_bars = true;
       }
     }
     for (const Reference& reference : plot.references) {
-      for (const double end : {reference.low, reference.high}) (reference.of_x ? x_ : y_).add(end);
+      for (const double end : {reference.low, reference.high})
+        reference.of_x ? x_.add(end, plot.x) : y_.add(end, plot.y);
     }
   }
 
@@ -100,7 +119,10 @@ class Script {
       line("set logscale " + name);
       if (extent.high > kManyDecades * extent.low) line("unset m" + name + "tics");
     }
-    line("set format " + name + (axis.logarithmic ? " '10^{%T}'" : " '%h'"));
+    constexpr double kFewDigits = 1e-3, kManyDigits = 1e4;
+    const bool powers = axis.logarithmic &&
+                        (extent.empty() || extent.low < kFewDigits || extent.high > kManyDigits);
+    line("set format " + name + (powers ? " '10^{%T}'" : " '%h'"));
     line("set " + name + "range " + range_of(axis, extent));
   }
 
@@ -202,8 +224,12 @@ class Script {
     const std::string bars_y = ":" + picked("end(6, 3)") + ":" + picked("end(7, 3)");
     const std::string bars = !of_points ? "" : x_bars ? bars_x + bars_y : y_bars ? bars_y : "";
     if (!bars.empty()) uses_bars_ = true;
+    // In the legend stands the point alone: with its bar it would look like a line.
     add(x + ":" + picked("column(3)") + bars + axes +
-        with(curve, looks_[i], of_points && x_bars, of_points && y_bars) + title_of(curve.name));
+        with(curve, looks_[i], of_points && x_bars, of_points && y_bars) +
+        title_of(bars.empty() ? curve.name : std::string()));
+    if (!bars.empty() && !curve.name.empty())
+      add("NaN" + axes + with(curve, looks_[i], false, false) + title_of(curve.name));
   }
 
   // The line itself stands above; here are its place in the legend and its share in the range.
