@@ -1,0 +1,101 @@
+// A simulation that one can talk to: a scene, where it stands, how it is looked at, and what was
+// measured on the way. Commands change it; panels and pictures only read it.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/json/json_text.h"
+#include "app/run/course.h"
+#include "render/view.h"
+
+namespace quicksand {
+
+class Session;
+
+// What ends Session::run(); whatever comes first. Nothing given: the end of the scene.
+struct RunUntil {
+  std::optional<std::int64_t> steps;  // from now
+  std::optional<double> time;         // from now [sqrt(d/g)]
+  bool phase_end = false;             // of the present phase
+  std::function<bool(const Session&)> condition;
+};
+
+enum class RunStop : std::uint8_t {
+  steps,
+  time,
+  phase_end,
+  condition,
+  finished,  // the last phase ended
+  failed,    // see Protocol::failure()
+  cut_short  // by Session::stop_asked
+};
+std::string_view word_of(RunStop stop);
+
+class Session {
+ public:
+  // Starts a scene. Throws InputError if it cannot be simulated; the session is then as before.
+  void load(const Scenario& scenario);
+  bool loaded() const { return course_ != nullptr; }
+  // Starts the scene again, as it was changed meanwhile.
+  void reset();
+  // Sets a value of the scene by its path, "contact.friction"; null removes it. Returns whether it holds
+  // at once; else from the next reset on, since bodies and box that are there stay. Throws InputError.
+  bool set(const std::string& path, const Json& value);
+  // Ends the present phase and begins this one; the phases not begun yet follow.
+  void begin_phase(const Phase& phase);
+  // The force that acts on the centre of a body from now on, besides its weight [F_g].
+  void apply(int body, const Vec2& force);
+
+  // Computes. Does nothing if the scene is finished or failed.
+  RunStop run(const RunUntil& until);
+  // Asked after every step; true cuts a run short. May be empty.
+  std::function<bool(const Session&)> stop_asked;
+
+  // A checkpoint with which run --continue goes on, too. Throw InputError.
+  void save(const std::filesystem::path& file) const;
+  void restore(const std::filesystem::path& file);
+
+  // The scene with all its changes: what the next reset starts.
+  const Scenario& scenario() const { return scenario_; }
+  // The following must not be called unless loaded().
+  const World& world() const { return course_->world(); }
+  const Protocol& protocol() const { return course_->protocol(); }
+  // Phases of the present course: those of the scene, and those begun by hand.
+  const std::vector<Phase>& phases() const { return running_->phases; }
+  std::string phase_name() const;  // of the present one; "end" after the last
+  bool failed() const { return failed_; }
+  bool finished() const { return protocol().phase() == nullptr; }
+  // Samples since the start, for plots: at most kMostSamples, evenly thinned when there are more.
+  static constexpr std::size_t kMostSamples = 1000;
+  const std::vector<Row>& history() const { return history_; }
+  // The quantities of this moment.
+  Row measure_now() const;
+  // Receives each sample as it is taken. May be empty.
+  Course::Sink on_sample;
+
+  View view;                  // of the packing; its size is that of a picture without panel
+  std::optional<int> picked;  // body that is inspected
+  bool running = false;       // whether each frame of a panel computes steps_per_frame
+  std::int64_t steps_per_frame = 1;
+
+ private:
+  void start(const Scenario& scenario, Checkpoint checkpoint);
+  void remember(const Row& row);
+
+  Scenario scenario_;
+  std::unique_ptr<Scenario> running_;  // that the course is of
+  std::unique_ptr<Course> course_;
+  std::vector<Row> history_;
+  std::size_t stride_ = 1;  // every which sample is kept in the history
+  std::size_t samples_ = 0;
+  bool failed_ = false;
+};
+
+}  // namespace quicksand
