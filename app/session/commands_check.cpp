@@ -4,6 +4,7 @@
 #include "app/run/summary.h"
 #include "app/session/command_definition.h"
 #include "app/session/condition.h"
+#include "app/session/transcript.h"
 #include "core/errors.h"
 #include "render/image_difference.h"
 #include "render/png.h"
@@ -62,6 +63,21 @@ struct ExpectQuantity {
                            (value ? number_text(*value) : std::string("not there")) +
                            ", expected " + words_of(condition));
     return {{condition.quantity, *value}};
+  }
+};
+
+struct ExpectHash {
+  std::string hash;
+
+  void describe(Fields& f) {
+    f.text({"hash", "16 hexadecimal digits, as transcripts show it", Presence::required}, hash);
+  }
+  Json perform(Console& console, const std::string&) {
+    const std::string now = text_of_hash(world_hash(console.session().world()));
+    if (now != hash)
+      throw CommandFailure("the world's hash is " + now + ", expected " + hash +
+                           "; another version, compiler or machine computes another course");
+    return {{"hash", now}};
   }
 };
 

@@ -11,7 +11,8 @@ namespace quicksand {
 
 namespace fs = std::filesystem;
 
-Console::Console(ConsoleFolders folders) : folders_(std::move(folders)) {
+Console::Console(ConsoleFolders folders, double scale)
+    : folders_(std::move(folders)), scale_(scale) {
   session_.on_sample = [this](const Row& row, const World&) {
     if (recording) recording->add(row);
   };
@@ -59,7 +60,62 @@ Image Console::draw_view(int width, int height) {
   return renderer_->draw(session_.world(), view, caption);
 }
 
-Image Console::draw_panel(int, int, std::optional<double>) { throw CommandFailure("no panel yet"); }
+Gui& Console::panel() {
+  if (!panel_) panel_ = std::make_unique<Gui>(scale_);
+  return *panel_;
+}
+
+Robot& Console::robot() {
+  if (!robot_)
+    robot_ = std::make_unique<Robot>(
+        panel(), session_, [this](const std::vector<Json>& commands) { carry_out(commands); });
+  robot_->resize(session_.view.width, session_.view.height);
+  return *robot_;
+}
+
+void Console::carry_out(const std::vector<Json>& commands) {
+  for (const Json& command : commands) {
+    perform(command, "panel");
+    if (given) given(command);
+  }
+  panel().set_recording(recording != nullptr);
+  if (still_ || !session_.running || !session_.loaded()) return;
+  const std::int64_t first = session_.world().step;
+  session_.run({.steps = session_.steps_per_frame});
+  if (computed) computed(session_.world().step - first);
+  if (session_.finished() || session_.failed()) session_.running = false;
+  if (session_.failed())
+    throw CommandFailure("the simulation stopped: " + session_.protocol().failure());
+}
+
+Image Console::panel_frame(const GuiInput& input, int width, int height) {
+  const std::vector<Json> commands = panel().frame(session_, input, width, height);
+  Image picture = panel().paint();
+  try {
+    carry_out(commands);
+  } catch (const InputError& error) {
+    panel().show_error(error.where() + ": " + error.what());
+  } catch (const CommandFailure& error) {
+    panel().show_error(error.what());
+  }
+  return picture;
+}
+
+Image Console::draw_panel(int width, int height, std::optional<double> scale) {
+  constexpr int kSettling = 3;  // frames until the layout of a new size rests
+  if (scale && *scale != panel().scale()) {
+    // Another scale is another panel; the present one keeps what it shows.
+    Gui other(*scale);
+    for (int i = 0; i < kSettling; ++i) other.frame(session_, {}, width, height);
+    return other.paint();
+  }
+  Robot& hand = robot();
+  hand.resize(width, height);
+  still_ = true;  // a picture is of the present moment
+  hand.wait(kSettling);
+  still_ = false;
+  return panel().paint();
+}
 
 void Console::include(const fs::path& file, const std::string& place) {
   constexpr int kDeepest = 10;
