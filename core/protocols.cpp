@@ -54,6 +54,26 @@ Progress Protocol::end_phase() {
   return Progress::phase_ended;
 }
 
+void Protocol::begin_phase(const Phase& phase) {
+  if (state_.entered) {
+    if (state_.search.base) return_to_base();
+    end_phase();
+  }
+  scenario_.phases.insert(scenario_.phases.begin() + state_.phase, phase);
+}
+
+void Protocol::change(const Scenario& scenario) {
+  scenario_ = scenario;
+  take_laws(world_, scenario_);
+  const Phase* now = phase();
+  if (!now || !state_.entered) return;
+  // Other phases set their force before each step, or in their next trial.
+  if (const auto* push = std::get_if<PushPhase>(&now->kind))
+    world_.disks.applied.back() = {0, -push->force, 0};
+}
+
+void Protocol::apply(int body, const Vec2& force) { world_.disks.applied[body].head<2>() = force; }
+
 bool Protocol::make_step(const Phase& phase) {
   record_way(world_);
   StepSettings step = scenario_.step;

@@ -51,6 +51,17 @@ class Protocol {
   // At most one time step.
   Progress advance();
 
+  // What a person does to a run under way.
+  // Ends the present phase, if it has begun, and begins this one with the next step; the phases that
+  // have not begun follow.
+  void begin_phase(const Phase& phase);
+  // Takes over gravity, drag, contact laws, step, solver and phases of this scene. Its phases must be of
+  // the same kinds as now, up to the present one. Bodies and box stay.
+  void change(const Scenario& scenario);
+  // The force on the centre of a body from now on, besides its weight [F_g].
+  void apply(int body, const Vec2& force);
+
+  const Scenario& scenario() const { return scenario_; }
   const World& world() const { return world_; }
   const ProtocolState& state() const { return state_; }
   const StepReport& last_step() const { return report_; }

@@ -43,14 +43,18 @@ int World::intruder() const {
   return at == disks.role.end() ? -1 : static_cast<int>(at - disks.role.begin());
 }
 
-World make_world(const Scenario& scenario) {
-  World world;
-  world.box = scenario.box;
+void take_laws(World& world, const Scenario& scenario) {
   world.gravity = scenario.gravity;
   world.drag = scenario.drag;
   world.grain_law = scenario.grain_law;
   world.wall_law = scenario.wall_law.value_or(scenario.grain_law);
   world.intruder_law = scenario.intruder_law.value_or(scenario.grain_law);
+}
+
+World make_world(const Scenario& scenario) {
+  World world;
+  world.box = scenario.box;
+  take_laws(world, scenario);
   world.random.state = scenario.seed;
   if (scenario.box.floor) world.walls.push_back({.role = WallRole::floor});
   if (scenario.box.sides == Sides::walls) {

@@ -49,6 +49,9 @@ struct World {
 // The world at the start of a scene: its box, walls and listed disks. Does not read start_from.
 World make_world(const Scenario& scenario);
 
+// Gravity, drag and contact laws of the scene, in a world that may be under way.
+void take_laws(World& world, const Scenario& scenario);
+
 // The pairs that a bond could hold: they touch within the cohesion range of their law, which has a
 // cohesion, and not both are immovable. Sorted.
 std::vector<Pair> bondable_pairs(const World& world);

@@ -20,25 +20,26 @@ class Course {
   // scene's [sqrt(d/g)].
   Course(const Scenario& scenario, Checkpoint start, std::optional<double> every, Sink sink);
 
-  // At most one time step, with its sample if one is due or a phase ends.
+  // At most one time step, with a sample before the first one and whenever one is due or a phase ends.
   Progress advance();
   // Samples the present world, unless it was sampled already: nothing moved, no body was added and no
   // bond healed.
   void sample();
 
   const Protocol& protocol() const { return protocol_; }
+  Protocol& protocol() { return protocol_; }
   const World& world() const { return protocol_.world(); }
+  std::string phase_name() const;  // of the present phase; "end" after the last
   // The last sample taken.
   const Row& last() const { return row_; }
 
  private:
   void count(const ProtocolState& before);
 
-  const Scenario& scenario_;
   Protocol protocol_;
   std::optional<double> every_;
   Sink sink_;
-  std::string phase_ = "start";  // that the last step belongs to
+  std::string phase_;  // that the last step belongs to
   SampleTimes times_{0, 1, 0};
   int times_of_ = -1;  // phase that `times_` belongs to
   Row row_;            // the last sample

@@ -1,13 +1,13 @@
 #include "app/run/run_scene.h"
 
 #include <chrono>
+#include <utility>
 
 #include "app/interrupt.h"
 #include "app/run/continuation.h"
+#include "app/run/course.h"
 #include "app/run/film.h"
 #include "app/run/progress_line.h"
-#include "app/run/recorder.h"
-#include "app/run/sample_times.h"
 #include "app/run/search_results.h"
 #include "app/run/series.h"
 #include "app/scene/scenario_json.h"
@@ -28,16 +28,12 @@ double seconds_since(Clock::time_point moment) {
   return std::chrono::duration<double>(Clock::now() - moment).count();
 }
 
-std::string name_of(const Phase* phase) {
-  return phase != nullptr ? std::string(phase_name(*phase)) : std::string("end");
-}
-
 bool same_file(const fs::path& a, const fs::path& b) {
   std::error_code ignored;
   return fs::equivalent(a, b, ignored);
 }
 
-// One run: the protocol, and what writes down its course.
+// One run: its course, and what writes it down.
 class Run {
  public:
   Run(const Scenario& scenario, const RunOptions& options, const RunFolder& folder,
@@ -45,27 +41,29 @@ class Run {
       : scenario_(scenario),
         options_(options),
         folder_(folder),
-        protocol_(scenario, std::move(start.world), start.protocol),
+        first_step_(start.world.step),
         series_(folder.series(), resumed_step()),
-        recorder_(series_, begin_film()),
-        first_step_(protocol_.world().step) {}
+        course_(scenario, std::move(start), options.every,
+                [this](const Row& row, const World& world) { record(row, world); }) {
+    if (options.frames) film_.emplace(folder, scenario, options.view, series_.rows());
+  }
 
   RunResult complete() {
     RunResult result{folder_, {}, {}};
     try {
       result.end.how = compute();
-      if (result.end.how == RunEnd::How::failed) result.end.failure = protocol_.failure();
+      if (result.end.how == RunEnd::How::failed) result.end.failure = protocol().failure();
       result.notes = finish_film();
     } catch (const InputError& error) {
       fail(result.end, error);
     }
-    result.end.steps = protocol_.world().step - first_step_;
+    result.end.steps = course_.world().step - first_step_;
     result.end.wall_seconds = seconds_since(began_);
     try {
       write_state();
-      write_search_tables(folder_, protocol_.state());
+      write_search_tables(folder_, protocol().state());
       const Json values =
-          summary(scenario_, protocol_.world(), protocol_.state(), recorder_.last(), result.end);
+          summary(scenario_, course_.world(), protocol().state(), course_.last(), result.end);
       write_whole(folder_.summary(), values.dump(2) + "\n");
     } catch (const InputError& error) {
       fail(result.end, error);
@@ -85,58 +83,40 @@ class Run {
   std::optional<std::int64_t> resumed_step() const {
     const bool same =
         options_.continued_from && same_file(*options_.continued_from, folder_.state());
-    return same ? std::optional(protocol_.world().step) : std::nullopt;
+    return same ? std::optional(first_step_) : std::nullopt;
   }
 
-  Film* begin_film() {
-    if (!options_.frames) return nullptr;
-    film_.emplace(folder_, scenario_, options_.view, series_.rows());
-    return &*film_;
+  const Protocol& protocol() const { return course_.protocol(); }
+
+  void record(const Row& row, const World& world) {
+    // The earlier part of a continued run ended with this sample.
+    if (std::exchange(first_sample_, false) && series_.last_step() == world.step) return;
+    series_.add(row);
+    if (film_) film_->add(world, row.phase);
   }
 
   RunEnd::How compute() {
     ProgressLine progress(StatusLine::style_of_stderr(options_.quiet));
-    recorder_.sample(protocol_.world(), name_of(protocol_.phase()));
     RunEnd::How how = RunEnd::How::finished;
-    while (protocol_.phase() != nullptr) {
+    while (protocol().phase() != nullptr) {
       if (watch_.interrupted()) {
         how = RunEnd::How::interrupted;
         break;
       }
-      progress.show(protocol_);
-      if (advance() == Progress::failed) {
+      progress.show(protocol());
+      if (course_.advance() == Progress::failed) {
         how = RunEnd::How::failed;
         break;
       }
       if (seconds_since(checkpointed_) > kCheckpointPeriod) write_state();
     }
-    recorder_.sample(protocol_.world(), phase_);
+    course_.sample();
     progress.end();
     return how;
   }
 
-  // One step, with its sample if one is due.
-  Progress advance() {
-    const ProtocolState before = protocol_.state();
-    const std::int64_t step_before = protocol_.world().step;
-    const double time_before = protocol_.world().time;
-    const Phase& phase = *protocol_.phase();
-    phase_ = name_of(&phase);
-    if (before.phase != times_of_) {
-      times_ = SampleTimes(before.entered ? before.phase_start : time_before,
-                           sample_interval(scenario_, phase, options_.every), time_before);
-      times_of_ = before.phase;
-    }
-    const Progress progress = protocol_.advance();
-    const World& world = protocol_.world();
-    if (world.step != step_before) recorder_.count(before, protocol_);
-    if (times_.due(world.time)) recorder_.sample(world, phase_);
-    if (progress == Progress::phase_ended) recorder_.sample(world, phase_);
-    return progress;
-  }
-
   void write_state() {
-    write_checkpoint(folder_.state(), {protocol_.world(), protocol_.state(), to_text(scenario_)});
+    write_checkpoint(folder_.state(), {course_.world(), protocol().state(), to_text(scenario_)});
     checkpointed_ = Clock::now();
   }
 
@@ -150,14 +130,11 @@ class Run {
   const Scenario& scenario_;
   const RunOptions& options_;
   RunFolder folder_;
-  Protocol protocol_;
+  std::int64_t first_step_;
+  bool first_sample_ = true;
   Series series_;
   std::optional<Film> film_;
-  Recorder recorder_;
-  std::int64_t first_step_;
-  std::string phase_ = "start";
-  SampleTimes times_{0, 1, 0};
-  int times_of_ = -1;  // phase that `times_` belongs to
+  Course course_;
   Clock::time_point began_ = Clock::now();
   Clock::time_point checkpointed_ = Clock::now();
 };

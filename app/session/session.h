@@ -46,7 +46,8 @@ class Session {
   // Starts the scene again, as it was changed meanwhile.
   void reset();
   // Sets a value of the scene by its path, "contact.friction"; null removes it. Returns whether it holds
-  // at once; else from the next reset on, since bodies and box that are there stay. Throws InputError.
+  // at once; else from the next reset on: bodies and box that are there stay, and so do the phases of a
+  // course that has some begun by hand. Throws InputError.
   bool set(const std::string& path, const Json& value);
   // Ends the present phase and begins this one; the phases not begun yet follow.
   void begin_phase(const Phase& phase);
@@ -68,8 +69,9 @@ class Session {
   const World& world() const { return course_->world(); }
   const Protocol& protocol() const { return course_->protocol(); }
   // Phases of the present course: those of the scene, and those begun by hand.
-  const std::vector<Phase>& phases() const { return running_->phases; }
-  std::string phase_name() const;  // of the present one; "end" after the last
+  const std::vector<Phase>& phases() const { return protocol().scenario().phases; }
+  // Of the present one; "end" after the last.
+  std::string phase_name() const { return course_->phase_name(); }
   bool failed() const { return failed_; }
   bool finished() const { return protocol().phase() == nullptr; }
   // Samples since the start, for plots: at most kMostSamples, evenly thinned when there are more.
@@ -77,6 +79,8 @@ class Session {
   const std::vector<Row>& history() const { return history_; }
   // The quantities of this moment.
   Row measure_now() const;
+  // Takes a sample now, unless the present moment was sampled already.
+  void sample() { course_->sample(); }
   // Receives each sample as it is taken. May be empty.
   Course::Sink on_sample;
 
@@ -90,11 +94,11 @@ class Session {
   void remember(const Row& row);
 
   Scenario scenario_;
-  std::unique_ptr<Scenario> running_;  // that the course is of
   std::unique_ptr<Course> course_;
   std::vector<Row> history_;
   std::size_t stride_ = 1;  // every which sample is kept in the history
   std::size_t samples_ = 0;
+  bool by_hand_ = false;  // whether phases were begun by hand
   bool failed_ = false;
 };
 

@@ -1,0 +1,167 @@
+#include "app/session/parameters.h"
+
+#include <algorithm>
+#include <array>
+
+#include "app/json/fields.h"
+#include "app/scene/scene_fields.h"
+
+namespace quicksand {
+
+namespace {
+
+// Visits a description and keeps every number, integer, flag and word with its path.
+class ParameterList : public Fields {
+ public:
+  explicit ParameterList(std::string path) : path_(std::move(path)) {}
+
+  std::vector<Parameter> take() { return std::move(found_); }
+
+  void number(const Field& field, const Limits& limits, double& value) override {
+    Parameter& p = add(field, Parameter::Kind::number);
+    take_limits(p, limits);
+    p.value = value / limits.scale;
+  }
+  void number(const Field& field, const Limits& limits, std::optional<double>& value) override {
+    Parameter& p = add(field, Parameter::Kind::number);
+    take_limits(p, limits);
+    if (value) p.value = *value / limits.scale;
+  }
+  void integer(const Field& field, std::int64_t low, std::int64_t high,
+               std::int64_t& value) override {
+    Parameter& p = add(field, Parameter::Kind::integer);
+    p.low = static_cast<double>(low);
+    p.high = static_cast<double>(high);
+    p.value = value;
+  }
+  void flag(const Field& field, bool& value) override {
+    add(field, Parameter::Kind::flag).value = value;
+  }
+  void word(const Field& field, std::span<const std::string_view> words, int& value) override {
+    Parameter& p = add(field, Parameter::Kind::word);
+    p.words.assign(words.begin(), words.end());
+    p.value = p.words[static_cast<std::size_t>(value)];
+  }
+  void object(const Field& field, const Visit& visit) override { inside(field.name, visit); }
+  void variant(const Field& /*field*/, std::span<const std::string_view> /*words*/, int index,
+               const std::function<void(Fields&, int)>& visit) override {
+    visit(*this, index);
+  }
+
+  // A panel has no entry for these.
+  void vector(const Field&, const Limits&, Vec2&) override {}
+  void vector(const Field&, const Limits&, std::optional<Vec2>&) override {}
+  void numbers(const Field&, const Limits&, std::size_t, std::vector<double>&) override {}
+  void text(const Field&, std::string&) override {}
+  void json(const Field&, const Shape&, Json&) override {}
+  void exactly_one(const std::vector<std::string>&) override {}
+  void refuse(const char*, const std::string&) override {}
+
+ protected:
+  bool begin_optional(const Field& field, bool present, const Visit& visit) override {
+    if (present) inside(field.name, visit);
+    return false;
+  }
+  void items(const Field& field, std::size_t /*most*/, std::size_t size,
+             const std::function<void(std::size_t)>& /*resize*/, const VisitItem& visit) override {
+    for (std::size_t i = 0; i < size; ++i) {
+      inside(field.name + ("[" + std::to_string(i) + "]"), [&](Fields& f) { visit(f, i); });
+    }
+  }
+
+ private:
+  void inside(const std::string& name, const Visit& visit) {
+    const std::string outside = path_;
+    path_ += (path_.empty() ? "" : ".") + name;
+    visit(*this);
+    path_ = outside;
+  }
+
+  Parameter& add(const Field& field, Parameter::Kind kind) {
+    Parameter& p = found_.emplace_back();
+    p.path = path_ + (path_.empty() ? "" : ".") + field.name;
+    p.label = field.name;
+    std::ranges::replace(p.label, '_', ' ');
+    p.help = field.help;
+    p.unit = "1";
+    p.kind = kind;
+    return p;
+  }
+
+  static void take_limits(Parameter& p, const Limits& limits) {
+    p.unit = limits.unit;
+    p.low = limits.low;
+    p.high = limits.high;
+    p.above_low = limits.above;
+  }
+
+  std::string path_;
+  std::vector<Parameter> found_;
+};
+
+std::vector<Parameter> all_of(Scenario scenario) {
+  // Bodies can be many, and a panel shows none of them.
+  scenario.disks.clear();
+  scenario.disk_forces.clear();
+  scenario.walls.clear();
+  ParameterList list("");
+  describe_scene(list, scenario);
+  return list.take();
+}
+
+// The parameters of a kind of phase that the scene does not have: without values.
+template <class Kind>
+std::vector<Parameter> without_values(const Scenario& scenario) {
+  Phase phase{Kind{}};
+  ParameterList list(std::string(phase_name(phase)));
+  describe_phase(list, phase, scenario);
+  std::vector<Parameter> all = list.take();
+  for (Parameter& p : all) p.value = nullptr;
+  return all;
+}
+
+// Adds those of `all` that lie in `folder` and have one of these names, in the order of the names.
+template <class Names>
+void add(ParameterGroup& group, const std::vector<Parameter>& all, const std::string& folder,
+         const Names& names) {
+  for (const char* name : names) {
+    const std::string path = folder + (folder.empty() ? "" : ".") + name;
+    const auto found = std::ranges::find(all, path, &Parameter::path);
+    if (found != all.end()) group.parameters.push_back(*found);
+  }
+}
+
+// Of the first phase of that kind.
+template <class Kind, class Names>
+ParameterGroup group_of(const char* name, const Scenario& scenario,
+                        const std::vector<Parameter>& all, const Names& names) {
+  ParameterGroup group{name, {}};
+  for (std::size_t k = 0; k < scenario.phases.size(); ++k) {
+    if (!std::holds_alternative<Kind>(scenario.phases[k].kind)) continue;
+    add(group, all, "phases[" + std::to_string(k) + "]", names);
+    return group;
+  }
+  add(group, without_values<Kind>(scenario), std::string(phase_name(Phase{Kind{}})), names);
+  return group;
+}
+
+}  // namespace
+
+std::vector<ParameterGroup> parameters_of(const Scenario& scenario) {
+  using Names = std::vector<const char*>;
+  const std::vector<Parameter> all = all_of(scenario);
+  ParameterGroup contacts{"Contacts", {}}, computing{"Computing", {}};
+  add(contacts, all, "contact",
+      Names{"cohesion_force", "cohesion_range", "friction", "rolling_friction"});
+  add(computing, all, "", Names{"seed"});
+  add(computing, all, "step", Names{"dt", "max_turn", "break_rule"});
+  add(computing, all, "solver", Names{"method", "tolerance"});
+  return {std::move(contacts),
+          group_of<DepositPhase>("Deposition", scenario, all,
+                                 Names{"height", "interval", "drop_velocity"}),
+          group_of<PushPhase>("Intruder", scenario, all, Names{"diameter", "density", "force"}),
+          group_of<PistonPhase>("Piston", scenario, all, Names{"mass", "force", "ramp_time"}),
+          std::move(computing)};
+}
+
+}  // namespace quicksand

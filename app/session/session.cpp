@@ -1,0 +1,144 @@
+#include "app/session/session.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "app/run/film.h"
+#include "app/run/state_file.h"
+#include "app/scene/scenario_json.h"
+#include "app/scene/scene_file.h"
+#include "app/scene/scene_override.h"
+#include "core/errors.h"
+
+namespace quicksand {
+
+namespace {
+
+// Parts of a scene that a running simulation takes over; the others say how it begins.
+constexpr auto kHoldAtOnce =
+    std::to_array<std::string_view>({"contact", "wall_contact", "intruder_contact", "gravity",
+                                     "drag", "step", "solver", "phases", "physical"});
+
+bool holds_at_once(const std::string& path) {
+  const std::string part = path.substr(0, path.find_first_of(".["));
+  return std::ranges::find(kHoldAtOnce, part) != kHoldAtOnce.end();
+}
+
+// Whether the phases that a course has begun are of the same kinds in both.
+bool same_kinds(const std::vector<Phase>& a, const std::vector<Phase>& b, int present) {
+  const auto begun = static_cast<std::size_t>(present) + 1;
+  if (a.size() < begun || b.size() < begun) return a.size() == b.size();
+  return std::equal(
+      a.begin(), a.begin() + static_cast<std::ptrdiff_t>(begun), b.begin(),
+      [](const Phase& p, const Phase& q) { return p.kind.index() == q.kind.index(); });
+}
+
+}  // namespace
+
+std::string_view word_of(RunStop stop) {
+  constexpr auto kWords = std::to_array<std::string_view>(
+      {"steps", "time", "phase_end", "condition", "finished", "failed", "cut_short"});
+  return kWords.at(static_cast<std::size_t>(stop));
+}
+
+void Session::start(const Scenario& scenario, Checkpoint checkpoint) {
+  history_.clear();
+  stride_ = 1;
+  samples_ = 0;
+  by_hand_ = failed_ = running = false;
+  picked.reset();
+  course_ = std::make_unique<Course>(scenario, std::move(checkpoint), std::nullopt,
+                                     [this](const Row& row, const World& world) {
+                                       remember(row);
+                                       if (on_sample) on_sample(row, world);
+                                     });
+  course_->sample();
+}
+
+void Session::remember(const Row& row) {
+  if (samples_++ % stride_ != 0) return;
+  history_.push_back(row);
+  if (history_.size() < kMostSamples) return;
+  for (std::size_t i = 0; 2 * i < history_.size(); ++i) history_[i] = std::move(history_[2 * i]);
+  history_.resize((history_.size() + 1) / 2);
+  stride_ *= 2;
+}
+
+void Session::load(const Scenario& scenario) {
+  Checkpoint checkpoint;
+  checkpoint.world = start_world(scenario);
+  scenario_ = scenario;
+  view = view_of(scenario, view);
+  view.window.reset();
+  start(scenario_, std::move(checkpoint));
+}
+
+void Session::reset() {
+  Checkpoint checkpoint;
+  checkpoint.world = start_world(scenario_);
+  start(scenario_, std::move(checkpoint));
+}
+
+bool Session::set(const std::string& path, const Json& value) {
+  Json json = to_json(scenario_);
+  set_value(json, path, value, path);
+  Scenario changed = scenario_from_json(json);
+  validate(changed);
+  scenario_ = std::move(changed);
+  view.physical = scenario_.physical;
+  if (!holds_at_once(path)) return false;
+  Scenario now = scenario_;
+  const bool phases_fit =
+      !by_hand_ && same_kinds(scenario_.phases, phases(), protocol().state().phase);
+  if (!phases_fit) now.phases = phases();
+  course_->protocol().change(now);
+  failed_ = false;
+  return phases_fit || !path.starts_with("phases");
+}
+
+void Session::begin_phase(const Phase& phase) {
+  course_->protocol().begin_phase(phase);
+  by_hand_ = true;
+  failed_ = false;
+}
+
+void Session::apply(int body, const Vec2& force) { course_->protocol().apply(body, force); }
+
+RunStop Session::run(const RunUntil& until) {
+  const std::int64_t first_step = world().step;
+  const double first_time = world().time;
+  const int first_phase = protocol().state().phase;
+  while (true) {
+    if (finished()) return RunStop::finished;
+    if (failed_) return RunStop::failed;
+    if (until.steps && world().step - first_step >= *until.steps) return RunStop::steps;
+    // Times are sums of steps: a moment that is reached within rounding is reached.
+    constexpr double kRounding = 1e-9;
+    if (until.time && world().time - first_time >= *until.time - kRounding) return RunStop::time;
+    if (until.phase_end && protocol().state().phase != first_phase) return RunStop::phase_end;
+    if (until.condition && until.condition(*this)) return RunStop::condition;
+    if (stop_asked && stop_asked(*this)) return RunStop::cut_short;
+    failed_ = course_->advance() == Progress::failed;
+  }
+}
+
+void Session::save(const std::filesystem::path& file) const {
+  write_checkpoint(file, {world(), protocol().state(), to_text(protocol().scenario())});
+}
+
+void Session::restore(const std::filesystem::path& file) {
+  StateFile state = read_state(file);
+  scenario_ = state.scenario;
+  view.physical = scenario_.physical;
+  start(scenario_, std::move(state.checkpoint));
+}
+
+Row Session::measure_now() const {
+  Row row = course_->last();
+  row.sample = measure(world());
+  row.phase = phase_name();
+  return row;
+}
+
+}  // namespace quicksand
