@@ -39,11 +39,11 @@ enum class Key : std::uint8_t {
 };
 
 struct GuiInput {
-  Vec2 mouse{-1, -1};            // [px]; negative: elsewhere
+  Vec2 mouse{-1, -1};             // [px]; negative: elsewhere
   std::array<bool, 3> buttons{};  // left, right, middle
-  double wheel = 0;              // notches, positive away from the user
-  std::string text;              // typed, UTF-8
-  std::vector<Key> keys;         // held down
+  double wheel = 0;               // notches, positive away from the user
+  std::string text;               // typed, UTF-8
+  std::vector<Key> keys;          // held down
 };
 
 }  // namespace quicksand

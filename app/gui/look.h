@@ -12,15 +12,15 @@
 namespace quicksand::gui {
 
 struct Look {
-  ImU32 panel = 0;     // behind the widgets
-  ImU32 ink = 0;       // text
-  ImU32 faint = 0;     // units, captions
-  ImU32 line = 0;      // between sections, around fields
-  ImU32 field = 0;     // where values stand
-  ImU32 button = 0;    // as are headers that are pointed at
-  ImU32 hovered = 0;   // a button that is pointed at
+  ImU32 panel = 0;    // behind the widgets
+  ImU32 ink = 0;      // text
+  ImU32 faint = 0;    // units, captions
+  ImU32 line = 0;     // between sections, around fields
+  ImU32 field = 0;    // where values stand
+  ImU32 button = 0;   // as are headers that are pointed at
+  ImU32 hovered = 0;  // a button that is pointed at
   ImU32 pressed = 0;
-  ImU32 accent = 0;    // what is on, what to do first
+  ImU32 accent = 0;  // what is on, what to do first
   ImU32 accent_hovered = 0;
   ImU32 on_accent = 0;  // text upon it
   ImU32 warning = 0;

@@ -15,15 +15,16 @@ std::vector<ImVec2> points_of(const Curve& curve) {
   std::vector<ImVec2> points;
   for (std::size_t i = 0; i < curve.y.size(); ++i) {
     const double y = curve.logarithmic ? std::log10(curve.y[i]) : curve.y[i];
-    if (std::isfinite(y)) points.emplace_back(static_cast<float>(curve.x[i]), static_cast<float>(y));
+    if (std::isfinite(y))
+      points.emplace_back(static_cast<float>(curve.x[i]), static_cast<float>(y));
   }
   return points;
 }
 
-Range range_of(const std::vector<ImVec2>& points, float ImVec2::* part) {
-  const auto [low, high] = std::minmax_element(
-      points.begin(), points.end(),
-      [part](const ImVec2& a, const ImVec2& b) { return a.*part < b.*part; });
+Range range_of(const std::vector<ImVec2>& points, float ImVec2::*part) {
+  const auto [low, high] =
+      std::minmax_element(points.begin(), points.end(),
+                          [part](const ImVec2& a, const ImVec2& b) { return a.*part < b.*part; });
   return {static_cast<double>((*low).*part), static_cast<double>((*high).*part)};
 }
 
@@ -85,7 +86,8 @@ void Widgets::plot(const std::string& name, const std::string& title, const Curv
   };
   if (points.empty()) {
     const float width = fonts_.small->CalcTextSizeA(small, 1e6F, 0, curve.nothing.c_str()).x;
-    put({(frame.Min.x + frame.Max.x + width) / 2, frame.GetCenter().y - small / 2}, 1, curve.nothing);
+    put({(frame.Min.x + frame.Max.x + width) / 2, frame.GetCenter().y - small / 2}, 1,
+        curve.nothing);
     return;
   }
 

@@ -63,7 +63,7 @@ void Widgets::tooltip(const std::string& text) const {
   ImGui::PopStyleVar(2);
 }
 
-bool Widgets::begin_section(const std::string& name, bool open_at_first) {
+bool Widgets::begin_section(const std::string& name, bool open_at_first, bool open_now) {
   ImGui::Dummy(ImVec2(0, px(1)));
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddLine(at, {at.x + ImGui::GetContentRegionAvail().x, at.y},
@@ -73,7 +73,7 @@ bool Widgets::begin_section(const std::string& name, bool open_at_first) {
   const Tint hovered(ImGuiCol_HeaderHovered, look_->button);
   const Tint border(ImGuiCol_Border, IM_COL32_BLACK_TRANS);
   ImGui::PushFont(fonts_.bold);
-  ImGui::SetNextItemOpen(open_at_first, ImGuiCond_Once);
+  ImGui::SetNextItemOpen(open_now || open_at_first, open_now ? ImGuiCond_Always : ImGuiCond_Once);
   const bool open = ImGui::CollapsingHeader(name.c_str());
   ImGui::PopFont();
   record(name, Widget::Kind::section, open ? "open" : "closed");
@@ -140,8 +140,7 @@ bool Widgets::button(const Label& label, float width, bool first_choice) {
   const Tint active(ImGuiCol_ButtonActive, first_choice ? look_->accent_hovered : look_->pressed);
   const Tint ink(ImGuiCol_Text, first_choice ? look_->on_accent : look_->ink);
   const std::string& text = label.text.empty() ? label.name : label.text;
-  const bool pressed =
-      ImGui::Button((text + "###" + path(label.name)).c_str(), ImVec2(width, 0));
+  const bool pressed = ImGui::Button((text + "###" + path(label.name)).c_str(), ImVec2(width, 0));
   record(label.name, Widget::Kind::button);
   tooltip(label.help);
   return pressed;
@@ -171,7 +170,8 @@ std::optional<std::string> Widgets::combo(const Label& label,
     // The popup is the present window now, the combo no longer the last item: it is written down below.
     prefix_ += label.name + "/";
     for (std::size_t i = 0; i < choices.size(); ++i) {
-      if (ImGui::Selectable((choices[i] + "###" + path(choices[i])).c_str(), choices[i] == chosen)) {
+      if (ImGui::Selectable((choices[i] + "###" + path(choices[i])).c_str(),
+                            choices[i] == chosen)) {
         given = choices[i];
       }
       record(choices[i], Widget::Kind::choice);
@@ -204,9 +204,9 @@ std::optional<double> Widgets::number(const Label& label, double value, bool int
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     const double share = std::clamp((now - range->low) / (range->high - range->low), 0.0, 1.0);
     const float right = low.x + static_cast<float>(share) * (high.x - low.x);
-    ImGui::GetWindowDrawList()->AddRectFilled({low.x + px(1), high.y - px(3)},
-                                              {std::max(right - px(1), low.x + px(1)), high.y - px(1)},
-                                              ImGui::GetColorU32(look_->accent));
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        {low.x + px(1), high.y - px(3)}, {std::max(right - px(1), low.x + px(1)), high.y - px(1)},
+        ImGui::GetColorU32(look_->accent));
   }
   if (!active) tooltip(label.help);
   line_unit(label);

@@ -33,7 +33,8 @@ class Widgets {
   float px(float size) const { return size * scale_; }  // from pixels at scale 1
 
   // A part of the panel that can be folded. If true, its widgets follow, then end_section().
-  bool begin_section(const std::string& name, bool open_at_first);
+  // `open_now` unfolds it.
+  bool begin_section(const std::string& name, bool open_at_first, bool open_now = false);
   // The same inside a section.
   bool begin_group(const std::string& name, bool open_at_first);
   void end_section();
@@ -61,7 +62,7 @@ class Widgets {
   void plot(const std::string& name, const std::string& title, const Curve& curve);
 
   // Text without function.
-  void caption(const std::string& text);                            // small, faint
+  void caption(const std::string& text);                             // small, faint
   void reading(const std::string& label, const std::string& value);  // label left, value right
   void progress(double share);
   // A unit, with "_x" as an index. Returns its width [px]; draws nothing without `list`.
