@@ -13,6 +13,7 @@
 #include "app/run/quantities.h"
 #include "app/scene/scenario_json.h"
 #include "app/scene/scene_file.h"
+#include "app/session/command_table.h"
 #include "core/errors.h"
 #include "render/view.h"
 
@@ -56,6 +57,10 @@ void list_quantities() {
 
 void list_schema() { std::printf("%s\n", scene_schema().dump(2).c_str()); }
 
+void list_session_schema() { std::printf("%s\n", session_schema().dump(2).c_str()); }
+
+void list_commands() { std::printf("%s", commands_text().c_str()); }
+
 void list_campaign_schema() { std::printf("%s\n", campaign_schema().dump(2).c_str()); }
 
 struct Listing {
@@ -66,7 +71,9 @@ constexpr auto kListings = std::to_array<Listing>({{"scenes", list_scenes},
                                                    {"colours", list_colours},
                                                    {"quantities", list_quantities},
                                                    {"schema", list_schema},
-                                                   {"campaign_schema", list_campaign_schema}});
+                                                   {"campaign_schema", list_campaign_schema},
+                                                   {"commands", list_commands},
+                                                   {"session_schema", list_session_schema}});
 
 int list(const std::string& what) {
   const auto known = std::ranges::find(kListings, what, &Listing::name);
@@ -82,10 +89,13 @@ int list(const std::string& what) {
 }  // namespace
 
 Command add_list(CLI::App& program) {
-  CLI::App* command =
-      program.add_subcommand("list", "list scenes, colours, quantities or the schemas of files");
+  CLI::App* command = program.add_subcommand(
+      "list", "list scenes, colours, quantities, session commands or the schemas of files");
   const auto what = std::make_shared<std::string>();
-  command->add_option("what", *what, "scenes, colours, quantities, schema or campaign_schema")
+  command
+      ->add_option(
+          "what", *what,
+          "scenes, colours, quantities, commands, schema, campaign_schema or session_schema")
       ->type_name("WHAT")
       ->required();
   command->footer("Example:\n  quicksand list quantities");

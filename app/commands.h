@@ -20,6 +20,7 @@ Command add_report(CLI::App& program);
 Command add_campaign(CLI::App& program);
 Command add_measure(CLI::App& program);
 Command add_reproduce(CLI::App& program);
+Command add_session(CLI::App& program);
 Command add_list(CLI::App& program);
 
 }  // namespace quicksand

@@ -2,39 +2,30 @@
 
 #include <algorithm>
 
+#include "app/scene/scene_shapes.h"
+
 namespace quicksand {
 
 namespace {
 
 constexpr std::size_t kMaxOptions = 100;
 
-bool is_point(const Json& value) { return value.is_object() && !value.empty(); }
-Json point_schema() { return {{"type", "object"}, {"minProperties", 1}}; }
-
 bool is_values(const Json& value) { return value.is_array() && !value.empty(); }
-
-constexpr Shape kScene{"the path of a scene file, or a scene {...}",
-                       [](const Json& v) { return v.is_object() || v.is_string(); },
-                       [] {
-                         return Json{{"type", {"string", "object"}}};
-                       }};
-
-constexpr Shape kSet{"an object of scene paths with their values", is_point, point_schema};
 
 constexpr Shape kGrid{
     "an object of scene paths, each with a list of at least one value",
-    [](const Json& v) { return is_point(v) && std::ranges::all_of(v, is_values); },
+    [](const Json& v) { return kSetShape.fits(v) && std::ranges::all_of(v, is_values); },
     [] {
-      Json schema = point_schema();
+      Json schema = kSetShape.schema();
       schema["additionalProperties"] = {{"type", "array"}, {"minItems", 1}};
       return schema;
     }};
 
 constexpr Shape kList{
     "a list of at least one object of scene paths with their values",
-    [](const Json& v) { return is_values(v) && std::ranges::all_of(v, is_point); },
+    [](const Json& v) { return is_values(v) && std::ranges::all_of(v, kSetShape.fits); },
     [] {
-      return Json{{"type", "array"}, {"minItems", 1}, {"items", point_schema()}};
+      return Json{{"type", "array"}, {"minItems", 1}, {"items", kSetShape.schema()}};
     }};
 
 // A word that is no option would be taken for the script, or for its first argument.
@@ -68,8 +59,9 @@ void describe_campaign(Fields& f, Campaign& c) {
   f.text({"description", "what the campaign is for"}, c.description);
   f.json({"scene", "base scene: a path relative to this file, or the scene itself",
           Presence::required},
-         kScene, c.scene);
-  f.json({"set", "values for all runs, by their paths in the scene, as in run --set"}, kSet, c.set);
+         kSceneShape, c.scene);
+  f.json({"set", "values for all runs, by their paths in the scene, as in run --set"}, kSetShape,
+         c.set);
   f.json({"grid", "lists of values, by their paths in the scene; all combinations are run"}, kGrid,
          c.grid);
   f.json({"list",

@@ -33,6 +33,11 @@ Progress Course::advance() {
   return progress;
 }
 
+void Course::sample_every(std::optional<double> every) {
+  every_ = every;
+  times_of_ = -1;
+}
+
 void Course::count(const ProtocolState& before) {
   const ProtocolState& now = protocol_.state();
   const SolveReport& solve = protocol_.last_step().solve;

@@ -26,6 +26,9 @@ class Course {
   // bond healed.
   void sample();
 
+  // Time between samples from now on; that of the scene if absent [sqrt(d/g)].
+  void sample_every(std::optional<double> every);
+
   const Protocol& protocol() const { return protocol_; }
   Protocol& protocol() { return protocol_; }
   const World& world() const { return protocol_.world(); }

@@ -2,6 +2,7 @@
 #include "app/scene/phase_fields.h"
 
 #include <numbers>
+#include <utility>
 
 #include "app/scene/scene_fields.h"
 #include "core/grain_sizes.h"
@@ -94,42 +95,52 @@ void describe_force(Fields& f, const char* help, double least, double& force,
 
 namespace {
 
-// The phase's own kind, with its defaults if it was another.
-template <class Kind>
-Kind& as(Phase& phase) {
-  return std::holds_alternative<Kind>(phase.kind) ? std::get<Kind>(phase.kind)
-                                                  : phase.kind.emplace<Kind>();
+// Makes the phase one of that kind, with its defaults.
+template <std::size_t... kinds>
+void set_kind(Phase& phase, int type, std::index_sequence<kinds...> /*all*/) {
+  ((static_cast<int>(kinds) == type ? static_cast<void>(phase.kind.emplace<kinds>())
+                                    : static_cast<void>(0)),
+   ...);
+}
+void set_kind(Phase& phase, int type) {
+  set_kind(phase, type, std::make_index_sequence<std::variant_size_v<decltype(Phase::kind)>>{});
 }
 
 }  // namespace
 
+void describe_kind(Fields& f, Phase& phase, const Scenario& scenario) {
+  const auto type = phase.kind.index();
+  if (type == 0) {
+    describe_deposit(f, std::get<DepositPhase>(phase.kind), scenario.box);
+  } else if (type == 1) {
+    describe_settle(f, std::get<SettlePhase>(phase.kind));
+  } else if (type == 2) {
+    describe_push(f, std::get<PushPhase>(phase.kind), scenario.grain_law);
+  } else if (type == 3) {
+    describe_pull(f, std::get<PullPhase>(phase.kind), scenario.grain_law);
+  } else if (type == 4) {
+    describe_shear(f, std::get<ShearPhase>(phase.kind), scenario.grain_law);
+  } else if (type == 5) {
+    describe_heal(f, std::get<HealPhase>(phase.kind));
+    return;  // it takes no time
+  } else {
+    describe_piston(f, std::get<PistonPhase>(phase.kind), scenario.grain_law);
+  }
+  f.number({"dt", "time step of this phase; step.dt if absent"}, above(0, 1, "sqrt(d/g)"),
+           phase.dt);
+  f.number({"solver_tolerance",
+            "residual that the solver must reach in this phase; "
+            "solver.tolerance if absent"},
+           above(0, 1, "1"), phase.solver_tolerance);
+  f.number({"sample_every", "time between samples and frames; chosen if absent"},
+           above(0, kMaxTime, "sqrt(d/g)"), phase.sample_every);
+}
+
 void describe_phase(Fields& f, Phase& phase, const Scenario& scenario) {
   f.variant({"type", "what happens"}, kPhases, static_cast<int>(phase.kind.index()),
             [&](Fields& g, int type) {
-              if (type == 0) {
-                describe_deposit(g, as<DepositPhase>(phase), scenario.box);
-              } else if (type == 1) {
-                describe_settle(g, as<SettlePhase>(phase));
-              } else if (type == 2) {
-                describe_push(g, as<PushPhase>(phase), scenario.grain_law);
-              } else if (type == 3) {
-                describe_pull(g, as<PullPhase>(phase), scenario.grain_law);
-              } else if (type == 4) {
-                describe_shear(g, as<ShearPhase>(phase), scenario.grain_law);
-              } else if (type == 5) {
-                describe_heal(g, as<HealPhase>(phase));
-                return;  // it takes no time
-              } else {
-                describe_piston(g, as<PistonPhase>(phase), scenario.grain_law);
-              }
-              g.number({"dt", "time step of this phase; step.dt if absent"},
-                       above(0, 1, "sqrt(d/g)"), phase.dt);
-              g.number({"solver_tolerance",
-                        "residual that the solver must reach in this phase; "
-                        "solver.tolerance if absent"},
-                       above(0, 1, "1"), phase.solver_tolerance);
-              g.number({"sample_every", "time between samples and frames; chosen if absent"},
-                       above(0, kMaxTime, "sqrt(d/g)"), phase.sample_every);
+              if (phase.kind.index() != static_cast<std::size_t>(type)) set_kind(phase, type);
+              describe_kind(g, phase, scenario);
             });
 }
 

@@ -18,6 +18,8 @@ void describe_drag(Fields& f, Drag& drag, const std::optional<PhysicalScale>& ph
 // One phase of the protocol. The scenario must hold box and contact law already: forces may be given
 // relative to the cohesion force.
 void describe_phase(Fields& f, Phase& phase, const Scenario& scenario);
+// The same without the word that says which kind it is.
+void describe_kind(Fields& f, Phase& phase, const Scenario& scenario);
 
 // A pattern of explicitly listed bodies and their applied forces.
 void describe_bodies(Fields& f, std::vector<Disk>& disks, std::vector<Vec3>& forces);

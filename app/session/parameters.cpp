@@ -109,11 +109,13 @@ std::vector<Parameter> all_of(Scenario scenario) {
   return list.take();
 }
 
-// The parameters of a kind of phase that the scene does not have: without values.
+// The parameters of a kind of phase that the scene does not have: without values, under the name of the kind.
 template <class Kind>
-std::vector<Parameter> without_values(const Scenario& scenario) {
-  Phase phase{Kind{}};
-  ParameterList list(std::string(phase_name(phase)));
+std::vector<Parameter> without_values(const Scenario& scenario, std::string& kind) {
+  Phase phase;
+  phase.kind = Kind{};
+  kind = phase_name(phase);
+  ParameterList list(kind);
   describe_phase(list, phase, scenario);
   std::vector<Parameter> all = list.take();
   for (Parameter& p : all) p.value = nullptr;
@@ -141,7 +143,9 @@ ParameterGroup group_of(const char* name, const Scenario& scenario,
     add(group, all, "phases[" + std::to_string(k) + "]", names);
     return group;
   }
-  add(group, without_values<Kind>(scenario), std::string(phase_name(Phase{Kind{}})), names);
+  std::string kind;
+  const std::vector<Parameter> unknown = without_values<Kind>(scenario, kind);
+  add(group, unknown, kind, names);
   return group;
 }
 

@@ -9,7 +9,7 @@
 #include "app/scene/scenario_json.h"
 #include "app/scene/scene_file.h"
 #include "app/scene/scene_override.h"
-#include "core/errors.h"
+#include "render/camera.h"
 
 namespace quicksand {
 
@@ -71,6 +71,7 @@ void Session::load(const Scenario& scenario) {
   scenario_ = scenario;
   view = view_of(scenario, view);
   view.window.reset();
+  follow_intruder = false;
   start(scenario_, std::move(checkpoint));
 }
 
@@ -132,6 +133,18 @@ void Session::restore(const std::filesystem::path& file) {
   scenario_ = state.scenario;
   view.physical = scenario_.physical;
   start(scenario_, std::move(state.checkpoint));
+}
+
+View Session::shown() const {
+  View shown = view;
+  const int intruder = follow_intruder ? world().intruder() : -1;
+  if (intruder < 0) return shown;
+  const WorldRect window = view_window(world(), view);
+  const Vec2 half = window.size() / 2;
+  const Vec2 at = world().disks.position[intruder];
+  const Vec2 centre(world().wrapped_x(at.x()), at.y());
+  shown.window = WorldRect{centre - half, centre + half};
+  return shown;
 }
 
 Row Session::measure_now() const {

@@ -79,12 +79,17 @@ class Session {
   const std::vector<Row>& history() const { return history_; }
   // The quantities of this moment.
   Row measure_now() const;
+  // Time between samples from now on; that of the scene if absent [sqrt(d/g)].
+  void sample_every(std::optional<double> every) { course_->sample_every(every); }
   // Takes a sample now, unless the present moment was sampled already.
   void sample() { course_->sample(); }
   // Receives each sample as it is taken. May be empty.
   Course::Sink on_sample;
 
-  View view;                  // of the packing; its size is that of a picture without panel
+  View view;  // of the packing, its size that of a picture without panel
+  bool follow_intruder = false;
+  // The view with its window: around the intruder if that is followed.
+  View shown() const;
   std::optional<int> picked;  // body that is inspected
   bool running = false;       // whether each frame of a panel computes steps_per_frame
   std::int64_t steps_per_frame = 1;

@@ -1,0 +1,117 @@
+// Commands that read and check: measure, expect.
+#include "app/json/json_reader.h"
+#include "app/run/measurements.h"
+#include "app/run/summary.h"
+#include "app/session/command_definition.h"
+#include "app/session/condition.h"
+#include "core/errors.h"
+#include "render/image_difference.h"
+#include "render/png.h"
+#include "render/png_reader.h"
+
+namespace quicksand {
+
+namespace {
+
+constexpr std::string_view kGroup = "Checks";
+
+struct Measure {
+  std::string quantity;
+  std::string folder;
+
+  void describe(Fields& f) {
+    f.text({"quantity", "one of `quicksand list quantities`; all if absent"}, quantity);
+    f.text({"folder",
+            "in the output folder; receives measures.json, profile.csv and distributions, as "
+            "quicksand measure writes them"},
+           folder);
+  }
+  Json perform(Console& console, const std::string& place) {
+    const Session& session = console.session();
+    Json result = Json::object();
+    if (!quantity.empty()) {
+      const auto value = quantity_of(session, quantity, place + ".quantity");
+      result[quantity] = value ? Json(*value) : Json(nullptr);
+    } else {
+      const Row row = session.measure_now();
+      for (const Quantity& known : quantities()) {
+        if (!known.of_steps) result[std::string(known.name)] = json_of(known.get(row));
+      }
+    }
+    if (!folder.empty()) {
+      constexpr double kSlice = 5;  // [d]
+      const auto path = console.output(folder, place + ".folder");
+      const StateFile state{{session.world(), session.protocol().state(), {}},
+                            session.scenario(),
+                            session.phase_name()};
+      write_measurements(path, measure_state(state, {}, kSlice));
+      result["folder"] = path.string();
+    }
+    return result;
+  }
+};
+
+struct ExpectQuantity {
+  Condition condition;
+
+  void describe(Fields& f) { describe_condition(f, condition); }
+  Json perform(Console& console, const std::string& place) {
+    const auto value = quantity_of(console.session(), condition.quantity, place);
+    if (!holds(condition, value))
+      throw CommandFailure(condition.quantity + " is " +
+                           (value ? number_text(*value) : std::string("not there")) +
+                           ", expected " + words_of(condition));
+    return {{condition.quantity, *value}};
+  }
+};
+
+struct ExpectImage {
+  std::string image, reference;
+  std::int64_t tolerance = kSameLook;
+
+  void describe(Fields& f) {
+    f.text({"image", "PNG of this session", Presence::required}, image);
+    f.text({"reference", "PNG that it must look like, relative to the command file",
+            Presence::required},
+           reference);
+    f.integer({"tolerance", "largest difference of a channel of a pixel [1/255]"}, 0, 255,
+              tolerance);
+  }
+  Json perform(Console& console, const std::string& place) {
+    const Image ours = read_png(console.input(image));
+    const Image expected = read_png(console.input(reference));
+    if (ours.width != expected.width || ours.height != expected.height)
+      throw CommandFailure(image + " is " + size_of(ours) + ", the reference " + size_of(expected));
+    const ImageDifference d = difference_of(ours, expected, static_cast<int>(tolerance));
+    if (d.pixels == 0) return {{"worst", d.worst}};
+    const auto path = console.output(image + ".difference.png", place);
+    write_png(path, d.picture);
+    throw CommandFailure(image + " differs from " + reference + " in " + std::to_string(d.pixels) +
+                         " pixels by up to " + std::to_string(d.worst) + "/255, in the box from (" +
+                         std::to_string(d.left) + ", " + std::to_string(d.top) + ") to (" +
+                         std::to_string(d.right) + ", " + std::to_string(d.bottom) + "); see " +
+                         path.string());
+  }
+
+  static std::string size_of(const Image& image) {
+    return std::to_string(image.width) + " x " + std::to_string(image.height) + " px";
+  }
+};
+
+}  // namespace
+
+std::vector<SessionCommand> check_commands() {
+  return {
+      define<Measure>({"measure", kGroup, "Tells quantities of the present moment.",
+                       R"({"command": "measure", "quantity": "coordination"})"}),
+      define<ExpectQuantity>(
+          {"expect", kGroup, "Fails unless a quantity lies within bounds.",
+           R"({"command": "expect", "quantity": "active_bond_fraction", "at_least": 0.9})"}),
+      define<ExpectImage>(
+          {"expect_image", kGroup,
+           "Fails unless a picture looks like a reference; the differences are written beside it.",
+           R"({"command": "expect_image", "image": "a.png", "reference": "reference/a.png"})"},
+          false)};
+}
+
+}  // namespace quicksand

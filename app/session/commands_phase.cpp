@@ -1,0 +1,81 @@
+// Commands that begin a phase at once: push, pull, piston, shear, heal, settle, deposit. Their arguments
+// are those of the phase in a scene.
+#include "app/scene/scene_fields.h"
+#include "app/session/command_definition.h"
+#include "core/errors.h"
+
+namespace quicksand {
+
+namespace {
+
+constexpr std::string_view kGroup = "Phases";
+
+// Stands for a scene where there is none yet: whatever depends on it is admissible.
+const Scenario& any_scene() {
+  static const Scenario scene = [] {
+    Scenario s;
+    s.grain_law.cohesion_force = 1;
+    s.box.width = 1;
+    return s;
+  }();
+  return scene;
+}
+
+// Throws InputError if the phase cannot follow on the present state.
+void check_phase(const Session& session, const Phase& phase, const std::string& place) {
+  Scenario scenario = session.protocol().scenario();
+  scenario.phases.push_back(phase);
+  try {
+    validate(scenario);
+  } catch (const InputError& error) {
+    throw InputError(place, error.what());
+  }
+  if (std::holds_alternative<PullPhase>(phase.kind) && session.world().intruder() < 0)
+    throw InputError(place, "needs an intruder, and there is none; push one in before");
+}
+
+template <class Kind>
+struct Begin {
+  Phase phase;
+  const Scenario* scenario = &any_scene();
+
+  Begin() { phase.kind = Kind{}; }
+  void seed(const Console& console) { scenario = &console.session().scenario(); }
+  void describe(Fields& f) { describe_kind(f, phase, *scenario); }
+  Json perform(Console& console, const std::string& place) {
+    Session& session = console.session();
+    check_phase(session, phase, place);
+    session.begin_phase(phase);
+    return {{"phase", session.protocol().state().phase}};
+  }
+};
+
+}  // namespace
+
+std::vector<SessionCommand> phase_commands() {
+  return {
+      define<Begin<PushPhase>>(
+          {"push", kGroup,
+           "Ends the present phase; with the next step an intruder is pushed into the packing.",
+           R"({"command": "push", "force_over_cohesion": 1, "max_time": 2})"}),
+      define<Begin<PullPhase>>(
+          {"pull", kGroup,
+           "Begins the search for the smallest upward force that takes the intruder out.",
+           R"({"command": "pull", "first_force": 1000})"}),
+      define<Begin<PistonPhase>>({"piston", kGroup,
+                                  "Lays a piston on the packing and presses it down.",
+                                  R"({"command": "piston", "force": 1e4, "max_time": 5})"}),
+      define<Begin<ShearPhase>>(
+          {"shear", kGroup,
+           "Begins the search for the smallest horizontal forces that move grains.",
+           R"({"command": "shear", "depths": [10], "first_force": 100, "grains_per_depth": 3})"}),
+      define<Begin<HealPhase>>({"heal", kGroup,
+                                "Restores bonds at existing contacts with the next step.",
+                                R"({"command": "heal"})"}),
+      define<Begin<SettlePhase>>({"settle", kGroup, "Nothing is added; ends at rest or at a time.",
+                                  R"({"command": "settle", "max_time": 3})"}),
+      define<Begin<DepositPhase>>(
+          {"deposit", kGroup, "Drops further grains.", R"({"command": "deposit", "grains": 50})"})};
+}
+
+}  // namespace quicksand

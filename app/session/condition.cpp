@@ -1,0 +1,68 @@
+#include "app/session/condition.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "app/json/json_reader.h"
+#include "app/nearest_name.h"
+#include "app/run/quantities.h"
+#include "core/errors.h"
+
+namespace quicksand {
+
+namespace {
+
+const Quantity* find(const std::string& name) {
+  const auto all = quantities();
+  const auto found = std::ranges::find(all, name, &Quantity::name);
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::string unknown(const std::string& name) {
+  std::vector<std::string> names;
+  std::ranges::transform(quantities(), std::back_inserter(names),
+                         [](const Quantity& q) { return std::string(q.name); });
+  return "\"" + name + "\" is no quantity" + suggestion(name, names);
+}
+
+}  // namespace
+
+void describe_condition(Fields& f, Condition& condition) {
+  constexpr double kAny = 1e300;
+  f.text({"quantity", "one of `quicksand list quantities`", Presence::required},
+         condition.quantity);
+  f.number({"at_least", "lower bound, in the unit of the quantity"}, between(-kAny, kAny, "1"),
+           condition.at_least);
+  f.number({"at_most", "upper bound, in the unit of the quantity"}, between(-kAny, kAny, "1"),
+           condition.at_most);
+  if (!f.reading()) return;
+  if (find(condition.quantity) == nullptr) f.refuse("quantity", unknown(condition.quantity));
+  if (!condition.at_least && !condition.at_most)
+    f.refuse("at_least", "and at_most are both absent; give one or both");
+  if (condition.at_least && condition.at_most && *condition.at_least > *condition.at_most)
+    f.refuse("at_least", "is above at_most");
+}
+
+std::optional<double> quantity_of(const Session& session, const std::string& name,
+                                  const std::string& place) {
+  const Quantity* quantity = find(name);
+  if (quantity == nullptr) throw InputError(place, unknown(name));
+  const Value value = quantity->get(session.measure_now());
+  if (const auto* number = std::get_if<double>(&value)) return *number;
+  if (const auto* count = std::get_if<std::int64_t>(&value)) return static_cast<double>(*count);
+  return std::nullopt;
+}
+
+bool holds(const Condition& condition, std::optional<double> value) {
+  return value && !(condition.at_least && !(*value >= *condition.at_least)) &&
+         !(condition.at_most && !(*value <= *condition.at_most));
+}
+
+std::string words_of(const Condition& c) {
+  if (c.at_least && c.at_most)
+    return "from " + number_text(*c.at_least) + " to " + number_text(*c.at_most);
+  return c.at_least ? "at least " + number_text(*c.at_least)
+                    : "at most " + number_text(c.at_most.value_or(0));
+}
+
+}  // namespace quicksand

@@ -1,0 +1,93 @@
+#include "app/session/console.h"
+
+#include <array>
+#include <utility>
+
+#include "app/session/command_table.h"
+#include "app/session/session_file.h"
+#include "core/errors.h"
+
+namespace quicksand {
+
+namespace fs = std::filesystem;
+
+Console::Console(ConsoleFolders folders) : folders_(std::move(folders)) {
+  session_.on_sample = [this](const Row& row, const World&) {
+    if (recording) recording->add(row);
+  };
+}
+
+Json Console::perform(const Json& command, const std::string& place) {
+  const SessionCommand& row = command_of(command, place);
+  row.check(command, place);
+  if (row.needs_scene && !session_.loaded())
+    throw CommandFailure("\"" + std::string(row.name) +
+                         R"(" needs a scene; load one before: {"command": "load", "scene": ...})");
+  return row.perform(*this, command, place);
+}
+
+fs::path Console::output(const std::string& name, const std::string& place) const {
+  const fs::path relative = fs::path(name).lexically_normal();
+  if (name.empty() || relative.is_absolute() || relative.begin()->string() == ".." ||
+      relative.filename().empty() || relative == ".") {
+    throw InputError(place, "\"" + name +
+                                "\" must name a file in the output folder: no absolute path, "
+                                "no way out of it");
+  }
+  const fs::path path = folders_.out / relative;
+  std::error_code error;
+  fs::create_directories(path.parent_path(), error);
+  if (error) throw InputError(path.parent_path().string(), "cannot be made: " + error.message());
+  return path;
+}
+
+fs::path Console::input(const std::string& name) const {
+  const fs::path path = name;
+  if (path.is_absolute()) return path;
+  std::error_code ignored;
+  if (fs::exists(folders_.out / path, ignored)) return folders_.out / path;
+  return folders_.base / path;
+}
+
+Image Console::draw_view(int width, int height) {
+  if (!renderer_) renderer_ = std::make_unique<Renderer>();
+  View view = session_.shown();
+  view.width = width;
+  view.height = height;
+  const auto caption =
+      std::to_array<std::string>({session_.scenario().name, session_.phase_name()});
+  return renderer_->draw(session_.world(), view, caption);
+}
+
+Image Console::draw_panel(int, int, std::optional<double>) { throw CommandFailure("no panel yet"); }
+
+void Console::include(const fs::path& file, const std::string& place) {
+  constexpr int kDeepest = 10;
+  if (depth_ >= kDeepest)
+    throw InputError(place, "files include each other more than " + std::to_string(kDeepest) +
+                                " deep; does one include itself?");
+  const SessionFile included = read_session_file(file);
+  const fs::path outside = std::exchange(folders_.base, fs::absolute(file).parent_path());
+  ++depth_;
+  const auto leave = [&] {
+    --depth_;
+    folders_.base = outside;
+  };
+  try {
+    for (std::size_t i = 0; i < included.commands.size() && !quit; ++i) {
+      try {
+        perform(included.commands[i], place_of(i));
+      } catch (const InputError& error) {
+        throw CommandFailure(included.where(i) + ": " + error.where() + ": " + error.what());
+      } catch (const CommandFailure& error) {
+        throw CommandFailure(included.where(i) + ": " + error.what());
+      }
+    }
+  } catch (...) {
+    leave();
+    throw;
+  }
+  leave();
+}
+
+}  // namespace quicksand

@@ -1,0 +1,57 @@
+// What commands act on: a session, the folder that receives its files, pictures of it, and the panel.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "app/session/recording.h"
+#include "app/session/session.h"
+#include "render/renderer.h"
+
+namespace quicksand {
+
+struct ConsoleFolders {
+  std::filesystem::path out;   // receives every file that commands write; made when needed
+  std::filesystem::path base;  // that paths of files to read are relative to
+};
+
+class Console {
+ public:
+  explicit Console(ConsoleFolders folders);
+
+  // Performs one command {"command": NAME, ...}; `place` names it in errors. Returns what it has to
+  // tell. Throws InputError, CommandFailure, RenderError; then nothing but what it began has changed.
+  Json perform(const Json& command, const std::string& place = {});
+
+  Session& session() { return session_; }
+  const Session& session() const { return session_; }
+
+  // A file that a command writes: inside the folder for output, whatever the name says. Makes its
+  // folder. Throws InputError for absolute names and those that lead out of it.
+  std::filesystem::path output(const std::string& name, const std::string& place) const;
+  // A file that a command reads: in the output folder if it is there, else relative to the file that
+  // names it.
+  std::filesystem::path input(const std::string& name) const;
+
+  // Pictures of the present moment. Throw RenderError if this system cannot draw.
+  Image draw_view(int width, int height);
+  Image draw_panel(int width, int height, std::optional<double> scale);
+
+  std::unique_ptr<Recording> recording;
+  bool quit = false;
+  // Performs the commands of another file; those paths are relative to it. Throws InputError where files
+  // include each other too deep.
+  void include(const std::filesystem::path& file, const std::string& place);
+  // Receives the texts of `print`. May be empty.
+  std::function<void(const std::string&)> print;
+
+ private:
+  ConsoleFolders folders_;
+  Session session_;
+  std::unique_ptr<Renderer> renderer_;
+  int depth_ = 0;  // of included files
+};
+
+}  // namespace quicksand

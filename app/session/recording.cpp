@@ -1,0 +1,37 @@
+#include "app/session/recording.h"
+
+#include "render/video.h"
+
+namespace quicksand {
+
+namespace {
+
+RunFolder fresh(const std::filesystem::path& path) {
+  RunFolder folder{path};
+  make_writable(folder);
+  remove_earlier_results(folder);
+  return folder;
+}
+
+}  // namespace
+
+Recording::Recording(const std::filesystem::path& folder, std::function<Image()> draw)
+    : folder_(fresh(folder)),
+      draw_(std::move(draw)),
+      series_(folder_.series()),
+      sequence_(folder_.frames()) {}
+
+void Recording::add(const Row& row) {
+  series_.add(row);
+  sequence_.add(draw_());
+}
+
+Json Recording::finish() {
+  sequence_.finish();
+  write_video(folder_.frames(), folder_.film());
+  return {{"folder", folder_.path.string()},
+          {"frames", sequence_.next()},
+          {"film", std::filesystem::exists(folder_.film())}};
+}
+
+}  // namespace quicksand
