@@ -20,15 +20,6 @@ constexpr char kSubscriptMark = '\x02';
 constexpr double kIndexSize = 0.72;  // of subscripts, over the size of the text
 constexpr double kIndexDrop = 0.16;  // below the baseline, over the size of the text
 
-std::vector<unsigned char> read_font(const std::string& name) {
-  std::ifstream file(kFolder + name, std::ios::binary);
-  if (!file) {
-    throw RenderError("no font for the text of pictures: " + (kFolder + name) +
-                      " is missing; install the package fonts-roboto-unhinted");
-  }
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
 // Latin 1 and the signs of physics.
 std::vector<char32_t> alphabet() {
   std::vector<char32_t> codes;
@@ -57,6 +48,15 @@ char32_t next_letter(std::string_view& text) {
 
 }  // namespace
 
+std::vector<unsigned char> read_font_file(const std::string& name) {
+  std::ifstream file(kFolder + name, std::ios::binary);
+  if (!file) {
+    throw RenderError("no font for the text of pictures: " + (kFolder + name) +
+                      " is missing; install the package fonts-roboto-unhinted");
+  }
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
 std::string italic(std::string_view symbol) {
   return kItalicMark + std::string(symbol) + kItalicMark;
 }
@@ -81,7 +81,8 @@ struct Font::Outlines {
 
 Font::Font(double size) : size_(size), outlines_(std::make_unique<Outlines>()) {
   for (const Face face : {regular, slanted, index}) {
-    outlines_->file[face] = read_font(face == slanted ? "Roboto-Italic.ttf" : "Roboto-Regular.ttf");
+    outlines_->file[face] =
+        read_font_file(face == slanted ? "Roboto-Italic.ttf" : "Roboto-Regular.ttf");
     stbtt_fontinfo& info = outlines_->info[face];
     if (stbtt_InitFont(&info, outlines_->file[face].data(), 0) == 0) {
       throw RenderError("the font in " + std::string(kFolder) +

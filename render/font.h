@@ -21,6 +21,10 @@ std::string subscript(std::string_view index);
 // A user's text without control characters, which could be taken for the markup above.
 std::string plain(std::string_view text);
 
+// Contents of a font file of the Roboto family, "Roboto-Regular.ttf". Throws RenderError if it is not
+// installed.
+std::vector<unsigned char> read_font_file(const std::string& name);
+
 class Font {
  public:
   // `size`: height of a line's capitals and descenders together [px]. Throws RenderError if the

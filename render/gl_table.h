@@ -22,6 +22,7 @@ namespace quicksand {
   X(CreateShader, CREATESHADER)                       \
   X(DeleteShader, DELETESHADER)                       \
   X(DrawArraysInstanced, DRAWARRAYSINSTANCED)         \
+  X(DrawElements, DRAWELEMENTS)                       \
   X(Enable, ENABLE)                                   \
   X(EnableVertexAttribArray, ENABLEVERTEXATTRIBARRAY) \
   X(Finish, FINISH)                                   \
@@ -39,6 +40,7 @@ namespace quicksand {
   X(ShaderSource, SHADERSOURCE)                       \
   X(TexImage2D, TEXIMAGE2D)                           \
   X(TexParameteri, TEXPARAMETERI)                     \
+  X(TexSubImage2D, TEXSUBIMAGE2D)                     \
   X(Uniform2f, UNIFORM2F)                             \
   X(UseProgram, USEPROGRAM)                           \
   X(VertexAttribDivisor, VERTEXATTRIBDIVISOR)         \

@@ -3,11 +3,9 @@
 
 #include <array>
 
+#include "render/canvas.h"
 #include "render/draw_list.h"
 #include "render/font.h"
-#include "render/gl_table.h"
-#include "render/image.h"
-#include "render/offscreen.h"
 
 namespace quicksand {
 
@@ -20,20 +18,11 @@ class Painter {
   Image paint(const DrawList& list);
 
  private:
-  struct Program {
-    GLuint id = 0;
-    GLint picture = -1;  // uniform
-    GLuint vertex_array = 0;
-    GLuint buffer = 0;
-  };
-  Program make_program(const char* vertex, const char* fragment);
-  GLuint compile(GLenum stage, const char* const* parts, int count);
   void upload(const DrawList& list);
-  void draw(const DrawList& list, const DrawList::Batch& batch);
+  void draw(const DrawList::Batch& batch);
 
-  Offscreen offscreen_;
-  GlTable gl_;
-  std::array<Program, 3> programs_;  // by DrawList::Kind
+  Canvas canvas_;
+  std::array<CanvasProgram, 3> programs_;  // by DrawList::Kind
   GLuint atlas_ = 0;
 };
 

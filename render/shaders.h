@@ -1,6 +1,6 @@
 // The programs that paint one kind of shape each. A shape is an instance of a square, a little
 // larger than the shape; its edge is antialiased by the share of a pixel that the shape covers,
-// from the signed distance to the edge.
+// from the signed distance to the edge. Triangles of panels come last.
 #pragma once
 
 namespace quicksand::shaders {
@@ -105,6 +105,28 @@ out vec4 colour;
 void main() {
   colour = vec4(tint_colour.rgb, tint_colour.a * texelFetch(atlas, ivec2(floor(texel)), 0).r);
 }
+)";
+
+// Of a list of triangles, not of a square.
+constexpr const char* kTriangleVertex = R"(
+layout(location = 0) in vec2 position;
+layout(location = 1) in vec2 in_texture;
+layout(location = 2) in vec4 tint;
+out vec2 texture_place;
+out vec4 tint_colour;
+void main() {
+  texture_place = in_texture;
+  tint_colour = tint;
+  gl_Position = place(position);
+}
+)";
+
+constexpr const char* kTriangleFragment = R"(#version 330 core
+uniform sampler2D surface;
+in vec2 texture_place;
+in vec4 tint_colour;
+out vec4 colour;
+void main() { colour = tint_colour * texture(surface, texture_place); }
 )";
 
 }  // namespace quicksand::shaders

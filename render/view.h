@@ -33,11 +33,13 @@ struct WorldRect {
   Vec2 low{0, 0};
   Vec2 high{0, 0};
   Vec2 size() const { return high - low; }
+  bool operator==(const WorldRect&) const = default;
 };
 
 struct Range {
   double low = 0;
   double high = 1;
+  bool operator==(const Range&) const = default;
 };
 
 // What the picture shows when no window is given: the box, the same in every frame, or the bodies.
@@ -69,6 +71,8 @@ struct View {
   std::optional<PhysicalScale> physical = std::nullopt;
   // [px]; follows from the size of the picture if absent.
   std::optional<double> text_size = std::nullopt;
+
+  bool operator==(const View&) const = default;
 };
 
 // Sizes that can be drawn [px].

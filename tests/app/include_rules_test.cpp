@@ -78,6 +78,8 @@ TEST(Includes, TheCommandLineLibraryStaysInTheProgram) {
   expect_only({"CLI/"}, {"app/", "tests/bench/main.cpp"});
 }
 
+TEST(Includes, ThePanelLibraryStaysInThePanel) { expect_only({"imgui"}, {"app/gui/"}); }
+
 TEST(Includes, OsmesaAndGlStayInTheirFiles) {
   expect_only({"GL/osmesa"}, {"render/offscreen"});
   expect_only({"GL/", "GLES"}, {"render/offscreen", "render/gl_table"});

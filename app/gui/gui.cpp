@@ -1,0 +1,301 @@
+#include "app/gui/gui.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/gui/panel_frame.h"
+#include "app/gui/triangles_of.h"
+#include "core/errors.h"
+#include "render/palette.h"
+#include "render/triangle_painter.h"
+
+namespace quicksand {
+namespace {
+
+using namespace gui;
+
+constexpr float kColumn = 320;  // width of the panel [px at scale 1]
+constexpr float kStatus = 30;   // height of the line along the bottom
+constexpr double kText = 12;    // size of the text in the picture of the packing
+
+// The order in which the painter is given its textures.
+constexpr auto kLetters = static_cast<Texture>(0);
+constexpr auto kPicture = static_cast<Texture>(1);
+
+constexpr ImGuiWindowFlags kPart = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                                   ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+struct Context {
+  Context() : context(ImGui::CreateContext()) { ImGui::SetCurrentContext(context); }
+  ~Context() { ImGui::DestroyContext(context); }
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+  ImGuiContext* context;
+};
+
+double checked_scale(double scale) {
+  if (scale >= 0.5 && scale <= 4) return scale;
+  throw InputError("scale", "the scale of the panel must be from 0.5 to 4");
+}
+
+// Our keys in the order of ImGui's.
+void map_keys(ImGuiIO& io) {
+  const auto map = [&](ImGuiKey key, Key ours) { io.KeyMap[key] = static_cast<int>(ours); };
+  map(ImGuiKey_Tab, Key::tab);
+  map(ImGuiKey_LeftArrow, Key::left);
+  map(ImGuiKey_RightArrow, Key::right);
+  map(ImGuiKey_UpArrow, Key::up);
+  map(ImGuiKey_DownArrow, Key::down);
+  map(ImGuiKey_PageUp, Key::page_up);
+  map(ImGuiKey_PageDown, Key::page_down);
+  map(ImGuiKey_Home, Key::home);
+  map(ImGuiKey_End, Key::end);
+  map(ImGuiKey_Insert, Key::insert);
+  map(ImGuiKey_Delete, Key::erase);
+  map(ImGuiKey_Backspace, Key::backspace);
+  map(ImGuiKey_Space, Key::space);
+  map(ImGuiKey_Enter, Key::enter);
+  map(ImGuiKey_Escape, Key::escape);
+  map(ImGuiKey_A, Key::a);
+  map(ImGuiKey_C, Key::c);
+  map(ImGuiKey_V, Key::v);
+  map(ImGuiKey_X, Key::x);
+  map(ImGuiKey_Y, Key::y);
+  map(ImGuiKey_Z, Key::z);
+}
+
+void give(const GuiInput& input, ImGuiIO& io) {
+  const bool outside = input.mouse.x() < 0 || input.mouse.y() < 0;
+  io.MousePos =
+      outside ? ImVec2(-FLT_MAX, -FLT_MAX)
+              : ImVec2(static_cast<float>(input.mouse.x()), static_cast<float>(input.mouse.y()));
+  std::copy(input.buttons.begin(), input.buttons.end(), std::begin(io.MouseDown));
+  io.MouseWheel = static_cast<float>(input.wheel);
+  std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
+  for (const Key key : input.keys) io.KeysDown[static_cast<int>(key)] = true;
+  io.KeyCtrl = io.KeysDown[static_cast<int>(Key::control)];
+  io.KeyShift = io.KeysDown[static_cast<int>(Key::shift)];
+  io.KeyAlt = io.KeysDown[static_cast<int>(Key::alt)];
+  io.AddInputCharactersUTF8(input.text.c_str());
+}
+
+}  // namespace
+
+struct Gui::Impl {
+  explicit Impl(double s) : scale(checked_scale(s)), widgets(static_cast<float>(scale)) {}
+
+  void lay_out(PanelFrame& frame, const GuiInput& input);
+  void show_column(PanelFrame& frame, float bottom);
+  void take_keys(PanelFrame& frame);
+  void prepare_view(const Session& session);
+
+  double scale;
+  Context context;
+  Widgets widgets;
+  PanelEntries entries;
+  PanelNotes notes;
+  Grip grip;
+  ViewPicture picture;
+  PixelRect view_rect;
+  int width = 0, height = 0;
+  Theme theme = Theme::light;
+  bool styled = false;
+  std::uint32_t hovered = 0;
+  std::optional<TrianglePainter> painter;
+  int painted = 0;  // number of the picture of the packing that the painter has
+};
+
+void Gui::Impl::prepare_view(const Session& session) {
+  const auto size = [](double pixels) { return static_cast<int>(pixels); };
+  if (!session.loaded() || view_rect.width < kSmallestPicture ||
+      view_rect.height < kSmallestPicture) {
+    picture.show_nothing();
+    return;
+  }
+  View view = session.view;
+  view.width = size(view_rect.width);
+  view.height = size(view_rect.height);
+  view.text_size = kText * scale;
+  picture.show(session.world(), view);
+}
+
+void Gui::Impl::show_column(PanelFrame& frame, float bottom) {
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize({widgets.px(kColumn), bottom});
+  ImGui::Begin("column", nullptr, kPart & ~ImGuiWindowFlags_NoScrollbar);
+  show_scene(frame);
+  ImGui::BeginDisabled(!frame.session.loaded());
+  show_controls(frame);
+  show_parameters(frame);
+  show_actions(frame);
+  show_view_controls(frame);
+  show_plots(frame);
+  show_inspection(frame);
+  ImGui::EndDisabled();
+  ImGui::End();
+}
+
+// Keys that work wherever the mouse is, unless something is being typed.
+void Gui::Impl::take_keys(PanelFrame& frame) {
+  if (ImGui::GetIO().WantTextInput) return;
+  const Session& session = frame.session;
+  const bool can_run = session.loaded() && !session.finished() && !session.failed();
+  if (can_run && ImGui::IsKeyPressed(static_cast<int>(Key::space), false)) {
+    frame.command(session.running ? "pause" : "start");
+  }
+  if (ImGui::IsKeyPressed(static_cast<int>(Key::escape), false)) notes.error.clear();
+}
+
+void Gui::Impl::lay_out(PanelFrame& frame, const GuiInput& input) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+  io.DeltaTime = 1.0F / 60;
+  const float status_top = std::max(0.0F, io.DisplaySize.y - widgets.px(kStatus));
+  const float left = std::round(widgets.px(kColumn));
+  view_rect = {left, 0, std::max(0.0, width - static_cast<double>(left)),
+               std::floor(static_cast<double>(status_top))};
+  prepare_view(frame.session);  // may throw, so it comes before the frame begins
+
+  give(input, io);
+  ImGui::NewFrame();
+  widgets.begin(theme);
+
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+  ImGui::SetNextWindowPos({left, 0});
+  ImGui::SetNextWindowSize({static_cast<float>(view_rect.width), status_top});
+  ImGui::Begin("view", nullptr,
+               kPart | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  show_view(frame, picture, grip, view_rect, id_of(kPicture));
+  ImGui::End();
+
+  show_column(frame, status_top);
+
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(widgets.px(12), widgets.px(7)));
+  ImGui::SetNextWindowPos({0, status_top});
+  ImGui::SetNextWindowSize({io.DisplaySize.x, widgets.px(kStatus)});
+  ImGui::Begin("status", nullptr, kPart);
+  ImGui::PopStyleVar();
+  show_status(frame);
+  ImGui::End();
+  // Lines between the parts.
+  ImDrawList* over = ImGui::GetForegroundDrawList();
+  const float line = std::max(1.0F, std::round(widgets.px(1)));
+  over->AddRectFilled({left - line, 0}, {left, status_top}, widgets.colours().line);
+  over->AddRectFilled({0, status_top}, {io.DisplaySize.x, status_top + line},
+                      widgets.colours().line);
+
+  if (!notes.error.empty()) {
+    const float edge = widgets.px(12);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, widgets.colours().error);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, widgets.px(4));
+    ImGui::SetNextWindowPos({left + edge, edge});
+    ImGui::SetNextWindowSize({static_cast<float>(view_rect.width) - 2 * edge, 0});
+    ImGui::Begin("error", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
+    show_banner(frame);
+    ImGui::End();
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor();
+  }
+  take_keys(frame);
+  hovered = context.context->HoveredIdDisabled ? 0 : context.context->HoveredId;
+  ImGui::Render();
+}
+
+Gui::Gui(double scale) : impl_(std::make_unique<Impl>(scale)) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.LogFilename = nullptr;
+  io.ConfigInputTextCursorBlink = false;
+  io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+  // Lines are smooth by their own edges; texels of the atlas would blur them at large scales.
+  io.Fonts->Flags |= ImFontAtlasFlags_NoBakedLines | ImFontAtlasFlags_NoMouseCursors;
+  map_keys(io);
+  io.Fonts->Build();
+  io.Fonts->SetTexID(id_of(kLetters));
+}
+
+Gui::~Gui() = default;
+
+std::vector<Json> Gui::frame(const Session& session, const GuiInput& input, int width, int height) {
+  if (width < kSmallestPicture || height < kSmallestPicture || width > kLargestPicture ||
+      height > kLargestPicture) {
+    throw InputError("size", "the panel cannot be drawn in a picture of " + std::to_string(width) +
+                                 "x" + std::to_string(height) + " pixels: both must lie from " +
+                                 std::to_string(kSmallestPicture) + " to " +
+                                 std::to_string(kLargestPicture));
+  }
+  Impl& m = *impl_;
+  ImGui::SetCurrentContext(m.context.context);
+  const Theme theme = session.view.theme;
+  if (!m.styled || theme != m.theme) {
+    apply(look(theme), static_cast<float>(m.scale));
+    m.styled = true;
+  }
+  m.theme = theme;
+  std::vector<Json> commands;
+  PanelFrame frame{m.widgets, session, m.entries, m.notes, commands};
+  if (width != m.width || height != m.height) {
+    // ImGui knows what needs to be scrolled after a frame only.
+    m.width = width;
+    m.height = height;
+    m.lay_out(frame, {});
+    commands.clear();
+  }
+  m.lay_out(frame, input);
+  return commands;
+}
+
+Image Gui::paint() {
+  Impl& m = *impl_;
+  ImGui::SetCurrentContext(m.context.context);
+  if (!m.painter) {
+    m.painter.emplace();
+    unsigned char* letters = nullptr;
+    int width = 0, height = 0;
+    ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&letters, &width, &height);
+    const auto size = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    m.painter->add_opacity(width, height, {letters, size});
+    m.painter->add_picture();
+  }
+  if (m.picture.shows() && m.painted != m.picture.number()) {
+    m.painter->set_picture(kPicture, m.picture.paint());
+    m.painted = m.picture.number();
+  }
+  return m.painter->paint(triangles_of(*ImGui::GetDrawData(), palette(m.theme).background));
+}
+
+std::span<const Widget> Gui::widgets() const { return impl_->widgets.all(); }
+std::uint32_t Gui::hovered() const { return impl_->hovered; }
+bool Gui::takes_text() const { return impl_->context.context->IO.WantTextInput; }
+int Gui::width() const { return impl_->width; }
+int Gui::height() const { return impl_->height; }
+double Gui::scale() const { return impl_->scale; }
+PixelRect Gui::view_rect() const { return impl_->view_rect; }
+
+std::optional<Camera> Gui::view_camera() const {
+  if (!impl_->picture.shows()) return std::nullopt;
+  const Camera& camera = impl_->picture.camera();
+  PixelRect covered = camera.covered();
+  covered.x += impl_->view_rect.x;
+  covered.y += impl_->view_rect.y;
+  return Camera(camera.window(), covered);
+}
+
+void Gui::show_error(std::string message) { impl_->notes.error = std::move(message); }
+
+void Gui::set_rate(std::optional<double> steps_per_second, std::optional<double> eta_seconds) {
+  impl_->notes.steps_per_second = steps_per_second;
+  impl_->notes.eta_seconds = eta_seconds;
+}
+
+void Gui::set_recording(bool on) { impl_->notes.recording = on; }
+
+}  // namespace quicksand
