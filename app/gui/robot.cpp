@@ -29,12 +29,22 @@ constexpr std::array<std::string_view, 24> kKeys{
 Robot::Robot(Gui& gui, const Session& session, int width, int height, Perform perform)
     : gui_(gui), session_(session), width_(width), height_(height), perform_(std::move(perform)) {}
 
+void Robot::resize(int width, int height) {
+  width_ = width;
+  height_ = height;
+}
+
+void Robot::let_go() {
+  input_ = {};
+  commands_.clear();
+}
+
 void Robot::frame() {
   const std::vector<Json> given = gui_.frame(session_, input_, width_, height_);
   commands_.insert(commands_.end(), given.begin(), given.end());
-  if (perform_ && !given.empty()) perform_(given);
   input_.text.clear();
   input_.wheel = 0;
+  if (perform_) perform_(given);
 }
 
 std::vector<Json> Robot::take() {

@@ -21,7 +21,11 @@ Json act(Console& console, Act act_on) {
   try {
     return given(act_on(robot));
   } catch (const InputError& error) {
+    robot.let_go();
     throw CommandFailure(error.where() + ": " + error.what());
+  } catch (...) {
+    robot.let_go();
+    throw;
   }
 }
 
@@ -89,7 +93,7 @@ struct SetWidget {
   }
 };
 
-struct Drag {
+struct DragMouse {
   Json from, to;
   void describe(Fields& f) {
     f.json({"from", "where the button is pressed: a widget or a place [px]", Presence::required},
@@ -160,9 +164,9 @@ std::vector<SessionCommand> widget_commands() {
       define<SetWidget>({"set_widget", kGroup, "Gives a widget a value by clicking and typing.",
                          R"({"command": "set_widget", "widget": "View/bonds", "value": true})"},
                         false),
-      define<Drag>({"drag", kGroup, "Presses the mouse button, moves, and releases it.",
-                    R"({"command": "drag", "from": [800, 300], "to": [850, 300]})"},
-                   false),
+      define<DragMouse>({"drag", kGroup, "Presses the mouse button, moves, and releases it.",
+                         R"({"command": "drag", "from": [800, 300], "to": [850, 300]})"},
+                        false),
       define<Wheel>({"wheel", kGroup, "Turns the mouse wheel.",
                      R"({"command": "wheel", "at": [800, 300], "notches": 2})"},
                     false),

@@ -67,8 +67,9 @@ Gui& Console::panel() {
 
 Robot& Console::robot() {
   if (!robot_)
-    robot_ = std::make_unique<Robot>(
-        panel(), session_, [this](const std::vector<Json>& commands) { carry_out(commands); });
+    robot_ =
+        std::make_unique<Robot>(panel(), session_, session_.view.width, session_.view.height,
+                                [this](const std::vector<Json>& commands) { carry_out(commands); });
   robot_->resize(session_.view.width, session_.view.height);
   return *robot_;
 }
@@ -79,9 +80,11 @@ void Console::carry_out(const std::vector<Json>& commands) {
     if (given) given(command);
   }
   panel().set_recording(recording != nullptr);
-  if (still_ || !session_.running || !session_.loaded()) return;
+  if (!session_.running || !session_.loaded()) return;
   const std::int64_t first = session_.world().step;
-  session_.run({.steps = session_.steps_per_frame});
+  RunUntil frame;
+  frame.steps = session_.steps_per_frame;
+  session_.run(frame);
   if (computed) computed(session_.world().step - first);
   if (session_.finished() || session_.failed()) session_.running = false;
   if (session_.failed())
@@ -103,18 +106,18 @@ Image Console::panel_frame(const GuiInput& input, int width, int height) {
 
 Image Console::draw_panel(int width, int height, std::optional<double> scale) {
   constexpr int kSettling = 3;  // frames until the layout of a new size rests
+  const auto picture_of = [&](Gui& gui, const GuiInput& input) {
+    for (int i = 0; i < kSettling; ++i) gui.frame(session_, input, width, height);
+    return gui.paint();
+  };
   if (scale && *scale != panel().scale()) {
     // Another scale is another panel; the present one keeps what it shows.
     Gui other(*scale);
-    for (int i = 0; i < kSettling; ++i) other.frame(session_, {}, width, height);
-    return other.paint();
+    return picture_of(other, {});
   }
-  Robot& hand = robot();
-  hand.resize(width, height);
-  still_ = true;  // a picture is of the present moment
-  hand.wait(kSettling);
-  still_ = false;
-  return panel().paint();
+  GuiInput still;
+  still.mouse = robot().mouse();
+  return picture_of(panel(), still);
 }
 
 void Console::include(const fs::path& file, const std::string& place) {

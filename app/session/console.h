@@ -70,7 +70,6 @@ class Console {
   double scale_;
   std::unique_ptr<Gui> panel_;
   std::unique_ptr<Robot> robot_;
-  bool still_ = false;  // frames compute nothing
   int depth_ = 0;       // of included files
 };
 
