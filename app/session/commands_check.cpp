@@ -123,6 +123,8 @@ std::vector<SessionCommand> check_commands() {
       define<ExpectQuantity>(
           {"expect", kGroup, "Fails unless a quantity lies within bounds.",
            R"({"command": "expect", "quantity": "active_bond_fraction", "at_least": 0.9})"}),
+      define<ExpectHash>({"expect_hash", kGroup, "Fails unless the world is this one, bit by bit.",
+                          R"({"command": "expect_hash", "hash": "0123456789abcdef"})"}),
       define<ExpectImage>(
           {"expect_image", kGroup,
            "Fails unless a picture looks like a reference; the differences are written beside it.",

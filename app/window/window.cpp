@@ -68,6 +68,7 @@ class Window {
       if (lively > 0 || console_.session().running) {
         show(*display, input);
         --lively;
+        if (Clock::now() - journal_written_ > kJournalPeriod) write_journal();
       }
     }
     finish();
@@ -77,6 +78,7 @@ class Window {
  private:
   static constexpr int kLively = 4;
   static constexpr int kIdle = 100;  // [ms]
+  static constexpr std::chrono::seconds kJournalPeriod{2};
 
   // What the command line names: it becomes the first command, or the first commands.
   void begin() {
@@ -102,10 +104,17 @@ class Window {
     display.present(console_.panel_frame(input, width, height));
   }
 
-  void finish() {
-    if (console_.recording) console_.recording->finish();
+  // Now and then: a screen that goes away must not take what was done with it.
+  void write_journal() {
     if (options_.record.empty() || journal_.empty() || !console_.session().loaded()) return;
     write_whole(options_.record, journal_.session(console_.session().world()).dump(2) + "\n");
+    journal_written_ = Clock::now();
+  }
+
+  void finish() {
+    if (console_.recording) console_.recording->finish();
+    write_journal();
+    if (options_.record.empty() || journal_.empty()) return;
     std::fprintf(stderr, "what was done is in %s; `quicksand session` plays it again\n",
                  options_.record.c_str());
   }
@@ -115,6 +124,7 @@ class Window {
   RunFolder folder_;
   Console console_;
   Journal journal_;
+  Clock::time_point journal_written_ = Clock::now();
   Rate rate_;
 };
 
