@@ -116,7 +116,7 @@ void Gui::Impl::prepare_view(const Session& session) {
     picture.show_nothing();
     return;
   }
-  View view = session.view;
+  View view = session.shown();
   view.width = size(view_rect.width);
   view.height = size(view_rect.height);
   view.text_size = kText * scale;

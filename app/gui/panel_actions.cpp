@@ -66,7 +66,6 @@ void show_actions(PanelFrame& frame) {
   }
   if (const auto on = w.checkbox({"Record frames", {}, "Writes each frame to a picture file."},
                                  frame.notes.recording)) {
-    frame.notes.recording = *on;
     frame.command("record", {{"on", *on}});
   }
   w.end_section();
