@@ -69,7 +69,7 @@ TEST_F(Look, InspectedGrain) {
   perform({{"command", "run"}, {"steps", 3}});
   Robot& r = robot();
   for (const char* section : {"Controls", "View", "Plots", "Scene"}) r.set(section, "closed");
-  perform({{"command", "pick"}, {"at", {6, 4}}});
+  perform({{"command", "pick"}, {"body", 30}});
   r.wait(2);
   golden::expect_same(gui().paint(), "gui_inspect");
 }
