@@ -116,7 +116,7 @@ void Gui::Impl::prepare_view(const Session& session) {
     picture.show_nothing();
     return;
   }
-  View view = session.view;
+  View view = session.shown();
   view.width = size(view_rect.width);
   view.height = size(view_rect.height);
   view.text_size = kText * scale;
@@ -156,7 +156,8 @@ void Gui::Impl::lay_out(PanelFrame& frame, const GuiInput& input) {
   io.DeltaTime = 1.0F / 60;
   const float status_top = std::max(0.0F, io.DisplaySize.y - widgets.px(kStatus));
   const float left = std::round(widgets.px(kColumn));
-  view_rect = {left, 0, std::max(0.0, width - static_cast<double>(left)),
+  const float line = std::max(1.0F, std::round(widgets.px(1)));  // between the parts
+  view_rect = {left + line, 0, std::max(0.0, width - static_cast<double>(left + line)),
                std::floor(static_cast<double>(status_top))};
   prepare_view(frame.session);  // may throw, so it comes before the frame begins
 
@@ -165,7 +166,7 @@ void Gui::Impl::lay_out(PanelFrame& frame, const GuiInput& input) {
   widgets.begin(theme);
 
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-  ImGui::SetNextWindowPos({left, 0});
+  ImGui::SetNextWindowPos({left + line, 0});
   ImGui::SetNextWindowSize({static_cast<float>(view_rect.width), status_top});
   ImGui::Begin("view", nullptr,
                kPart | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollWithMouse);
@@ -173,6 +174,8 @@ void Gui::Impl::lay_out(PanelFrame& frame, const GuiInput& input) {
   show_view(frame, picture, grip, view_rect, id_of(kPicture));
   ImGui::End();
 
+  ImGui::GetBackgroundDrawList()->AddRectFilled({left, 0}, {left + line, status_top},
+                                                widgets.colours().line);
   show_column(frame, status_top);
 
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(widgets.px(12), widgets.px(7)));
@@ -180,28 +183,21 @@ void Gui::Impl::lay_out(PanelFrame& frame, const GuiInput& input) {
   ImGui::SetNextWindowSize({io.DisplaySize.x, widgets.px(kStatus)});
   ImGui::Begin("status", nullptr, kPart);
   ImGui::PopStyleVar();
+  ImGui::GetWindowDrawList()->AddRectFilled({0, status_top}, {io.DisplaySize.x, status_top + line},
+                                            widgets.colours().line);
   show_status(frame);
   ImGui::End();
-  // Lines between the parts.
-  ImDrawList* over = ImGui::GetForegroundDrawList();
-  const float line = std::max(1.0F, std::round(widgets.px(1)));
-  over->AddRectFilled({left - line, 0}, {left, status_top}, widgets.colours().line);
-  over->AddRectFilled({0, status_top}, {io.DisplaySize.x, status_top + line},
-                      widgets.colours().line);
 
   if (!notes.error.empty()) {
-    const float edge = widgets.px(12);
     ImGui::PushStyleColor(ImGuiCol_WindowBg, widgets.colours().error);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, widgets.px(4));
-    ImGui::SetNextWindowPos({left + edge, edge});
-    ImGui::SetNextWindowSize({static_cast<float>(view_rect.width) - 2 * edge, 0});
+    ImGui::SetNextWindowPos({left + line, 0});
+    ImGui::SetNextWindowSize({static_cast<float>(view_rect.width), 0});
     ImGui::Begin("error", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
     show_banner(frame);
     ImGui::End();
-    ImGui::PopStyleVar();
     ImGui::PopStyleColor();
   }
   take_keys(frame);

@@ -122,6 +122,7 @@ void apply(const Look& look, float scale) {
 
 std::string unit_text(const std::string& unit) {
   if (unit == "1") return {};
+  if (unit == "grain masses") return "m_g";  // there is room for a symbol, and help says more
   std::string text = unit;
   constexpr std::string_view kRoot = "sqrt";
   const std::size_t at = text.find(kRoot);

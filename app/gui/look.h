@@ -44,7 +44,7 @@ Fonts load_fonts(float scale);
 // Sets colours and distances of the present context.
 void apply(const Look& look, float scale);
 
-// "sqrt(d/g)" with a sign for the root; "1" becomes nothing.
+// "sqrt(d/g)" with a sign for the root; "1" becomes nothing, "grain masses" m_g.
 std::string unit_text(const std::string& unit);
 
 }  // namespace quicksand::gui

@@ -8,9 +8,15 @@ namespace {
 
 constexpr double kLongest = 20;  // of a phase that is begun by hand [sqrt(d/g)]
 
-// A number of the panel's own.
-void entry(PanelFrame& frame, const Widgets::Label& label, double& value) {
-  if (const auto given = frame.widgets.number(label, value, false)) value = *given;
+// A button, and beside it the force that it uses. Returns whether it was pressed.
+bool act(PanelFrame& frame, const Widgets::Label& action, const Widgets::Label& entry,
+         double& force) {
+  Widgets& w = frame.widgets;
+  const float width = w.label_width() - ImGui::GetStyle().ItemSpacing.x;
+  const bool pressed = w.button(action, width);
+  ImGui::SameLine();
+  if (const auto given = w.number(entry, force, false)) force = *given;
+  return pressed;
 }
 
 }  // namespace
@@ -20,38 +26,34 @@ void show_actions(PanelFrame& frame) {
   PanelEntries& entries = frame.entries;
   if (!w.begin_section("Actions", false)) return;
   const float gap = ImGui::GetStyle().ItemSpacing.x;
-  const float room = ImGui::GetContentRegionAvail().x;
-  const float half = (room - gap) / 2;
+  const float half = (ImGui::GetContentRegionAvail().x - gap) / 2;
 
-  const bool intruder = frame.session.loaded() && frame.session.world().intruder() >= 0;
-  entry(frame,
-        {"push force", "Push with", "Downward force on the intruder, besides its weight.", "F_g"},
-        entries.push_force);
-  entry(frame, {"pull force", "Pull from", "Upward force of the first trial.", "F_g"},
-        entries.pull_force);
-  entry(frame,
-        {"piston force", "Piston with", "Downward force, besides the piston's weight.", "F_g"},
-        entries.piston_force);
-  if (w.button({"Push", {}, "Puts an intruder on the surface and pushes it down."}, half)) {
+  if (act(frame, {"Push", {}, "Puts an intruder on the surface and pushes it down."},
+          {"push force", {}, "Downward, besides the intruder's weight.", "F_g", true},
+          entries.push_force)) {
     frame.command(
         "push",
         {{"diameter", 3}, {"density", 0.5}, {"force", entries.push_force}, {"max_time", kLongest}});
   }
-  ImGui::SameLine();
+  const bool intruder = frame.session.loaded() && frame.session.world().intruder() >= 0;
   ImGui::BeginDisabled(!intruder);
-  if (w.button({"Pull",
-                {},
-                intruder ? "Seeks the smallest force that takes the intruder out."
-                         : "Seeks the smallest force that takes the intruder out. There is none."},
-               half)) {
+  if (act(frame,
+          {"Pull",
+           {},
+           std::string("Seeks the smallest force that takes the intruder out.") +
+               (intruder ? "" : " There is none.")},
+          {"pull force", {}, "Upward, of the first trial.", "F_g", true}, entries.pull_force)) {
     frame.command("pull", {{"first_force", entries.pull_force}});
   }
   ImGui::EndDisabled();
-  if (w.button({"Piston", {}, "Lays a piston on the packing and presses it down."}, half)) {
+  if (act(frame, {"Piston", {}, "Lays a piston on the packing and presses it down."},
+          {"piston force", {}, "Downward, besides the piston's weight.", "F_g", true},
+          entries.piston_force)) {
     frame.command("piston", {{"mass", 1}, {"force", entries.piston_force}, {"max_time", kLongest}});
   }
-  ImGui::SameLine();
-  if (w.button({"Heal", {}, "Restores the bonds of all contacts."}, half)) frame.command("heal");
+  if (w.button({"Heal", {}, "Restores the bonds of all contacts."}, w.label_width() - gap)) {
+    frame.command("heal");
+  }
 
   ImGui::Dummy(ImVec2(0, w.px(2)));
   if (const auto file = w.text({"file", "State file", "Where the state is saved."}, entries.file)) {
@@ -66,7 +68,6 @@ void show_actions(PanelFrame& frame) {
   }
   if (const auto on = w.checkbox({"Record frames", {}, "Writes each frame to a picture file."},
                                  frame.notes.recording)) {
-    frame.notes.recording = *on;
     frame.command("record", {{"on", *on}});
   }
   w.end_section();

@@ -1,7 +1,7 @@
 // The scene's parameters, generated from the description of the scene format.
 #include <imgui.h>
 
-#include <algorithm>
+#include <cctype>
 
 #include "app/gui/panel_frame.h"
 #include "app/session/parameters.h"
@@ -10,15 +10,18 @@
 namespace quicksand::gui {
 namespace {
 
-constexpr double kWidestRange = 100;  // of a number whose place in its range is shown [unit]
-
 bool is_number(const Parameter& p) {
   return p.kind == Parameter::Kind::number || p.kind == Parameter::Kind::integer;
 }
 
+std::string capitalised(std::string text) {
+  if (!text.empty()) text.front() = static_cast<char>(std::toupper(text.front()));
+  return text;
+}
+
 std::string help_of(const Parameter& p) {
-  std::string help = p.help;
-  if (!help.empty()) help.front() = static_cast<char>(std::toupper(help.front()));
+  std::string help = capitalised(p.help);
+  if (!help.empty() && help.back() != '.') help += '.';
   if (is_number(p)) {
     const std::string unit = unit_text(p.unit);
     help += "\nFrom " + std::string(p.above_low ? "above " : "") + short_number(p.low) + " to " +
@@ -30,15 +33,13 @@ std::string help_of(const Parameter& p) {
 
 void show_parameter(PanelFrame& frame, const Parameter& p) {
   Widgets& w = frame.widgets;
-  const Widgets::Label label{p.label, {}, help_of(p), unit_text(p.unit)};
+  const Widgets::Label label{p.label, capitalised(p.label), help_of(p), unit_text(p.unit)};
   std::optional<Json> given;
   if (p.value.is_null()) {
     w.no_number(label);
   } else if (is_number(p)) {
     const bool integer = p.kind == Parameter::Kind::integer;
-    std::optional<Range> range;
-    if (p.high - p.low <= kWidestRange) range = Range{p.low, p.high};
-    if (const auto value = w.number(label, p.value.get<double>(), integer, range)) {
+    if (const auto value = w.number(label, p.value.get<double>(), integer)) {
       given = integer ? Json(static_cast<std::int64_t>(*value)) : Json(*value);
     }
   } else if (p.kind == Parameter::Kind::flag) {

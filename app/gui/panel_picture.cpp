@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/gui/panel_frame.h"
+#include "app/session/disk_at.h"
 
 namespace quicksand::gui {
 namespace {
@@ -13,19 +14,6 @@ constexpr float kLeastDrag = 4;  // [px at scale 1]; less is a click
 
 ImVec2 at(const PixelRect& rect, const Vec2& pixel) {
   return {static_cast<float>(rect.x + pixel.x()), static_cast<float>(rect.y + pixel.y())};
-}
-
-// The disk at a place, through periodic sides; -1 if there is none.
-int disk_at(const World& world, const Vec2& place) {
-  for (int i = 0; i < world.disks.size(); ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    Vec2 apart = place - world.disks.position[k];
-    if (world.box.sides == Sides::periodic) {
-      apart.x() -= world.box.width * std::round(apart.x() / world.box.width);
-    }
-    if (apart.norm() <= world.disks.radius[k]) return i;
-  }
-  return -1;
 }
 
 Json pair(const Vec2& v) { return Json::array({v.x(), v.y()}); }

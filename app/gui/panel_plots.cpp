@@ -1,4 +1,6 @@
 // Curves of what was measured on the way.
+#include <imgui.h>
+
 #include <functional>
 
 #include "app/gui/panel_frame.h"
@@ -24,6 +26,9 @@ Curve curve_of(const std::vector<Row>& history, const Reading& reading) {
 void show_plots(PanelFrame& frame) {
   Widgets& w = frame.widgets;
   if (!w.begin_section("Plots", true)) return;
+  ImGui::PushFont(w.fonts().small);
+  w.caption("Over time [√(d/g)], with the last value.");
+  ImGui::PopFont();
   static const std::vector<Row> kNone;
   const bool loaded = frame.session.loaded();
   const std::vector<Row>& history = loaded ? frame.session.history() : kNone;

@@ -62,7 +62,7 @@ void show_status(PanelFrame& frame) {
     ImGui::Dummy(ImVec2(0, ImGui::GetTextLineHeight()));
   };
   put("Step", grouped(world.step), 100);
-  put("Time", fixed_number(world.time, 2) + " √(d/g)", 124);
+  put("Time", fixed_number(world.time, 3) + " √(d/g)", 136);
   put("Bodies", grouped(world.disks.size()), 96);
   if (frame.notes.steps_per_second) {
     put("Steps/s", grouped(std::llround(*frame.notes.steps_per_second)), 104);

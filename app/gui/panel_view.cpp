@@ -30,15 +30,13 @@ void show_camera(PanelFrame& frame) {
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float small = w.px(32);
   const float wide = (ImGui::GetContentRegionAvail().x - 2 * small - 3 * gap) / 2;
-  const bool intruder = frame.session.loaded() && frame.session.world().intruder() >= 0;
-  if (w.button({"Fit", {}, "Shows the whole box."}, wide))
+  if (w.button({"Fit box", {}, "Shows the whole box."}, wide)) {
     frame.command("camera", {{"fit", "box"}});
-  ImGui::SameLine();
-  ImGui::BeginDisabled(!intruder);
-  if (w.button({"Follow intruder", "Follow", "Keeps the intruder in the middle."}, wide)) {
-    frame.command("camera", {{"follow", "intruder"}});
   }
-  ImGui::EndDisabled();
+  ImGui::SameLine();
+  if (w.button({"Fit bodies", {}, "Shows all bodies."}, wide)) {
+    frame.command("camera", {{"fit", "content"}});
+  }
   ImGui::SameLine();
   if (w.button({"Zoom in", "+", "Closer. Also by the wheel, over the picture."}, small)) {
     frame.command("camera", {{"zoom", kZoom}});
@@ -77,6 +75,14 @@ void show_view_controls(PanelFrame& frame) {
     }
     right = !right;
   }
+  if (right) ImGui::SameLine(second);
+  const Session& session = frame.session;
+  ImGui::BeginDisabled(!session.loaded() || session.world().intruder() < 0);
+  if (const auto on = w.checkbox({"follow", "Follow intruder", "Keeps the intruder in the middle."},
+                                 session.follow_intruder)) {
+    frame.command("camera", {{"follow", *on ? "intruder" : "none"}});
+  }
+  ImGui::EndDisabled();
   show_camera(frame);
   w.end_section();
 }

@@ -28,6 +28,8 @@ Range range_of(const std::vector<ImVec2>& points, float ImVec2::*part) {
   return {static_cast<double>((*low).*part), static_cast<double>((*high).*part)};
 }
 
+constexpr double kShortestTime = 1e-2;  // that is shown [sqrt(d/g)]
+
 // At least two ticks inside, and room for a curve that does not change.
 Range axis(const Range& data, bool logarithmic) {
   if (logarithmic) {
@@ -35,8 +37,8 @@ Range axis(const Range& data, bool logarithmic) {
     return decades.high > decades.low ? decades : Range{decades.low - 1, decades.low + 1};
   }
   const double size = data.high - data.low;
-  const double least = 1e-3 * std::max({std::abs(data.low), std::abs(data.high), 1e-6});
-  const double room = size > least ? 0.06 * size : least;
+  const double least = 0.02 * std::max({std::abs(data.low), std::abs(data.high), 0.1});
+  const double room = size > least ? 0.08 * size : least;
   return {data.low >= 0 ? std::max(0.0, data.low - room) : data.low - room, data.high + room};
 }
 
@@ -91,7 +93,8 @@ void Widgets::plot(const std::string& name, const std::string& title, const Curv
     return;
   }
 
-  const Range x = axis(range_of(points, &ImVec2::x), false);
+  Range x = range_of(points, &ImVec2::x);
+  x.high = std::max(x.high, x.low + kShortestTime);
   const Range y = axis(range_of(points, &ImVec2::y), curve.logarithmic);
   const auto place_x = [&](double value) {
     return frame.Min.x + static_cast<float>((value - x.low) / (x.high - x.low)) * frame.GetWidth();
@@ -107,9 +110,8 @@ void Widgets::plot(const std::string& name, const std::string& title, const Curv
   for (const double tick : ticks(x, false)) {
     const float place = std::round(place_x(tick));
     list->AddLine({place, frame.Max.y}, {place, frame.Max.y - px(4)}, ink, px(1));
-    put({place, frame.Max.y + px(2)}, 0.5F, short_number(tick));
+    put({place, frame.Max.y + px(3)}, 0.5F, short_number(tick));
   }
-  put({frame.Min.x - px(5), frame.Max.y + px(2)}, 1, "t");
   std::vector<ImVec2> places;
   places.reserve(points.size());
   for (const ImVec2& point : points) places.emplace_back(place_x(point.x), place_y(point.y));

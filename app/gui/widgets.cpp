@@ -64,17 +64,20 @@ void Widgets::tooltip(const std::string& text) const {
 }
 
 bool Widgets::begin_section(const std::string& name, bool open_at_first, bool open_now) {
-  ImGui::Dummy(ImVec2(0, px(1)));
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::GetWindowDrawList()->AddLine(at, {at.x + ImGui::GetContentRegionAvail().x, at.y},
-                                      look_->line, px(1));
-  ImGui::Dummy(ImVec2(0, px(1)));
+  if (!all_.empty() && all_.back().path != "Picture") {
+    ImGui::Dummy(ImVec2(0, px(1)));
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        at, {at.x + ImGui::GetContentRegionAvail().x, at.y + std::max(1.0F, px(1))}, look_->line);
+  }
   const Tint back(ImGuiCol_Header, look_->panel);
   const Tint hovered(ImGuiCol_HeaderHovered, look_->button);
   const Tint border(ImGuiCol_Border, IM_COL32_BLACK_TRANS);
   ImGui::PushFont(fonts_.bold);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(3), px(4)));
   ImGui::SetNextItemOpen(open_now || open_at_first, open_now ? ImGuiCond_Always : ImGuiCond_Once);
   const bool open = ImGui::CollapsingHeader(name.c_str());
+  ImGui::PopStyleVar();
   ImGui::PopFont();
   record(name, Widget::Kind::section, open ? "open" : "closed");
   if (open) prefix_ += name + "/";
@@ -98,6 +101,7 @@ void Widgets::end_section() {
 }
 
 void Widgets::line_label(const Label& label) const {
+  if (label.bare) return;
   const float left = ImGui::GetCursorPosX();
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted((label.text.empty() ? label.name : label.text).c_str());
@@ -139,6 +143,7 @@ bool Widgets::button(const Label& label, float width, bool first_choice) {
   const Tint hovered(ImGuiCol_ButtonHovered, first_choice ? look_->accent_hovered : look_->hovered);
   const Tint active(ImGuiCol_ButtonActive, first_choice ? look_->accent_hovered : look_->pressed);
   const Tint ink(ImGuiCol_Text, first_choice ? look_->on_accent : look_->ink);
+  const Tint border(ImGuiCol_Border, first_choice ? look_->accent : look_->line);
   const std::string& text = label.text.empty() ? label.name : label.text;
   const bool pressed = ImGui::Button((text + "###" + path(label.name)).c_str(), ImVec2(width, 0));
   record(label.name, Widget::Kind::button);
@@ -185,8 +190,7 @@ std::optional<std::string> Widgets::combo(const Label& label,
   return given;
 }
 
-std::optional<double> Widgets::number(const Label& label, double value, bool integer,
-                                      const std::optional<Range>& range) {
+std::optional<double> Widgets::number(const Label& label, double value, bool integer) {
   line_label(label);
   const std::string key = path(label.name);
   const auto pending = numbers_.find(key);
@@ -199,15 +203,6 @@ std::optional<double> Widgets::number(const Label& label, double value, bool int
   const bool active = ImGui::IsItemActive();
   const bool finished = ImGui::IsItemDeactivated();
   record(label.name, Widget::Kind::number, shown(now, integer));
-  const bool typing = ImGui::TempInputIsActive(ImGui::GetItemID());
-  if (range && !typing) {
-    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-    const double share = std::clamp((now - range->low) / (range->high - range->low), 0.0, 1.0);
-    const float right = low.x + static_cast<float>(share) * (high.x - low.x);
-    ImGui::GetWindowDrawList()->AddRectFilled(
-        {low.x + px(1), high.y - px(3)}, {std::max(right - px(1), low.x + px(1)), high.y - px(1)},
-        ImGui::GetColorU32(look_->accent));
-  }
   if (!active) tooltip(label.help);
   line_unit(label);
   if (active) {
@@ -222,8 +217,9 @@ void Widgets::no_number(const Label& label) {
   ImGui::BeginDisabled();
   line_label(label);
   ImGui::SetNextItemWidth(field_width());
-  std::string none = "–";
-  ImGui::InputText(("###" + path(label.name)).c_str(), &none, ImGuiInputTextFlags_ReadOnly);
+  double none = 0;
+  ImGui::DragScalar(("###" + path(label.name)).c_str(), ImGuiDataType_Double, &none, 1, nullptr,
+                    nullptr, "–");
   record(label.name, Widget::Kind::number);
   tooltip(label.help);
   line_unit(label);

@@ -31,6 +31,9 @@ class Widgets {
   const Look& colours() const { return *look_; }
   const Fonts& fonts() const { return fonts_; }
   float px(float size) const { return size * scale_; }  // from pixels at scale 1
+  // Room for label and value of a line [px]; the rest is for the unit.
+  float label_width() const { return px(132); }
+  float field_width() const { return px(92); }
 
   // A part of the panel that can be folded. If true, its widgets follow, then end_section().
   // `open_now` unfolds it.
@@ -46,6 +49,7 @@ class Widgets {
     std::string text;  // the name if empty
     std::string help = {};
     std::string unit = {};
+    bool bare = false;  // no text before the field: it goes on where the line stands
   };
   bool button(const Label& label, float width, bool first_choice = false);
   std::optional<bool> checkbox(const Label& label, bool on);
@@ -53,9 +57,8 @@ class Widgets {
   std::optional<std::string> combo(const Label& label, const std::vector<std::string>& choices,
                                    const std::string& chosen,
                                    const std::vector<std::string>& helps = {});
-  // `range`: shown as a line that fills; it does not limit what can be typed.
-  std::optional<double> number(const Label& label, double value, bool integer,
-                               const std::optional<Range>& range = {});
+  // By dragging, or typed after a click with control held.
+  std::optional<double> number(const Label& label, double value, bool integer);
   std::optional<std::string> text(const Label& label, const std::string& value);
   // A number that does not exist.
   void no_number(const Label& label);
@@ -73,9 +76,6 @@ class Widgets {
   void tooltip(const std::string& text) const;
 
  private:
-  // Room for label, value and unit of a line [px].
-  float label_width() const { return px(136); }
-  float field_width() const { return px(92); }
   void line_label(const Label& label) const;
   void line_unit(const Label& label) const;
   std::string path(const std::string& name) const { return prefix_ + name; }

@@ -4,6 +4,7 @@
 
 #include "app/json/json_reader.h"
 #include "app/session/command_definition.h"
+#include "app/session/disk_at.h"
 #include "core/errors.h"
 #include "render/camera.h"
 #include "render/frame.h"
@@ -113,17 +114,6 @@ struct CameraCommand {
             {"high", {window.high.x(), window.high.y()}}};
   }
 };
-
-// The disk at a place of the world; -1 if there is none.
-int disk_at(const World& world, const Vec2& place) {
-  for (int i = 0; i < world.disks.size(); ++i) {
-    Vec2 away = place - world.disks.position[i];
-    if (world.box.sides == Sides::periodic)
-      away.x() -= world.box.width * std::nearbyint(away.x() / world.box.width);
-    if (away.norm() <= world.disks.radius[i]) return i;
-  }
-  return -1;
-}
 
 struct Pick {
   std::optional<Vec2> at;

@@ -1,0 +1,68 @@
+// A panel with a session behind it, and a robot that uses it.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/gui/robot.h"
+#include "app/session/console.h"
+#include "tests/support/temporary_folder.h"
+
+namespace quicksand::test {
+
+constexpr int kWidth = 900;  // of the pictures [px]
+constexpr int kHeight = 600;
+
+class PanelFixture : public testing::Test {
+ protected:
+  // A loose packing that was deposited at once: 12 d wide, bonded, an intruder about to be pushed.
+  void load() {
+    perform({{"command", "load"},
+             {"scene", "collapse"},
+             {"set",
+              {{"box.width", 12},
+               {"box.height", 14},
+               {"phases[0].height", 9},
+               {"phases[0].interval", 0}}}});
+  }
+  Json perform(const Json& command) { return console_.perform(command); }
+  Session& session() { return console_.session(); }
+
+  // Makes the panel and its robot, by which commands are performed.
+  Robot& robot(double scale = 1, int width = kWidth, int height = kHeight) {
+    gui_ = std::make_unique<Gui>(scale);
+    robot_ = std::make_unique<Robot>(*gui_, session(), width, height,
+                                     [this](const std::vector<Json>& commands) {
+                                       for (const Json& command : commands) perform(command);
+                                     });
+    robot_->wait(1);
+    return *robot_;
+  }
+  // The same, but nothing happens: for looking at the commands.
+  Robot& idle_robot(double scale = 1, int width = kWidth, int height = kHeight) {
+    gui_ = std::make_unique<Gui>(scale);
+    robot_ = std::make_unique<Robot>(*gui_, session(), width, height, Robot::Perform());
+    robot_->wait(1);
+    return *robot_;
+  }
+  Gui& gui() { return *gui_; }
+
+  const Widget* widget(const std::string& path) {
+    for (const Widget& one : gui_->widgets()) {
+      if (one.path == path) return &one;
+    }
+    return nullptr;
+  }
+
+  TemporaryFolder folder_;
+
+ private:
+  Console console_{{folder_.path(), folder_.path()}};
+  std::unique_ptr<Gui> gui_;
+  std::unique_ptr<Robot> robot_;
+};
+
+}  // namespace quicksand::test
