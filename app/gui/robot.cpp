@@ -11,6 +11,7 @@ namespace quicksand {
 namespace {
 
 constexpr int kMostScrolls = 200;
+constexpr int kSettling = 3;  // frames
 
 Vec2 middle(const PixelRect& r) { return {r.x + r.width / 2, r.y + r.height / 2}; }
 
@@ -115,7 +116,8 @@ void Robot::scroll_to(const std::string& path) {
 }
 
 Vec2 Robot::reach(const std::string& path) {
-  if (gui_.width() != width_ || gui_.height() != height_) frame();
+  // The last frame may show what has changed since, and a panel may unfold and scroll by itself.
+  for (int i = 0; i < kSettling; ++i) frame();
   shown(path);
   scroll_to(path);
   const Widget& widget = shown(path);

@@ -135,7 +135,7 @@ struct Pick {
     const Vec2& x = world.disks.position[found];
     const Vec3& v = world.disks.velocity[found];
     return {{"body", found},
-            {"position", {x.x(), x.y()}},
+            {"position", {world.wrapped_x(x.x()), x.y()}},
             {"radius", world.disks.radius[found]},
             {"velocity", {v.x(), v.y()}},
             {"angular_velocity", v.z()}};

@@ -10,7 +10,7 @@ namespace quicksand {
 
 namespace {
 
-constexpr auto kOfTheWindow = std::to_array<std::string_view>({"start", "pause", "quit"});
+constexpr auto kOfTheWindow = std::to_array<std::string_view>({"start", "pause", "pace", "quit"});
 
 std::string_view name_of(const Json& command) {
   return command["command"].get_ref<const std::string&>();
