@@ -1,4 +1,5 @@
 // Commands that read and check: measure, expect.
+#include "app/image_comparison.h"
 #include "app/json/json_reader.h"
 #include "app/run/measurements.h"
 #include "app/run/summary.h"
@@ -6,9 +7,7 @@
 #include "app/session/condition.h"
 #include "app/session/transcript.h"
 #include "core/errors.h"
-#include "render/image_difference.h"
 #include "render/png.h"
-#include "render/png_reader.h"
 
 namespace quicksand {
 
@@ -94,23 +93,16 @@ struct ExpectImage {
               tolerance);
   }
   Json perform(Console& console, const std::string& place) {
-    const Image ours = read_png(console.input(image));
-    const Image expected = read_png(console.input(reference));
-    if (ours.width != expected.width || ours.height != expected.height)
-      throw CommandFailure(image + " is " + size_of(ours) + ", the reference " + size_of(expected));
-    const ImageDifference d = difference_of(ours, expected, static_cast<int>(tolerance));
-    if (d.pixels == 0) return {{"worst", d.worst}};
-    const auto path = console.output(image + ".difference.png", place);
-    write_png(path, d.picture);
-    throw CommandFailure(image + " differs from " + reference + " in " + std::to_string(d.pixels) +
-                         " pixels by up to " + std::to_string(d.worst) + "/255, in the box from (" +
-                         std::to_string(d.left) + ", " + std::to_string(d.top) + ") to (" +
-                         std::to_string(d.right) + ", " + std::to_string(d.bottom) + "); see " +
-                         path.string());
-  }
-
-  static std::string size_of(const Image& image) {
-    return std::to_string(image.width) + " x " + std::to_string(image.height) + " px";
+    const ImageComparison result =
+        compare_images(console.input(image), console.input(reference), static_cast<int>(tolerance));
+    if (result.same) return {{"worst", result.difference.worst}};
+    std::string seen;
+    if (result.difference.picture.width > 0) {
+      const auto path = console.output(image + ".difference.png", place);
+      write_png(path, result.difference.picture);
+      seen = "; see " + path.string();
+    }
+    throw CommandFailure(result.text + seen);
   }
 };
 

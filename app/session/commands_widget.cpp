@@ -148,7 +148,10 @@ struct Widgets {
     Json list = Json::array();
     for (const Widget& widget : console.panel().widgets())
       list.push_back(
-          {{"path", widget.path}, {"value", widget.value}, {"disabled", widget.disabled}});
+          {{"path", widget.path},
+           {"value", widget.value},
+           {"disabled", widget.disabled},
+           {"rectangle", {widget.rect.x, widget.rect.y, widget.rect.width, widget.rect.height}}});
     return {{"widgets", list}};
   }
 };
@@ -178,7 +181,9 @@ std::vector<SessionCommand> widget_commands() {
       define<Frames>({"frames", kGroup, "Lets the panel live for some frames.",
                       R"({"command": "frames", "count": 10})"},
                      false),
-      define<Widgets>({"widgets", kGroup, "Tells the widgets of the panel, with their values.",
+      define<Widgets>({"widgets", kGroup,
+                       "Tells the widgets of the panel, with their values and rectangles (x, y, "
+                       "width, height [px]).",
                        R"({"command": "widgets"})"},
                       false)};
 }
