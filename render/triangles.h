@@ -29,9 +29,9 @@ struct TriangleList {
 
   int width = 0, height = 0;  // [px]
   Colour background;
-  std::vector<TriangleVertex> vertices;
-  std::vector<std::uint32_t> indices;  // three a triangle
-  std::vector<Batch> batches;          // painted in this order
+  std::vector<TriangleVertex> vertices = {};
+  std::vector<std::uint32_t> indices = {};  // three a triangle
+  std::vector<Batch> batches = {};          // painted in this order
 };
 
 }  // namespace quicksand

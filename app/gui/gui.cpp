@@ -147,7 +147,12 @@ void Gui::Impl::take_keys(PanelFrame& frame) {
   if (can_run && ImGui::IsKeyPressed(static_cast<int>(Key::space), false)) {
     frame.command(session.running ? "pause" : "start");
   }
-  if (ImGui::IsKeyPressed(static_cast<int>(Key::escape), false)) notes.error.clear();
+  if (!ImGui::IsKeyPressed(static_cast<int>(Key::escape), false)) return;
+  if (context.context->OpenPopupStack.empty()) {
+    notes.error.clear();
+  } else {
+    ImGui::ClosePopupToLevel(0, false);  // an open list
+  }
 }
 
 void Gui::Impl::lay_out(PanelFrame& frame, const GuiInput& input) {
@@ -183,8 +188,11 @@ void Gui::Impl::lay_out(PanelFrame& frame, const GuiInput& input) {
   ImGui::SetNextWindowSize({io.DisplaySize.x, widgets.px(kStatus)});
   ImGui::Begin("status", nullptr, kPart);
   ImGui::PopStyleVar();
-  ImGui::GetWindowDrawList()->AddRectFilled({0, status_top}, {io.DisplaySize.x, status_top + line},
-                                            widgets.colours().line);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->PushClipRectFullScreen();
+  list->AddRectFilled({0, status_top}, {io.DisplaySize.x, status_top + line},
+                      widgets.colours().line);
+  list->PopClipRect();
   show_status(frame);
   ImGui::End();
 

@@ -7,6 +7,7 @@ namespace {
 
 constexpr float kTextSize = 16;   // height of a line of text [px at scale 1]
 constexpr float kSmallSize = 14;  // the same, of numbers at axes and of captions
+constexpr float kIndexSize = 12;
 
 constexpr ImU32 rgb(std::uint32_t hex) {
   return IM_COL32((hex >> 16U) & 0xFFU, (hex >> 8U) & 0xFFU, hex & 0xFFU, 255);
@@ -73,6 +74,7 @@ Fonts load_fonts(float scale) {
   fonts.text = add(fonts.files[0], kTextSize);
   fonts.bold = add(fonts.files[1], kTextSize);
   fonts.small = add(fonts.files[0], kSmallSize);
+  fonts.index = add(fonts.files[0], kIndexSize);
   return fonts;
 }
 

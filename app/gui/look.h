@@ -35,6 +35,7 @@ struct Fonts {
   ImFont* text = nullptr;
   ImFont* bold = nullptr;
   ImFont* small = nullptr;
+  ImFont* index = nullptr;  // of symbols
   // Contents of the files, which the fonts go on to read.
   std::vector<std::vector<unsigned char>> files;
 };

@@ -60,7 +60,8 @@ void show_contacts(const PanelFrame& frame, int body) {
   }
   ImGui::EndTable();
   ImGui::PushFont(w.fonts().small);
-  frame.widgets.caption("Forces [F_g], compressive ones positive; the contacts of the last step.");
+  frame.widgets.caption(
+      "Forces of the last step, in weights of a grain; those that press are positive.");
   ImGui::PopFont();
 }
 
@@ -76,7 +77,7 @@ void show_body(PanelFrame& frame, int body) {
   w.reading("Velocity [√(g d)]", pair_text(disks.velocity[k].x(), disks.velocity[k].y()));
   w.reading("Spin [√(g/d)]", short_number(disks.velocity[k].z()));
   if (!disks.applied[k].isZero()) {
-    w.reading("Applied force [F_g]", pair_text(disks.applied[k].x(), disks.applied[k].y()));
+    w.reading("Applied force [weights]", pair_text(disks.applied[k].x(), disks.applied[k].y()));
   }
   const auto bonded = std::ranges::count_if(world.bonds.list, [body](const Bond& bond) {
     return bond.state == BondState::active && (bond.pair.a == body || bond.pair.b == body);

@@ -92,6 +92,7 @@ void take_mouse(PanelFrame& frame, const ViewPicture& picture, Grip& grip, const
 void show_view(PanelFrame& frame, ViewPicture& picture, Grip& grip, const PixelRect& rect,
                ImTextureID texture) {
   Widgets& w = frame.widgets;
+  if (rect.width < 1 || rect.height < 1) return;
   const ImVec2 low = at(rect, {0, 0}), high = at(rect, {rect.width, rect.height});
   ImGui::SetCursorScreenPos(low);
   ImGui::InvisibleButton("###view", {high.x - low.x, high.y - low.y});

@@ -95,6 +95,7 @@ void Widgets::plot(const std::string& name, const std::string& title, const Curv
 
   Range x = range_of(points, &ImVec2::x);
   x.high = std::max(x.high, x.low + kShortestTime);
+  x.high += 0.02 * (x.high - x.low);  // the last point is seen whole
   const Range y = axis(range_of(points, &ImVec2::y), curve.logarithmic);
   const auto place_x = [&](double value) {
     return frame.Min.x + static_cast<float>((value - x.low) / (x.high - x.low)) * frame.GetWidth();

@@ -48,6 +48,11 @@ void Robot::frame() {
   if (perform_) perform_(given);
 }
 
+void Robot::begin() {
+  commands_.clear();
+  if (gui_.width() != width_ || gui_.height() != height_) frame();
+}
+
 std::vector<Json> Robot::take() {
   std::vector<Json> taken;
   std::swap(taken, commands_);
@@ -136,6 +141,7 @@ Vec2 Robot::reach(const std::string& path) {
 }
 
 std::vector<Json> Robot::click(const std::string& path) {
+  begin();
   reach(path);
   click_here();
   leave();
@@ -143,6 +149,7 @@ std::vector<Json> Robot::click(const std::string& path) {
 }
 
 std::vector<Json> Robot::hover(const std::string& path) {
+  begin();
   reach(path);
   frame();
   return take();
@@ -170,23 +177,23 @@ void Robot::set_number_or_text(const std::string& path, const std::string& text,
 }
 
 std::vector<Json> Robot::set(const std::string& path, const Json& value) {
-  if (gui_.width() != width_ || gui_.height() != height_) frame();
-  const Widget widget = shown(path);
+  begin();
+  const Widget::Kind kind = shown(path).kind;
   const std::string text = text_of(value);
   const auto refuse = [&](const std::string& wanted) {
     throw InputError(path, "takes " + wanted + ", not " + value.dump());
   };
-  switch (widget.kind) {
+  switch (kind) {
     case Widget::Kind::checkbox:
       if (!value.is_boolean()) refuse("true or false");
       reach(path);
-      if ((widget.value == "on") != value.get<bool>()) click_here();
+      if ((shown(path).value == "on") != value.get<bool>()) click_here();
       leave();
       break;
     case Widget::Kind::section:
       if (text != "open" && text != "closed") refuse("\"open\" or \"closed\"");
       reach(path);
-      if (widget.value != text) click_here();
+      if (shown(path).value != text) click_here();
       leave();
       break;
     case Widget::Kind::combo:
@@ -196,7 +203,7 @@ std::vector<Json> Robot::set(const std::string& path, const Json& value) {
       try {
         reach(path + "/" + text);
       } catch (const InputError&) {
-        press(Key::escape);
+        press(Key::escape);  // closes the list again
         throw;
       }
       click_here();
@@ -222,6 +229,7 @@ Vec2 Robot::place_of(const Place& place) {
 }
 
 std::vector<Json> Robot::drag(const Place& from, const Place& to) {
+  begin();
   // Where it goes first: reaching for it must not disturb what is dragged.
   const Vec2 end = place_of(to), start = place_of(from);
   move_to(start);
@@ -236,6 +244,7 @@ std::vector<Json> Robot::drag(const Place& from, const Place& to) {
 }
 
 std::vector<Json> Robot::click_at(const Vec2& pixel) {
+  begin();
   move_to(pixel);
   click_here();
   leave();
@@ -243,6 +252,7 @@ std::vector<Json> Robot::click_at(const Vec2& pixel) {
 }
 
 std::vector<Json> Robot::wheel(const Vec2& pixel, double notches) {
+  begin();
   move_to(pixel);
   input_.wheel = notches;
   frame();
@@ -251,6 +261,7 @@ std::vector<Json> Robot::wheel(const Vec2& pixel, double notches) {
 }
 
 std::vector<Json> Robot::press(Key key) {
+  begin();
   input_.keys = {key};
   frame();
   input_.keys.clear();
@@ -268,6 +279,7 @@ std::vector<Json> Robot::press(std::string_view key) {
 }
 
 std::vector<Json> Robot::wait(int frames) {
+  begin();
   for (int i = 0; i < frames; ++i) frame();
   return take();
 }

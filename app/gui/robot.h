@@ -59,6 +59,8 @@ class Robot {
   void scroll_to(const std::string& path);
   void set_number_or_text(const std::string& path, const std::string& text, bool number);
   Vec2 place_of(const Place& place);
+  // Around each action.
+  void begin();
   std::vector<Json> take();
 
   Gui& gui_;

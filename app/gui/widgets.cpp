@@ -64,12 +64,6 @@ void Widgets::tooltip(const std::string& text) const {
 }
 
 bool Widgets::begin_section(const std::string& name, bool open_at_first, bool open_now) {
-  if (!all_.empty() && all_.back().path != "Picture") {
-    ImGui::Dummy(ImVec2(0, px(1)));
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::GetWindowDrawList()->AddRectFilled(
-        at, {at.x + ImGui::GetContentRegionAvail().x, at.y + std::max(1.0F, px(1))}, look_->line);
-  }
   const Tint back(ImGuiCol_Header, look_->panel);
   const Tint hovered(ImGuiCol_HeaderHovered, look_->button);
   const Tint border(ImGuiCol_Border, IM_COL32_BLACK_TRANS);
@@ -86,6 +80,7 @@ bool Widgets::begin_section(const std::string& name, bool open_at_first, bool op
 
 bool Widgets::begin_group(const std::string& name, bool open_at_first) {
   const Tint hovered(ImGuiCol_HeaderHovered, look_->button);
+  ImGui::Dummy(ImVec2(0, px(1)));
   ImGui::SetNextItemOpen(open_at_first, ImGuiCond_Once);
   const bool open = ImGui::TreeNodeEx(
       name.c_str(), ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanAvailWidth);
@@ -132,7 +127,7 @@ float Widgets::unit(ImDrawList* list, const ImVec2& at, const std::string& text)
   while (start < text.size()) {
     const std::size_t mark = std::min(text.find('_', start), text.size());
     put(fonts_.text, 0, text.substr(start, mark - start));
-    if (mark + 1 < text.size()) put(fonts_.small, px(4), text.substr(mark + 1, 1));
+    if (mark + 1 < text.size()) put(fonts_.index, px(5), text.substr(mark + 1, 1));
     start = mark + 2;
   }
   return x - at.x;

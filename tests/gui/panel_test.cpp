@@ -1,0 +1,242 @@
+// What the panel's widgets command, and what the panel shows of the session.
+#include "app/session/command_table.h"
+#include "core/errors.h"
+#include "tests/gui/gui_fixture.h"
+
+namespace quicksand::test {
+namespace {
+
+using PanelTest = PanelFixture;
+
+// A place of the world on whole pixels, as a mouse is [px].
+Vec2 pixel_at(const Gui& gui, const Vec2& place) {
+  return gui.view_camera()->to_pixel(place).array().round();
+}
+
+// Expects exactly this command, which the command table knows.
+void expect_command(const std::vector<Json>& given, const Json& expected) {
+  ASSERT_EQ(given.size(), 1U) << Json(given).dump();
+  EXPECT_EQ(given[0], expected) << given[0].dump();
+  const SessionCommand& known = command_of(given[0], "command");
+  EXPECT_NO_THROW(known.check(given[0], "command"));
+}
+
+TEST_F(PanelTest, OnlyASceneCanBeChosenBeforeOneIs) {
+  Robot& r = idle_robot();
+  for (const Widget& one : gui().widgets()) {
+    const bool always = one.path.starts_with("Scene") || one.path == "Picture";
+    EXPECT_EQ(one.disabled, !always) << one.path;
+  }
+  expect_command(r.set("Scene/scene", "collapse"), {{"command", "load"}, {"scene", "collapse"}});
+}
+
+TEST_F(PanelTest, ControlsTheRun) {
+  load();
+  Robot& r = robot();
+  expect_command(r.click("Controls/Step"), {{"command", "run"}, {"steps", 1}});
+  expect_command(r.click("Controls/Run"), {{"command", "start"}});
+  EXPECT_TRUE(session().running);
+  expect_command(r.click("Controls/Run"), {{"command", "pause"}});
+  EXPECT_FALSE(session().running);
+  expect_command(r.press("space"), {{"command", "start"}});
+  expect_command(r.press(Key::space), {{"command", "pause"}});
+  expect_command(r.click("Controls/Reset"), {{"command", "reset"}});
+  expect_command(r.set("Controls/Steps per frame", 20),
+                 {{"command", "start"}, {"steps_per_frame", 20}});
+  EXPECT_EQ(widget("Controls/Steps per frame")->value, "20");
+}
+
+TEST_F(PanelTest, SetsParameters) {
+  load();
+  Robot& r = robot();
+  expect_command(r.set("Parameters/Contacts/friction", 0.25),
+                 {{"command", "set"}, {"path", "contact.friction"}, {"value", 0.25}});
+  EXPECT_EQ(session().scenario().grain_law.friction, 0.25);
+  EXPECT_EQ(widget("Parameters/Contacts/friction")->value, "0.25");
+  expect_command(r.set("Parameters/Intruder/force", 5e3),
+                 {{"command", "set"}, {"path", "phases[1].force"}, {"value", 5e3}});
+  expect_command(r.set("Parameters/Computing/seed", 7),
+                 {{"command", "set"}, {"path", "seed"}, {"value", 7}});
+  expect_command(r.set("Parameters/Computing/break rule", "geometric"),
+                 {{"command", "set"}, {"path", "step.break_rule"}, {"value", "geometric"}});
+}
+
+TEST_F(PanelTest, ParametersThatTheSceneDoesNotModelAreDisabled) {
+  load();
+  Robot& r = robot();
+  r.set("Parameters", "open");
+  r.set("Parameters/Piston", "open");
+  EXPECT_TRUE(widget("Parameters/Piston/mass")->disabled);
+  EXPECT_FALSE(widget("Parameters/Contacts/friction")->disabled);
+}
+
+TEST_F(PanelTest, ANumberOutOfRangeIsNotClampedButRefusedByTheSession) {
+  load();
+  Robot& r = idle_robot();
+  const std::vector<Json> given = r.set("Parameters/Contacts/friction", -1);
+  ASSERT_EQ(given.size(), 1U);
+  EXPECT_EQ(given[0]["value"], -1.0);
+  EXPECT_THROW(perform(given[0]), InputError);
+}
+
+TEST_F(PanelTest, ANumberCanBeDraggedAndIsGivenOnceItIsLetGo) {
+  load();
+  Robot& r = idle_robot();
+  r.set("Parameters", "open");
+  const PixelRect rect = widget("Parameters/Contacts/friction")->rect;
+  const Vec2 start(rect.x + 20, rect.y + 8);
+  const std::vector<Json> given = r.drag(start, Vec2(start + Vec2(30, 0)));
+  ASSERT_EQ(given.size(), 1U);
+  EXPECT_GT(given[0]["value"].get<double>(), 0.3);
+}
+
+TEST_F(PanelTest, Acts) {
+  load();
+  perform({{"command", "run"}, {"steps", 2}});
+  Robot& r = idle_robot();
+  EXPECT_TRUE(r.set("Actions/push force", 200).empty()) << "the panel's own";
+  const double force = 200;
+  expect_command(r.click("Actions/Push"), {{"command", "push"},
+                                           {"diameter", 3},
+                                           {"density", 0.5},
+                                           {"force", force},
+                                           {"max_time", 20.0}});
+  expect_command(r.click("Actions/Pull"), {{"command", "pull"}, {"first_force", 10.0}});
+  expect_command(r.click("Actions/Heal"), {{"command", "heal"}});
+  expect_command(r.click("Actions/Piston"),
+                 {{"command", "piston"}, {"mass", 1}, {"force", 1000.0}, {"max_time", 20.0}});
+  EXPECT_TRUE(r.set("Actions/file", "other.cbor").empty());
+  expect_command(r.click("Actions/Save state"), {{"command", "save"}, {"file", "other.cbor"}});
+  expect_command(r.click("Actions/Load state"), {{"command", "restore"}, {"file", "other.cbor"}});
+  expect_command(r.set("Actions/Record frames", true), {{"command", "record"}, {"on", true}});
+  gui().set_recording(true);
+  expect_command(r.set("Actions/Record frames", false), {{"command", "record"}, {"on", false}});
+}
+
+TEST_F(PanelTest, PullNeedsAnIntruder) {
+  load();
+  Robot& r = idle_robot();
+  r.set("Actions", "open");
+  EXPECT_TRUE(widget("Actions/Pull")->disabled);
+}
+
+TEST_F(PanelTest, ChangesTheView) {
+  load();
+  perform({{"command", "run"}, {"steps", 2}});
+  Robot& r = robot();
+  expect_command(r.set("View/colour", "speed"), {{"command", "view"}, {"colour", "speed"}});
+  EXPECT_EQ(session().view.colouring, Colouring::speed);
+  expect_command(r.set("View/theme", "dark"), {{"command", "view"}, {"theme", "dark"}});
+  for (const char* name :
+       {"bonds", "forces", "broken_bonds", "orientation", "legend", "scale_bar", "numbers"}) {
+    const std::string path = std::string("View/") + name;
+    const bool on = widget(path)->value == "on";
+    expect_command(r.set(path, !on), {{"command", "view"}, {name, !on}});
+    EXPECT_EQ(widget(path)->value, on ? "off" : "on");
+    EXPECT_TRUE(r.set(path, !on).empty()) << "it is so already";
+  }
+  expect_command(r.click("View/Fit box"), {{"command", "camera"}, {"fit", "box"}});
+  expect_command(r.click("View/Fit bodies"), {{"command", "camera"}, {"fit", "content"}});
+  expect_command(r.click("View/Zoom in"), {{"command", "camera"}, {"zoom", 1.25}});
+  expect_command(r.click("View/Zoom out"), {{"command", "camera"}, {"zoom", 0.8}});
+  expect_command(r.set("View/follow", true), {{"command", "camera"}, {"follow", "intruder"}});
+  expect_command(r.set("View/follow", false), {{"command", "camera"}, {"follow", "none"}});
+}
+
+TEST_F(PanelTest, TheWheelZoomsWhereTheMouseIs) {
+  load();
+  perform({{"command", "run"}, {"steps", 2}});
+  Robot& r = robot();
+  const Vec2 pixel = pixel_at(gui(), {3, 4});
+  const Vec2 place = gui().view_camera()->to_world(pixel);
+  const std::vector<Json> given = r.wheel(pixel, 1);
+  ASSERT_EQ(given.size(), 1U);
+  EXPECT_DOUBLE_EQ(given[0]["zoom"].get<double>(), 1.1);
+  EXPECT_NEAR(given[0]["at"][0].get<double>(), place.x(), 1e-4);
+  EXPECT_NEAR(given[0]["at"][1].get<double>(), place.y(), 1e-4);
+  EXPECT_GT(gui().view_camera()->window().low.x(), -1) << "nearer";
+}
+
+TEST_F(PanelTest, AClickPicksAGrain) {
+  load();
+  perform({{"command", "run"}, {"steps", 2}});
+  Robot& r = robot();
+  const Vec2 grain = session().world().disks.position[30];
+  const std::vector<Json> given = r.click_at(pixel_at(gui(), grain));
+  ASSERT_EQ(given.size(), 1U);
+  EXPECT_EQ(given[0]["command"], "pick");
+  EXPECT_EQ(session().picked, 30);
+  EXPECT_EQ(widget("Inspect")->value, "open");
+  EXPECT_EQ(r.set("Inspect/drag stiffness", 5).size(), 0U);
+}
+
+TEST_F(PanelTest, ADragPullsAtAGrainUntilItIsLetGo) {
+  load();
+  perform({{"command", "run"}, {"steps", 2}});
+  Robot& r = robot();
+  r.set("Inspect/drag stiffness", 10);
+  const Vec2 grain = session().world().disks.position[30];
+  const std::vector<Json> given =
+      r.drag(pixel_at(gui(), grain), pixel_at(gui(), grain + Vec2(2, 1)));
+  ASSERT_GE(given.size(), 2U);
+  const Json& pulled = given[given.size() - 2];
+  EXPECT_EQ(pulled["command"], "apply");
+  EXPECT_EQ(pulled["body"], 30);
+  EXPECT_NEAR(pulled["force"][0].get<double>(), 20, 0.5);
+  EXPECT_NEAR(pulled["force"][1].get<double>(), 10, 0.5);
+  EXPECT_EQ(given.back(), (Json{{"command", "apply"}, {"body", 30}, {"force", {0.0, 0.0}}}));
+  EXPECT_TRUE(session().world().disks.applied[30].isZero());
+}
+
+TEST_F(PanelTest, PlotsSayWhyTheyAreEmpty) {
+  Robot& r = robot();
+  r.wait(1);
+  EXPECT_EQ(widget("Plots/depth")->value, "no scene");
+  load();
+  r.wait(1);
+  EXPECT_EQ(widget("Plots/depth")->value, "no intruder");
+}
+
+TEST_F(PanelTest, TheBannerStaysUntilItIsDismissed) {
+  load();
+  Robot& r = robot();
+  gui().show_error("This cannot be done.");
+  r.wait(10);
+  EXPECT_NE(widget("Dismiss error"), nullptr);
+  EXPECT_TRUE(r.click("Dismiss error").empty());
+  EXPECT_EQ(widget("Dismiss error"), nullptr);
+  gui().show_error("Nor can this.");
+  r.press(Key::escape);
+  EXPECT_EQ(widget("Dismiss error"), nullptr);
+}
+
+TEST_F(PanelTest, KeysDoNotRunTheSceneWhileOneIsTyping) {
+  load();
+  Robot& r = robot();
+  r.click("Actions/file");
+  EXPECT_TRUE(gui().takes_text());
+  EXPECT_TRUE(r.press(Key::space).empty());
+  EXPECT_FALSE(session().running);
+}
+
+TEST_F(PanelTest, TheSameFrameGivesTheSameBytes) {
+  load();
+  perform({{"command", "run"}, {"steps", 2}});
+  robot();
+  const Image first = gui().paint();
+  EXPECT_EQ(gui().paint(), first);
+  robot();
+  EXPECT_EQ(gui().paint(), first) << "of another panel";
+}
+
+TEST_F(PanelTest, SizesAndScalesThatCannotBeDrawnAreRefused) {
+  EXPECT_THROW(Gui(5), InputError);
+  EXPECT_THROW(Gui(0.1), InputError);
+  robot();
+  EXPECT_THROW(gui().frame(session(), {}, 20, 600), InputError);
+  EXPECT_THROW(gui().frame(session(), {}, 900, 100000), InputError);
+  EXPECT_NO_THROW(gui().frame(session(), {}, 64, 64));
+}
+
+}  // namespace
+}  // namespace quicksand::test
