@@ -9,6 +9,7 @@
 #include "app/campaign/campaign.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "app/export/tables.h"
 #include "app/nearest_name.h"
 #include "app/run/quantities.h"
 #include "app/scene/scenario_json.h"
@@ -54,6 +55,18 @@ void list_quantities() {
   for (const Quantity& known : quantities()) print(known.name, known.unit, known.help);
 }
 
+void list_columns() {
+  const auto list = [](const Table& table) {
+    std::printf("%s: %s\n", std::string(table.name).c_str(), std::string(table.help).c_str());
+    for (const Column& column : table.columns) {
+      print("  " + std::string(column.name) + (column.size == 2 ? " (x, y)" : ""), column.unit,
+            column.help);
+    }
+  };
+  for (const Table& table : tables()) list(table);
+  list(state_table());
+}
+
 void list_schema() { std::printf("%s\n", scene_schema().dump(2).c_str()); }
 
 void list_campaign_schema() { std::printf("%s\n", campaign_schema().dump(2).c_str()); }
@@ -65,6 +78,7 @@ struct Listing {
 constexpr auto kListings = std::to_array<Listing>({{"scenes", list_scenes},
                                                    {"colours", list_colours},
                                                    {"quantities", list_quantities},
+                                                   {"columns", list_columns},
                                                    {"schema", list_schema},
                                                    {"campaign_schema", list_campaign_schema}});
 
@@ -82,10 +96,11 @@ int list(const std::string& what) {
 }  // namespace
 
 Command add_list(CLI::App& program) {
-  CLI::App* command =
-      program.add_subcommand("list", "list scenes, colours, quantities or the schemas of files");
+  CLI::App* command = program.add_subcommand(
+      "list", "list scenes, colours, quantities, columns of exports or the schemas of files");
   const auto what = std::make_shared<std::string>();
-  command->add_option("what", *what, "scenes, colours, quantities, schema or campaign_schema")
+  command
+      ->add_option("what", *what, "scenes, colours, quantities, columns, schema or campaign_schema")
       ->type_name("WHAT")
       ->required();
   command->footer("Example:\n  quicksand list quantities");
