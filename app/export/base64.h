@@ -1,4 +1,4 @@
-// Writes 64-bit words as base64 text, without keeping them [RFC 4648].
+// Writes 64-bit words as base64 text, without keeping them, as RFC 4648 defines it.
 #pragma once
 
 #include <cstdint>

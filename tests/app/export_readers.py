@@ -1,5 +1,5 @@
 """Reads exported files with the libraries that others will read them with, and compares every number
-with the CSV files, bit by bit. Usage: export_readers.py npy|vtk|xyz, in the folder with csv/ and the
+with the CSV files, bit by bit. Usage: export_readers.py npy|vtk|pvd|xyz, in the folder with csv/ and the
 other export. Exits with 77 where the library is missing."""
 import csv
 import struct
@@ -80,6 +80,21 @@ def read_vtk():
         assert same(time, table("states")[0]["time"])
 
 
+def read_pvd():
+    import xml.etree.ElementTree
+
+    states = table("states")
+    for name in TABLES:
+        root = xml.etree.ElementTree.parse(f"vtk/{name}.pvd").getroot()
+        assert root.tag == "VTKFile" and root.get("type") == "Collection"
+        sets = root.findall("Collection/DataSet")
+        assert len(sets) == len(states)
+        for entry, state in zip(sets, states):
+            assert same(entry.get("timestep"), state["time"])
+            piece = xml.etree.ElementTree.parse("vtk/" + entry.get("file")).getroot()
+            assert piece.get("type") == "PolyData"
+
+
 def read_xyz():
     import ase.io
 
@@ -97,7 +112,7 @@ def read_xyz():
 
 
 try:
-    {"npy": read_npy, "vtk": read_vtk, "xyz": read_xyz}[sys.argv[1]]()
+    {"npy": read_npy, "vtk": read_vtk, "pvd": read_pvd, "xyz": read_xyz}[sys.argv[1]]()
 except ModuleNotFoundError as missing:
     print(f"{missing.name} is missing; Debian has python3-numpy, python3-ase and python3-vtk9")
     sys.exit(77)

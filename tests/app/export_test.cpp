@@ -236,6 +236,8 @@ TEST_F(ExportTest, SeveralStatesAreNumberedOrFollowEachOther) {
   to("two.xyz", "xyz");
   export_as("xyz", "one.xyz");
   EXPECT_EQ(contents(at("two.xyz")), contents(at("one.xyz")) + contents(at("one.xyz")));
+  to("csv", "csv");
+  read_with_python("pvd");
 }
 
 TEST_F(ExportTest, NumpyReadsWhatCsvSays) {
