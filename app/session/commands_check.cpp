@@ -1,4 +1,5 @@
 // Commands that read and check: measure, expect.
+#include "app/export/exporter.h"
 #include "app/image_comparison.h"
 #include "app/json/json_reader.h"
 #include "app/run/measurements.h"
@@ -48,6 +49,26 @@ struct Measure {
       result["folder"] = path.string();
     }
     return result;
+  }
+};
+
+struct Export {
+  std::string format, out;
+
+  void describe(Fields& f) {
+    f.text({"format", "vtk, xyz, csv or npy", Presence::required}, format);
+    f.text({"out", "in the output folder: a folder, or for xyz a file", Presence::required}, out);
+    if (!f.reading()) return;
+    try {
+      export_format(format);
+    } catch (const InputError& error) {
+      f.refuse("format", error.what());
+    }
+  }
+  Json perform(Console& console, const std::string& place) {
+    const auto path = console.output(out, place + ".out");
+    export_state(console.session().world(), export_format(format), path);
+    return {{"out", path.string()}};
   }
 };
 
@@ -112,6 +133,9 @@ std::vector<SessionCommand> check_commands() {
   return {
       define<Measure>({"measure", kGroup, "Tells quantities of the present moment.",
                        R"({"command": "measure", "quantity": "coordination"})"}),
+      define<Export>({"export", kGroup,
+                      "Writes the present state for ParaView, OVITO, spreadsheets or NumPy.",
+                      R"({"command": "export", "format": "vtk", "out": "half_way"})"}),
       define<ExpectQuantity>(
           {"expect", kGroup, "Fails unless a quantity lies within bounds.",
            R"({"command": "expect", "quantity": "active_bond_fraction", "at_least": 0.9})"}),

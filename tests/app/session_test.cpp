@@ -205,6 +205,12 @@ TEST_F(SessionTest, PicturesCanBeExpectedToLookLikeOthers) {
   EXPECT_TRUE(fs::exists(at("out/a.png.difference.png")));
 }
 
+TEST_F(SessionTest, AStateIsExportedOnTheWay) {
+  ASSERT_EQ(play({load(), R"({"command": "export", "format": "csv", "out": "now"})"}).exit_code, 0);
+  EXPECT_TRUE(fs::exists(at("out/now/disks.csv")));
+  EXPECT_EQ(play({load(), R"({"command": "export", "format": "vtp", "out": "now"})"}).exit_code, 2);
+}
+
 TEST_F(SessionTest, ARecordingLeavesFramesAndSeries) {
   ASSERT_EQ(play({load(), R"({"command": "view", "width": 200, "height": 150})",
                   R"({"command": "record", "on": true, "folder": "film", "every": 0.01})",
