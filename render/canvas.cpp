@@ -79,7 +79,8 @@ void Canvas::clear(int width, int height, Colour background) {
   gl_.Viewport(0, 0, width, height);
   gl_.Scissor(0, 0, width, height);
   gl_.ClearColor(static_cast<GLfloat>(background.r) / 255, static_cast<GLfloat>(background.g) / 255,
-                 static_cast<GLfloat>(background.b) / 255, 1);
+                 static_cast<GLfloat>(background.b) / 255,
+                 static_cast<GLfloat>(background.a) / 255);
   gl_.Clear(GL_COLOR_BUFFER_BIT);
 }
 
@@ -112,6 +113,21 @@ void Canvas::clip_to(const PixelRect& rect) {
 Image Canvas::finish() {
   gl_.Finish();
   return to_rgb(offscreen_.pixels(), width_, height_);
+}
+
+void Canvas::finish_over(Image& picture) {
+  gl_.Finish();
+  const std::uint8_t* painted = offscreen_.pixels();
+  std::uint8_t* out = picture.rgb.data();
+  const std::size_t pixels = picture.rgb.size() / 3;
+  for (std::size_t i = 0; i < pixels; ++i, painted += 4, out += 3) {
+    const int through = 255 - painted[3];
+    if (through == 255) continue;
+    for (int channel = 0; channel < 3; ++channel) {
+      const int sum = painted[channel] + (out[channel] * through + 127) / 255;
+      out[channel] = static_cast<std::uint8_t>(std::min(sum, 255));
+    }
+  }
 }
 
 }  // namespace quicksand

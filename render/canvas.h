@@ -46,6 +46,8 @@ class Canvas {
   // Nothing is painted beyond (rounded outwards to whole pixels).
   void clip_to(const PixelRect& rect);
   Image finish();
+  // Lays what was painted, in colours times opacity, over a picture of the same size.
+  void finish_over(Image& picture);
 
  private:
   GLuint compile(GLenum stage, std::span<const char* const> parts);

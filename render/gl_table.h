@@ -14,6 +14,7 @@ namespace quicksand {
   X(BindTexture, BINDTEXTURE)                         \
   X(BindVertexArray, BINDVERTEXARRAY)                 \
   X(BlendFunc, BLENDFUNC)                             \
+  X(BlendFuncSeparate, BLENDFUNCSEPARATE)             \
   X(BufferData, BUFFERDATA)                           \
   X(Clear, CLEAR)                                     \
   X(ClearColor, CLEARCOLOR)                           \
@@ -40,7 +41,6 @@ namespace quicksand {
   X(ShaderSource, SHADERSOURCE)                       \
   X(TexImage2D, TEXIMAGE2D)                           \
   X(TexParameteri, TEXPARAMETERI)                     \
-  X(TexSubImage2D, TEXSUBIMAGE2D)                     \
   X(Uniform2f, UNIFORM2F)                             \
   X(UseProgram, USEPROGRAM)                           \
   X(VertexAttribDivisor, VERTEXATTRIBDIVISOR)         \

@@ -110,23 +110,23 @@ void main() {
 // Of a list of triangles, not of a square.
 constexpr const char* kTriangleVertex = R"(
 layout(location = 0) in vec2 position;
-layout(location = 1) in vec2 in_texture;
+layout(location = 1) in vec2 in_atlas;
 layout(location = 2) in vec4 tint;
-out vec2 texture_place;
+out vec2 atlas_place;
 out vec4 tint_colour;
 void main() {
-  texture_place = in_texture;
+  atlas_place = in_atlas;
   tint_colour = tint;
   gl_Position = place(position);
 }
 )";
 
 constexpr const char* kTriangleFragment = R"(#version 330 core
-uniform sampler2D surface;
-in vec2 texture_place;
+uniform sampler2D atlas;
+in vec2 atlas_place;
 in vec4 tint_colour;
 out vec4 colour;
-void main() { colour = tint_colour * texture(surface, texture_place); }
+void main() { colour = vec4(tint_colour.rgb, tint_colour.a * texture(atlas, atlas_place).r); }
 )";
 
 }  // namespace quicksand::shaders

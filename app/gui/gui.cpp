@@ -9,6 +9,7 @@
 #include "app/gui/panel_frame.h"
 #include "app/gui/triangles_of.h"
 #include "core/errors.h"
+#include "render/image_paste.h"
 #include "render/palette.h"
 #include "render/triangle_painter.h"
 
@@ -21,13 +22,9 @@ constexpr float kColumn = 320;  // width of the panel [px at scale 1]
 constexpr float kStatus = 30;   // height of the line along the bottom
 constexpr double kText = 12;    // size of the text in the picture of the packing
 
-// The order in which the painter is given its textures.
-constexpr auto kLetters = static_cast<Texture>(0);
-constexpr auto kPicture = static_cast<Texture>(1);
-
-constexpr ImGuiWindowFlags kPart = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
-                                   ImGuiWindowFlags_NoBringToFrontOnFocus;
+constexpr ImGuiWindowFlags kPart =
+    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoBackground;
 
 struct Context {
   Context() : context(ImGui::CreateContext()) { ImGui::SetCurrentContext(context); }
@@ -106,7 +103,6 @@ struct Gui::Impl {
   bool styled = false;
   std::uint32_t hovered = 0;
   std::optional<TrianglePainter> painter;
-  int painted = 0;  // number of the picture of the packing that the painter has
 };
 
 void Gui::Impl::prepare_view(const Session& session) {
@@ -173,10 +169,9 @@ void Gui::Impl::lay_out(PanelFrame& frame, const GuiInput& input) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
   ImGui::SetNextWindowPos({left + line, 0});
   ImGui::SetNextWindowSize({static_cast<float>(view_rect.width), status_top});
-  ImGui::Begin("view", nullptr,
-               kPart | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::Begin("view", nullptr, kPart | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
-  show_view(frame, picture, grip, view_rect, id_of(kPicture));
+  show_view(frame, picture, grip, view_rect);
   ImGui::End();
 
   ImGui::GetBackgroundDrawList()->AddRectFilled({left, 0}, {left + line, status_top},
@@ -223,7 +218,6 @@ Gui::Gui(double scale) : impl_(std::make_unique<Impl>(scale)) {
   io.Fonts->Flags |= ImFontAtlasFlags_NoBakedLines | ImFontAtlasFlags_NoMouseCursors;
   map_keys(io);
   io.Fonts->Build();
-  io.Fonts->SetTexID(id_of(kLetters));
 }
 
 Gui::~Gui() = default;
@@ -266,14 +260,18 @@ Image Gui::paint() {
     int width = 0, height = 0;
     ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&letters, &width, &height);
     const auto size = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    m.painter->add_opacity(width, height, {letters, size});
-    m.painter->add_picture();
+    m.painter->use_letters(width, height, {letters, size});
   }
-  if (m.picture.shows() && m.painted != m.picture.number()) {
-    m.painter->set_picture(kPicture, m.picture.paint());
-    m.painted = m.picture.number();
+  Image picture(m.width, m.height);
+  const Colour ground = colour_of(look(m.theme).panel);
+  fill(picture, {0, 0, m.view_rect.x, m.view_rect.height}, ground);
+  fill(picture, {0, m.view_rect.height, picture.width + 0.0, picture.height + 0.0}, ground);
+  if (m.picture.shows()) {
+    paste(picture, m.picture.paint(), static_cast<int>(m.view_rect.x), 0);
+  } else {
+    fill(picture, m.view_rect, palette(m.theme).background);
   }
-  return m.painter->paint(triangles_of(*ImGui::GetDrawData(), palette(m.theme).background));
+  return m.painter->paint(triangles_of(*ImGui::GetDrawData()), std::move(picture));
 }
 
 std::span<const Widget> Gui::widgets() const { return impl_->widgets.all(); }

@@ -61,9 +61,8 @@ void show_plots(PanelFrame& frame);
 void show_inspection(PanelFrame& frame);
 void show_status(PanelFrame& frame);
 void show_banner(PanelFrame& frame);
-// The picture of the packing in the present window, with the mouse upon it.
-void show_view(PanelFrame& frame, ViewPicture& picture, Grip& grip, const PixelRect& rect,
-               ImTextureID texture);
+// The mouse upon the picture of the packing, and what is drawn over it, in the present window.
+void show_view(PanelFrame& frame, ViewPicture& picture, Grip& grip, const PixelRect& rect);
 
 // Force over distance of a grain that is dragged [F_g/d].
 double drag_stiffness(const PanelFrame& frame);

@@ -89,8 +89,7 @@ void take_mouse(PanelFrame& frame, const ViewPicture& picture, Grip& grip, const
 
 }  // namespace
 
-void show_view(PanelFrame& frame, ViewPicture& picture, Grip& grip, const PixelRect& rect,
-               ImTextureID texture) {
+void show_view(PanelFrame& frame, ViewPicture& picture, Grip& grip, const PixelRect& rect) {
   Widgets& w = frame.widgets;
   if (rect.width < 1 || rect.height < 1) return;
   const ImVec2 low = at(rect, {0, 0}), high = at(rect, {rect.width, rect.height});
@@ -105,7 +104,6 @@ void show_view(PanelFrame& frame, ViewPicture& picture, Grip& grip, const PixelR
         w.colours().faint, text);
     return;
   }
-  ImGui::GetWindowDrawList()->AddImage(texture, low, high);
   take_mouse(frame, picture, grip, rect);
   const std::optional<int>& picked = frame.session.picked;
   const World& world = frame.session.world();

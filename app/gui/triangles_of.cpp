@@ -3,7 +3,6 @@
 #include <algorithm>
 
 namespace quicksand::gui {
-namespace {
 
 Colour colour_of(ImU32 c) {
   return {static_cast<std::uint8_t>(c >> IM_COL32_R_SHIFT),
@@ -12,13 +11,8 @@ Colour colour_of(ImU32 c) {
           static_cast<std::uint8_t>(c >> IM_COL32_A_SHIFT)};
 }
 
-}  // namespace
-
-TriangleList triangles_of(const ImDrawData& drawn, Colour background) {
+TriangleList triangles_of(const ImDrawData& drawn) {
   TriangleList triangles;
-  triangles.width = static_cast<int>(drawn.DisplaySize.x);
-  triangles.height = static_cast<int>(drawn.DisplaySize.y);
-  triangles.background = background;
   for (int k = 0; k < drawn.CmdListsCount; ++k) {
     const ImDrawList& list = *drawn.CmdLists[k];
     const auto first_vertex = static_cast<std::uint32_t>(triangles.vertices.size());
@@ -35,7 +29,6 @@ TriangleList triangles_of(const ImDrawData& drawn, Colour background) {
       const ImVec4& clip = command.ClipRect;  // left, top, right, bottom
       triangles.batches.push_back({.first = first,
                                    .count = command.ElemCount,
-                                   .texture = texture_of(command.TextureId),
                                    .clip = {clip.x, clip.y, std::max(0.0F, clip.z - clip.x),
                                             std::max(0.0F, clip.w - clip.y)}});
     }

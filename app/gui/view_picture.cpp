@@ -13,7 +13,7 @@ void ViewPicture::show(const World& world, const View& view) {
   frame_ = compose(world, view, *font_);
   world_hash_ = hash;
   view_ = view;
-  ++number_;
+  painted_.reset();
 }
 
 const Camera& ViewPicture::camera_at(const Vec2& pixel) const {
@@ -26,11 +26,18 @@ const Camera& ViewPicture::camera_at(const Vec2& pixel) const {
   return frame_->packing.camera;
 }
 
-Image ViewPicture::paint() {
+void ViewPicture::show_nothing() {
+  frame_.reset();
+  painted_.reset();
+}
+
+const Image& ViewPicture::paint() {
+  if (painted_) return *painted_;
   if (!painter_) painter_.emplace();
   if (font_is_new_) painter_->use_font(*font_);
   font_is_new_ = false;
-  return painter_->paint(frame_->list);
+  painted_ = painter_->paint(frame_->list);
+  return *painted_;
 }
 
 }  // namespace quicksand::gui

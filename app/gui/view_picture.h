@@ -16,15 +16,13 @@ class ViewPicture {
  public:
   // What is to be shown from now on. The view's size is that of the picture.
   void show(const World& world, const View& view);
-  void show_nothing() { frame_.reset(); }
+  void show_nothing();
   bool shows() const { return frame_.has_value(); }
-  // Counts the pictures: another number, another picture.
-  int number() const { return number_; }
 
   const Camera& camera() const { return frame_->packing.camera; }
   // The camera that drew this pixel of the picture: of the packing or of its close-up.
   const Camera& camera_at(const Vec2& pixel) const;
-  Image paint();  // throws RenderError
+  const Image& paint();  // throws RenderError
 
  private:
   std::optional<Font> font_;
@@ -33,7 +31,7 @@ class ViewPicture {
   bool font_is_new_ = false;
   std::uint64_t world_hash_ = 0;
   View view_;
-  int number_ = 0;
+  std::optional<Image> painted_;  // of the frame
 };
 
 }  // namespace quicksand::gui
