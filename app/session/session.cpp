@@ -48,7 +48,7 @@ void Session::start(const Scenario& scenario, Checkpoint checkpoint) {
   samples_ = 0;
   by_hand_ = failed_ = running = false;
   picked.reset();
-  course_ = std::make_unique<Course>(scenario, std::move(checkpoint), std::nullopt,
+  course_ = std::make_unique<Course>(scenario, std::move(checkpoint), every_,
                                      [this](const Row& row, const World& world) {
                                        remember(row);
                                        if (on_sample) on_sample(row, world);
@@ -105,6 +105,11 @@ void Session::begin_phase(const Phase& phase) {
 }
 
 void Session::apply(int body, const Vec2& force) { course_->protocol().apply(body, force); }
+
+void Session::sample_every(std::optional<double> every) {
+  every_ = every;
+  course_->sample_every(every);
+}
 
 RunStop Session::run(const RunUntil& until) {
   const std::int64_t first_step = world().step;

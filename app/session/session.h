@@ -80,7 +80,7 @@ class Session {
   // The quantities of this moment.
   Row measure_now() const;
   // Time between samples from now on; that of the scene if absent [sqrt(d/g)].
-  void sample_every(std::optional<double> every) { course_->sample_every(every); }
+  void sample_every(std::optional<double> every);
   // Takes a sample now, unless the present moment was sampled already.
   void sample() { course_->sample(); }
   // Receives each sample as it is taken. May be empty.
@@ -103,7 +103,8 @@ class Session {
   std::vector<Row> history_;
   std::size_t stride_ = 1;  // every which sample is kept in the history
   std::size_t samples_ = 0;
-  bool by_hand_ = false;  // whether phases were begun by hand
+  bool by_hand_ = false;         // whether phases were begun by hand
+  std::optional<double> every_;  // between samples, if not as the scene says
   bool failed_ = false;
 };
 

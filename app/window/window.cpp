@@ -22,23 +22,32 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-// Steps a second, over the last second.
+// How fast it goes, over the last second: steps, and the share of the present phase.
 class Rate {
  public:
-  void add(std::int64_t steps) {
+  void add(std::int64_t steps, const Protocol& protocol) {
     steps_ += steps;
     const double seconds = std::chrono::duration<double>(Clock::now() - since_).count();
     if (seconds < 1) return;
-    rate_ = steps_ > 0 ? std::optional(static_cast<double>(steps_) / seconds) : std::nullopt;
+    const double done = protocol.phase() != nullptr ? protocol.phase_progress() : 1;
+    const double progress = protocol.state().phase == phase_ ? done - done_ : 0;
+    per_second_ = steps_ > 0 ? std::optional(static_cast<double>(steps_) / seconds) : std::nullopt;
+    left_ =
+        steps_ > 0 && progress > 0 ? std::optional((1 - done) / progress * seconds) : std::nullopt;
     steps_ = 0;
     since_ = Clock::now();
+    done_ = done;
+    phase_ = protocol.state().phase;
   }
-  std::optional<double> per_second() const { return rate_; }
+  std::optional<double> per_second() const { return per_second_; }
+  std::optional<double> left() const { return left_; }  // of the phase [s]
 
  private:
   Clock::time_point since_ = Clock::now();
   std::int64_t steps_ = 0;
-  std::optional<double> rate_;
+  double done_ = 0;  // share of the phase at the beginning of this second
+  int phase_ = -1;
+  std::optional<double> per_second_, left_;
 };
 
 class Window {
@@ -51,7 +60,7 @@ class Window {
     console_.given = [this](const Json& command) { journal_.add(command); };
     console_.computed = [this](std::int64_t steps) {
       journal_.add_steps(steps);
-      rate_.add(steps);
+      rate_.add(steps, console_.session().protocol());
     };
     console_.session().stop_asked = [this](const Session&) { return watch_.interrupted(); };
     begin();
@@ -99,8 +108,9 @@ class Window {
 
   void show(Display& display, const GuiInput& input) {
     const int width = display.width(), height = display.height();
-    if (!console_.session().running) rate_.add(0);
-    console_.panel().set_rate(rate_.per_second(), std::nullopt);
+    const Session& session = console_.session();
+    if (session.loaded() && !session.running) rate_.add(0, session.protocol());
+    console_.panel().set_rate(rate_.per_second(), rate_.left());
     display.present(console_.panel_frame(input, width, height));
   }
 
