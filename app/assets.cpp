@@ -14,8 +14,11 @@ fs::path assets_folder() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (!error) {
-    fs::path beside = program.parent_path().parent_path() / "assets";
-    if (fs::is_directory(beside / "scenes", error)) return beside;
+    const fs::path prefix = program.parent_path().parent_path();
+    for (const char* place : {"assets", "share/quicksand/assets"}) {
+      fs::path folder = prefix / place;
+      if (fs::is_directory(folder / "scenes", error)) return folder;
+    }
   }
   return QUICKSAND_SOURCE_ASSETS;
 }

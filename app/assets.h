@@ -7,7 +7,8 @@
 
 namespace quicksand {
 
-// $QUICKSAND_ASSETS, else ../assets beside the program, else the source tree it was built from.
+// $QUICKSAND_ASSETS, else ../assets beside the program (a build in its source tree), else
+// ../share/quicksand/assets (an installed program), else the source tree it was built from.
 std::filesystem::path assets_folder();
 
 // Sorted by name; empty if there is no such folder.

@@ -9,6 +9,8 @@
 #include "app/campaign/campaign.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "app/export/tables.h"
+#include "app/manual/manual.h"
 #include "app/nearest_name.h"
 #include "app/run/quantities.h"
 #include "app/scene/scenario_json.h"
@@ -31,7 +33,7 @@ void print(std::string_view name, std::string_view unit, std::string_view help) 
               ("[" + std::string(unit) + "]").c_str(), std::string(help).c_str());
 }
 
-void list_scenes() {
+void list_scenes(const CLI::App&) {
   const auto scenes = shipped_scenes();
   if (scenes.empty()) {
     throw InputError(assets_folder().string(), "has no scenes; QUICKSAND_ASSETS names the folder");
@@ -47,59 +49,85 @@ void list_scenes() {
   }
 }
 
-void list_colours() {
+void list_colours(const CLI::App&) {
   for (const ColouringInfo& known : colourings()) print(known.name, known.unit, known.description);
 }
 
-void list_quantities() {
+void list_quantities(const CLI::App&) {
   for (const Quantity& known : quantities()) print(known.name, known.unit, known.help);
 }
 
-void list_schema() { std::printf("%s\n", scene_schema().dump(2).c_str()); }
+void list_columns(const CLI::App&) {
+  const auto list = [](const Table& table) {
+    std::printf("%s: %s\n", std::string(table.name).c_str(), std::string(table.help).c_str());
+    for (const Column& column : table.columns) {
+      print("  " + std::string(column.name) + (column.size == 2 ? " (x, y)" : ""), column.unit,
+            column.help);
+    }
+  };
+  for (const Table& table : tables()) list(table);
+  list(state_table());
+}
 
-void list_session_schema() { std::printf("%s\n", session_schema().dump(2).c_str()); }
+void list_session_schema(const CLI::App&) { std::printf("%s\n", session_schema().dump(2).c_str()); }
 
-void list_commands() { std::printf("%s", commands_text().c_str()); }
+void list_commands(const CLI::App&) { std::printf("%s", commands_text().c_str()); }
 
-void list_campaign_schema() { std::printf("%s\n", campaign_schema().dump(2).c_str()); }
+void list_schema(const CLI::App&) { std::printf("%s\n", scene_schema().dump(2).c_str()); }
+
+void list_campaign_schema(const CLI::App&) {
+  std::printf("%s\n", campaign_schema().dump(2).c_str());
+}
+
+void list_man(const CLI::App& program) { std::fputs(man_page(program).c_str(), stdout); }
+
+void list_completion(const CLI::App& program) {
+  std::fputs(bash_completion(program).c_str(), stdout);
+}
 
 struct Listing {
   const char* name;
-  void (*print)();
+  void (*print)(const CLI::App& program);
 };
 constexpr auto kListings = std::to_array<Listing>({{"scenes", list_scenes},
                                                    {"colours", list_colours},
                                                    {"quantities", list_quantities},
+                                                   {"columns", list_columns},
                                                    {"schema", list_schema},
                                                    {"campaign_schema", list_campaign_schema},
                                                    {"commands", list_commands},
-                                                   {"session_schema", list_session_schema}});
+                                                   {"session_schema", list_session_schema},
+                                                   {"man", list_man},
+                                                   {"completion", list_completion}});
 
-int list(const std::string& what) {
+int list(const std::string& what, const CLI::App& program) {
   const auto known = std::ranges::find(kListings, what, &Listing::name);
   if (known == kListings.end()) {
     std::vector<std::string> names;
     std::ranges::transform(kListings, std::back_inserter(names), &Listing::name);
     throw InputError("list " + what, "is nothing that can be listed" + suggestion(what, names));
   }
-  known->print();
+  known->print(program);
   return kFine;
 }
 
 }  // namespace
 
 Command add_list(CLI::App& program) {
-  CLI::App* command = program.add_subcommand(
-      "list", "list scenes, colours, quantities, session commands or the schemas of files");
+  CLI::App* command = program.add_subcommand("list",
+                                             "list scenes, colours, quantities, session commands, "
+                                             "columns of exports, schemas of files or the "
+                                             "manual page");
   const auto what = std::make_shared<std::string>();
   command
-      ->add_option(
-          "what", *what,
-          "scenes, colours, quantities, commands, schema, campaign_schema or session_schema")
+      ->add_option("what", *what,
+                   "scenes, colours, quantities, commands, columns, schema, campaign_schema, "
+                   "session_schema, "
+                   "man or completion")
       ->type_name("WHAT")
       ->required();
   command->footer("Example:\n  quicksand list quantities");
-  return {command, [what] { return list(*what); }};
+  return {command, [what, &program] { return list(*what, program); }};
 }
 
 }  // namespace quicksand

@@ -19,8 +19,11 @@ Command add_render(CLI::App& program);
 Command add_report(CLI::App& program);
 Command add_campaign(CLI::App& program);
 Command add_measure(CLI::App& program);
+Command add_export(CLI::App& program);
 Command add_reproduce(CLI::App& program);
 Command add_session(CLI::App& program);
+Command add_compare(CLI::App& program);
+Command add_window(CLI::App& program);
 Command add_list(CLI::App& program);
 
 }  // namespace quicksand

@@ -37,6 +37,13 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   command.add_flag("--forces", options.forces, "draw contact forces as lines of their width");
 }
 
+void read_size(const std::string& text, int& width, int& height) {
+  if (parse_size(text, width, height) && drawable(width) && drawable(height)) return;
+  throw InputError("--size " + text, "must be width x height in pixels, each from " +
+                                         std::to_string(kSmallestPicture) + " to " +
+                                         std::to_string(kLargestPicture) + ", as in 1280x720");
+}
+
 View view_from(const PictureOptions& options) {
   View view;
   const auto colouring = colouring_from_name(options.colour);
@@ -51,13 +58,7 @@ View view_from(const PictureOptions& options) {
     throw InputError("--theme " + options.theme,
                      "is no theme" + suggestion(options.theme, {"light", "dark"}));
   }
-  if (!parse_size(options.size, view.width, view.height) || !drawable(view.width) ||
-      !drawable(view.height)) {
-    throw InputError("--size " + options.size, "must be width x height in pixels, each from " +
-                                                   std::to_string(kSmallestPicture) + " to " +
-                                                   std::to_string(kLargestPicture) +
-                                                   ", as in 1280x720");
-  }
+  read_size(options.size, view.width, view.height);
   view.colouring = *colouring;
   view.theme = *theme;
   view.bonds = options.bonds;

@@ -18,6 +18,9 @@ struct PictureOptions {
 
 void add_picture_options(CLI::App& command, PictureOptions& options);
 
+// Reads "1280x720". Throws InputError if it is not of that form or cannot be drawn.
+void read_size(const std::string& text, int& width, int& height);
+
 // Throws InputError if a name or the size is not valid.
 View view_from(const PictureOptions& options);
 

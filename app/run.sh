@@ -6,6 +6,12 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 source "$root/app/setup.sh"
 
 install_packages
+if [ "${1:-}" = window ]; then
+  install_packages window
+  # An earlier configuration may have found no SDL.
+  [ -f "$root/build/quicksand_window.so" ] || rm -f "$root/build/build.ninja"
+  build_in "$root/build" quicksand_window -DCMAKE_BUILD_TYPE=Release
+fi
 build_in "$root/build" quicksand -DCMAKE_BUILD_TYPE=Release
 
 if [ $# -eq 0 ]; then

@@ -89,7 +89,7 @@ void show_controls(PanelFrame& frame) {
   if (const auto steps = w.number(
           {"Steps per frame", {}, "Time steps between two pictures of the panel; starts the run."},
           static_cast<double>(session.steps_per_frame), true)) {
-    frame.command("start", {{"steps_per_frame", static_cast<std::int64_t>(*steps)}});
+    frame.command("pace", {{"steps_per_frame", static_cast<std::int64_t>(*steps)}});
   }
   if (session.loaded()) show_phases(frame);
   w.end_section();

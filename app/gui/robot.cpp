@@ -11,6 +11,7 @@ namespace quicksand {
 namespace {
 
 constexpr int kMostScrolls = 200;
+constexpr int kSettling = 3;  // frames
 
 Vec2 middle(const PixelRect& r) { return {r.x + r.width / 2, r.y + r.height / 2}; }
 
@@ -29,12 +30,22 @@ constexpr std::array<std::string_view, 24> kKeys{
 Robot::Robot(Gui& gui, const Session& session, int width, int height, Perform perform)
     : gui_(gui), session_(session), width_(width), height_(height), perform_(std::move(perform)) {}
 
+void Robot::resize(int width, int height) {
+  width_ = width;
+  height_ = height;
+}
+
+void Robot::let_go() {
+  input_ = {};
+  commands_.clear();
+}
+
 void Robot::frame() {
   const std::vector<Json> given = gui_.frame(session_, input_, width_, height_);
   commands_.insert(commands_.end(), given.begin(), given.end());
-  if (perform_ && !given.empty()) perform_(given);
   input_.text.clear();
   input_.wheel = 0;
+  if (perform_) perform_(given);
 }
 
 void Robot::begin() {
@@ -110,6 +121,8 @@ void Robot::scroll_to(const std::string& path) {
 }
 
 Vec2 Robot::reach(const std::string& path) {
+  // The last frame may show what has changed since, and a panel may unfold and scroll by itself.
+  for (int i = 0; i < kSettling; ++i) frame();
   shown(path);
   scroll_to(path);
   const Widget& widget = shown(path);

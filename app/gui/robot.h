@@ -14,10 +14,15 @@ namespace quicksand {
 
 class Robot {
  public:
-  // `perform` carries out what a frame returned; the next frame shows the result. May be empty. The
-  // picture has this size [px].
+  // `perform` carries out what a frame returned, often nothing; the next frame shows the result. May be
+  // empty. The picture has this size [px].
   using Perform = std::function<void(const std::vector<Json>&)>;
   Robot(Gui& gui, const Session& session, int width, int height, Perform perform);
+
+  void resize(int width, int height);
+  // After an action that threw: no button or key is held any more, and the mouse is elsewhere.
+  void let_go();
+  const Vec2& mouse() const { return input_.mouse; }  // [px]; negative: elsewhere
 
   // All of the following return the commands that they gave, and throw InputError when that cannot be
   // done: there is no such widget, it is disabled, something covers it.

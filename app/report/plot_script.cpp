@@ -49,7 +49,8 @@ std::string range_of(const Axis& axis, const Extent& extent) {
                  text(axis.high, number_text(axis.logarithmic ? 10 * low : low + 1)));
   }
   const double from = axis.low.value_or(extent.low), to = axis.high.value_or(extent.high);
-  if (extent.of_bars || !(to > from)) return range(text(axis.low, "*"), text(axis.high, "*"));
+  if (extent.of_bars || !(to > from) || (axis.logarithmic && from <= 0))
+    return range(text(axis.low, "*"), text(axis.high, "*"));
   if (axis.logarithmic) {
     const double factor = std::pow(to / from, kMargin);
     return range(text(axis.low, number_text(from / factor)),

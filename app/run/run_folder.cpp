@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/run/whole_file.h"
 #include "core/errors.h"
 
 namespace quicksand {
@@ -44,14 +45,9 @@ void remove_earlier_results(const RunFolder& folder) {
 }
 
 void write_whole(const fs::path& path, std::string_view text) {
-  fs::path part = path;
-  part += ".part";
-  std::ofstream file(part, std::ios::binary | std::ios::trunc);
-  file << text;
-  file.close();
-  std::error_code error;
-  if (file) fs::rename(part, path, error);
-  if (!file || error) throw InputError(path.string(), "cannot be written; is the disk full?");
+  WholeFile file(path);
+  file.stream() << text;
+  file.finish();
 }
 
 }  // namespace quicksand

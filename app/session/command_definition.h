@@ -59,6 +59,7 @@ std::vector<SessionCommand> scene_commands();
 std::vector<SessionCommand> run_commands();
 std::vector<SessionCommand> phase_commands();
 std::vector<SessionCommand> picture_commands();
+std::vector<SessionCommand> widget_commands();
 std::vector<SessionCommand> check_commands();
 std::vector<SessionCommand> session_commands_proper();
 

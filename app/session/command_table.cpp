@@ -16,7 +16,7 @@ namespace {
 std::vector<SessionCommand> make_table() {
   std::vector<SessionCommand> table;
   for (const auto group : {scene_commands, run_commands, phase_commands, picture_commands,
-                           check_commands, session_commands_proper}) {
+                           widget_commands, check_commands, session_commands_proper}) {
     std::ranges::copy(group(), std::back_inserter(table));
   }
   return table;

@@ -1,13 +1,14 @@
 // Commands that read and check: measure, expect.
+#include "app/export/exporter.h"
+#include "app/image_comparison.h"
 #include "app/json/json_reader.h"
 #include "app/run/measurements.h"
 #include "app/run/summary.h"
 #include "app/session/command_definition.h"
 #include "app/session/condition.h"
+#include "app/session/transcript.h"
 #include "core/errors.h"
-#include "render/image_difference.h"
 #include "render/png.h"
-#include "render/png_reader.h"
 
 namespace quicksand {
 
@@ -51,6 +52,26 @@ struct Measure {
   }
 };
 
+struct Export {
+  std::string format, out;
+
+  void describe(Fields& f) {
+    f.text({"format", "vtk, xyz, csv or npy", Presence::required}, format);
+    f.text({"out", "in the output folder: a folder, or for xyz a file", Presence::required}, out);
+    if (!f.reading()) return;
+    try {
+      export_format(format);
+    } catch (const InputError& error) {
+      f.refuse("format", error.what());
+    }
+  }
+  Json perform(Console& console, const std::string& place) {
+    const auto path = console.output(out, place + ".out");
+    export_state(console.session().world(), export_format(format), path);
+    return {{"out", path.string()}};
+  }
+};
+
 struct ExpectQuantity {
   Condition condition;
 
@@ -62,6 +83,21 @@ struct ExpectQuantity {
                            (value ? number_text(*value) : std::string("not there")) +
                            ", expected " + words_of(condition));
     return {{condition.quantity, *value}};
+  }
+};
+
+struct ExpectHash {
+  std::string hash;
+
+  void describe(Fields& f) {
+    f.text({"hash", "16 hexadecimal digits, as transcripts show it", Presence::required}, hash);
+  }
+  Json perform(Console& console, const std::string&) {
+    const std::string now = text_of_hash(world_hash(console.session().world()));
+    if (now != hash)
+      throw CommandFailure("the world's hash is " + now + ", expected " + hash +
+                           "; another version, compiler or machine computes another course");
+    return {{"hash", now}};
   }
 };
 
@@ -78,23 +114,16 @@ struct ExpectImage {
               tolerance);
   }
   Json perform(Console& console, const std::string& place) {
-    const Image ours = read_png(console.input(image));
-    const Image expected = read_png(console.input(reference));
-    if (ours.width != expected.width || ours.height != expected.height)
-      throw CommandFailure(image + " is " + size_of(ours) + ", the reference " + size_of(expected));
-    const ImageDifference d = difference_of(ours, expected, static_cast<int>(tolerance));
-    if (d.pixels == 0) return {{"worst", d.worst}};
-    const auto path = console.output(image + ".difference.png", place);
-    write_png(path, d.picture);
-    throw CommandFailure(image + " differs from " + reference + " in " + std::to_string(d.pixels) +
-                         " pixels by up to " + std::to_string(d.worst) + "/255, in the box from (" +
-                         std::to_string(d.left) + ", " + std::to_string(d.top) + ") to (" +
-                         std::to_string(d.right) + ", " + std::to_string(d.bottom) + "); see " +
-                         path.string());
-  }
-
-  static std::string size_of(const Image& image) {
-    return std::to_string(image.width) + " x " + std::to_string(image.height) + " px";
+    const ImageComparison result =
+        compare_images(console.input(image), console.input(reference), static_cast<int>(tolerance));
+    if (result.same) return {{"worst", result.difference.worst}};
+    std::string seen;
+    if (result.difference.picture.width > 0) {
+      const auto path = console.output(image + ".difference.png", place);
+      write_png(path, result.difference.picture);
+      seen = "; see " + path.string();
+    }
+    throw CommandFailure(result.text + seen);
   }
 };
 
@@ -104,9 +133,14 @@ std::vector<SessionCommand> check_commands() {
   return {
       define<Measure>({"measure", kGroup, "Tells quantities of the present moment.",
                        R"({"command": "measure", "quantity": "coordination"})"}),
+      define<Export>({"export", kGroup,
+                      "Writes the present state for ParaView, OVITO, spreadsheets or NumPy.",
+                      R"({"command": "export", "format": "vtk", "out": "half_way"})"}),
       define<ExpectQuantity>(
           {"expect", kGroup, "Fails unless a quantity lies within bounds.",
            R"({"command": "expect", "quantity": "active_bond_fraction", "at_least": 0.9})"}),
+      define<ExpectHash>({"expect_hash", kGroup, "Fails unless the world is this one, bit by bit.",
+                          R"({"command": "expect_hash", "hash": "0123456789abcdef"})"}),
       define<ExpectImage>(
           {"expect_image", kGroup,
            "Fails unless a picture looks like a reference; the differences are written beside it.",

@@ -62,9 +62,9 @@ std::vector<SessionCommand> phase_commands() {
           {"pull", kGroup,
            "Begins the search for the smallest upward force that takes the intruder out.",
            R"({"command": "pull", "first_force": 1000})"}),
-      define<Begin<PistonPhase>>({"piston", kGroup,
-                                  "Lays a piston on the packing and presses it down.",
-                                  R"({"command": "piston", "force": 1e4, "max_time": 5})"}),
+      define<Begin<PistonPhase>>(
+          {"piston", kGroup, "Lays a piston on the packing and presses it down.",
+           R"({"command": "piston", "mass": 10, "force": 1e4, "max_time": 5})"}),
       define<Begin<ShearPhase>>(
           {"shear", kGroup,
            "Begins the search for the smallest horizontal forces that move grains.",

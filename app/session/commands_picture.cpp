@@ -135,7 +135,7 @@ struct Pick {
     const Vec2& x = world.disks.position[found];
     const Vec3& v = world.disks.velocity[found];
     return {{"body", found},
-            {"position", {x.x(), x.y()}},
+            {"position", {world.wrapped_x(x.x()), x.y()}},
             {"radius", world.disks.radius[found]},
             {"velocity", {v.x(), v.y()}},
             {"angular_velocity", v.z()}};
@@ -163,6 +163,8 @@ struct Snapshot {
     if (f.reading() && !file.ends_with(".png")) f.refuse("file", "must end in .png");
   }
   Json perform(Console& console, const std::string& place) {
+    if (what == 0 && !console.session().loaded())
+      throw CommandFailure("there is no scene to be drawn; the panel alone can be");
     const auto path = console.output(file, place + ".file");
     write_png(path, what == 1 ? console.draw_panel(width, height, scale)
                               : console.draw_view(width, height));
@@ -213,13 +215,15 @@ struct Record {
 std::vector<SessionCommand> picture_commands() {
   return {
       define<ViewCommand>({"view", kGroup, "Changes how the packing is drawn.",
-                           R"({"command": "view", "colour": "pressure", "theme": "dark"})"}),
+                           R"({"command": "view", "colour": "pressure", "theme": "dark"})"},
+                          false),
       define<CameraCommand>({"camera", kGroup, "Chooses what part of the world is shown.",
                              R"({"command": "camera", "follow": "intruder", "zoom": 3})"}),
       define<Pick>({"pick", kGroup, "Chooses the body that the panel inspects, and tells about it.",
                     R"({"command": "pick", "at": [15, 10]})"}),
       define<Snapshot>({"snapshot", kGroup, "Writes a picture.",
-                        R"({"command": "snapshot", "file": "half_way.png"})"}),
+                        R"({"command": "snapshot", "file": "half_way.png"})"},
+                       false),
       define<Record>({"record", kGroup, "Begins or ends writing frames and series.csv.",
                       R"({"command": "record", "on": true, "folder": "film", "every": 0.02})"})};
 }

@@ -55,18 +55,23 @@ struct Run {
 };
 
 struct Start {
-  std::int64_t steps_per_frame = 1;
-
-  void seed(const Console& console) { steps_per_frame = console.session().steps_per_frame; }
-  void describe(Fields& f) {
-    f.integer(
-        {"steps_per_frame", "steps that each frame of the panel computes; as before if absent"}, 1,
-        1'000'000, steps_per_frame);
-  }
+  void describe(Fields&) {}
   Json perform(Console& console, const std::string&) {
     console.session().running = true;
+    return Json::object();
+  }
+};
+
+struct Pace {
+  std::int64_t steps_per_frame = 1;
+
+  void describe(Fields& f) {
+    f.integer({"steps_per_frame", "number of steps", Presence::required}, 1, 1'000'000,
+              steps_per_frame);
+  }
+  Json perform(Console& console, const std::string&) {
     console.session().steps_per_frame = steps_per_frame;
-    return {{"steps_per_frame", steps_per_frame}};
+    return Json::object();
   }
 };
 
@@ -104,8 +109,12 @@ std::vector<SessionCommand> run_commands() {
       define<Run>({"run", kGroup,
                    "Computes until the first of its ends; without any, to the end of the scene.",
                    R"({"command": "run", "time": 0.5})"}),
-      define<Start>({"start", kGroup, "Lets every frame of the panel compute some steps.",
-                     R"({"command": "start", "steps_per_frame": 10})"}),
+      define<Start>(
+          {"start", kGroup, "Lets every frame of the panel compute.", R"({"command": "start"})"}),
+      define<Pace>(
+          {"pace", kGroup, "Sets how many steps a frame of the panel computes after start.",
+           R"({"command": "pace", "steps_per_frame": 10})"},
+          false),
       define<Pause>({"pause", kGroup, "Ends what start began.", R"({"command": "pause"})"}),
       define<Apply>(
           {"apply", kGroup,

@@ -11,7 +11,8 @@ namespace quicksand {
 
 namespace fs = std::filesystem;
 
-Console::Console(ConsoleFolders folders) : folders_(std::move(folders)) {
+Console::Console(ConsoleFolders folders, double scale)
+    : folders_(std::move(folders)), scale_(scale) {
   session_.on_sample = [this](const Row& row, const World&) {
     if (recording) recording->add(row);
   };
@@ -59,7 +60,65 @@ Image Console::draw_view(int width, int height) {
   return renderer_->draw(session_.world(), view, caption);
 }
 
-Image Console::draw_panel(int, int, std::optional<double>) { throw CommandFailure("no panel yet"); }
+Gui& Console::panel() {
+  if (!panel_) panel_ = std::make_unique<Gui>(scale_);
+  return *panel_;
+}
+
+Robot& Console::robot() {
+  if (!robot_)
+    robot_ =
+        std::make_unique<Robot>(panel(), session_, session_.view.width, session_.view.height,
+                                [this](const std::vector<Json>& commands) { carry_out(commands); });
+  robot_->resize(session_.view.width, session_.view.height);
+  return *robot_;
+}
+
+void Console::carry_out(const std::vector<Json>& commands) {
+  for (const Json& command : commands) {
+    perform(command, "panel");
+    if (given) given(command);
+  }
+  panel().set_recording(recording != nullptr);
+  if (!session_.running || !session_.loaded()) return;
+  const std::int64_t first = session_.world().step;
+  RunUntil frame;
+  frame.steps = session_.steps_per_frame;
+  session_.run(frame);
+  if (computed) computed(session_.world().step - first);
+  if (session_.finished() || session_.failed()) session_.running = false;
+  if (session_.failed())
+    throw CommandFailure("the simulation stopped: " + session_.protocol().failure());
+}
+
+Image Console::panel_frame(const GuiInput& input, int width, int height) {
+  const std::vector<Json> commands = panel().frame(session_, input, width, height);
+  Image picture = panel().paint();
+  try {
+    carry_out(commands);
+  } catch (const InputError& error) {
+    panel().show_error(error.where() + ": " + error.what());
+  } catch (const CommandFailure& error) {
+    panel().show_error(error.what());
+  }
+  return picture;
+}
+
+Image Console::draw_panel(int width, int height, std::optional<double> scale) {
+  constexpr int kSettling = 3;  // frames until the layout of a new size rests
+  const auto picture_of = [&](Gui& gui, const GuiInput& input) {
+    for (int i = 0; i < kSettling; ++i) gui.frame(session_, input, width, height);
+    return gui.paint();
+  };
+  if (scale && *scale != panel().scale()) {
+    // Another scale is another panel; the present one keeps what it shows.
+    Gui other(*scale);
+    return picture_of(other, {});
+  }
+  GuiInput still;
+  still.mouse = robot().mouse();
+  return picture_of(panel(), still);
+}
 
 void Console::include(const fs::path& file, const std::string& place) {
   constexpr int kDeepest = 10;

@@ -6,6 +6,8 @@
 #include <memory>
 #include <string>
 
+#include "app/gui/gui.h"
+#include "app/gui/robot.h"
 #include "app/session/recording.h"
 #include "app/session/session.h"
 #include "render/renderer.h"
@@ -19,7 +21,8 @@ struct ConsoleFolders {
 
 class Console {
  public:
-  explicit Console(ConsoleFolders folders);
+  // `scale`: of the panel's letters and controls.
+  explicit Console(ConsoleFolders folders, double scale = 1);
 
   // Performs one command {"command": NAME, ...}; `place` names it in errors. Returns what it has to
   // tell. Throws InputError, CommandFailure, RenderError; then nothing but what it began has changed.
@@ -34,6 +37,17 @@ class Console {
   // A file that a command reads: in the output folder if it is there, else relative to the file that
   // names it.
   std::filesystem::path input(const std::string& name) const;
+
+  // The panel, made when it is first asked for. Throws RenderError if there is no font.
+  Gui& panel();
+  // Acts on the panel; what it commands is performed, and each frame computes if the session runs.
+  Robot& robot();
+  // One frame of the panel in a window, and its picture: as above, but what fails shows in a banner of
+  // the panel. Throws RenderError.
+  Image panel_frame(const GuiInput& input, int width, int height);
+  // Told of each command that a panel gave and that succeeded, and of the steps that its frames computed.
+  std::function<void(const Json&)> given;
+  std::function<void(std::int64_t)> computed;
 
   // Pictures of the present moment. Throw RenderError if this system cannot draw.
   Image draw_view(int width, int height);
@@ -50,8 +64,13 @@ class Console {
  private:
   ConsoleFolders folders_;
   Session session_;
+  void carry_out(const std::vector<Json>& commands);
+
   std::unique_ptr<Renderer> renderer_;
-  int depth_ = 0;  // of included files
+  double scale_;
+  std::unique_ptr<Gui> panel_;
+  std::unique_ptr<Robot> robot_;
+  int depth_ = 0;       // of included files
 };
 
 }  // namespace quicksand

@@ -25,7 +25,11 @@ class Play {
         folder_{options.out.empty() ? fs::path("out") / file_.name : options.out},
         console_({folder_.path, fs::absolute(options.file).parent_path()}),
         transcript_(begin(folder_)) {
-    console_.print = [](const std::string& text) { std::printf("%s\n", text.c_str()); };
+    console_.print = [this](const std::string& text) {
+      progress_.end();
+      std::printf("%s\n", text.c_str());
+      std::fflush(stdout);
+    };
     console_.session().stop_asked = [this](const Session& session) {
       progress_.show(session.protocol());
       return watch_.interrupted();

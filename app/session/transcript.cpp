@@ -11,15 +11,11 @@
 
 namespace quicksand {
 
-namespace {
-
 std::string text_of_hash(std::uint64_t hash) {
   std::array<char, 17> text{};
   std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash));
   return text.data();
 }
-
-}  // namespace
 
 Answer answer_to(Console& console, const Json& command, const std::string& place) {
   Answer answer;

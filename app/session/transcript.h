@@ -10,6 +10,9 @@
 
 namespace quicksand {
 
+// A world's hash as transcripts show it: 16 hexadecimal digits.
+std::string text_of_hash(std::uint64_t hash);
+
 // Of one command: its result or why there is none, and where the world stood afterwards. Problems of the
 // command's form have the place; failures have none.
 struct Answer {

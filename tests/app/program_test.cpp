@@ -40,7 +40,7 @@ int rows(const std::string& csv) {
 
 TEST_F(ProgramTest, HelpOfEveryCommandEndsWithAnExample) {
   for (const char* command :
-       {"run", "check", "render", "measure", "campaign", "report", "reproduce", "list"}) {
+       {"run", "check", "render", "measure", "export", "campaign", "report", "reproduce", "list"}) {
     const Outcome help = quicksand({command, "--help"});
     EXPECT_EQ(help.exit_code, 0);
     EXPECT_NE(help.out.find(std::string("Example:\n  quicksand ") + command), std::string::npos)

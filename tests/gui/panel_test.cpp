@@ -42,7 +42,7 @@ TEST_F(PanelTest, ControlsTheRun) {
   expect_command(r.press(Key::space), {{"command", "pause"}});
   expect_command(r.click("Controls/Reset"), {{"command", "reset"}});
   expect_command(r.set("Controls/Steps per frame", 20),
-                 {{"command", "start"}, {"steps_per_frame", 20}});
+                 {{"command", "pace"}, {"steps_per_frame", 20}});
   EXPECT_EQ(widget("Controls/Steps per frame")->value, "20");
 }
 

@@ -78,6 +78,20 @@ TEST_P(Slope, DiskSlipsWhileItRollsOnASteepSlope) {
   EXPECT_NEAR(v.z(), -t * kMu * std::cos(angle) * 0.5 * 8, tolerance::solved(10));
 }
 
+// Rolling friction takes its share of mu: slip begins at tan = 3 mu - 2 c.
+TEST_P(Slope, RollingFrictionLetsTheDiskSlipEarlier) {
+  const ContactLaw law{.friction = kMu, .rolling_friction = kRolling};
+  const auto slip = [&](double slope) {
+    Simulation run(incline(GetParam(), slope, law));
+    run.run_for(2);
+    const Vec3 v = run.world.disks.velocity[0];
+    return v.head<2>().norm() + v.z() * 0.5;
+  };
+  const double limit = 3 * kMu - 2 * kRolling;
+  EXPECT_NEAR(slip(0.99 * limit), 0, tolerance::solved());
+  EXPECT_GT(slip(1.01 * limit), 0.01);
+}
+
 TEST_P(Slope, FrictionlessDiskSlidesDownWithoutTurning) {
   Simulation run(incline(GetParam(), 0.7, {}));
   run.run_for(2);

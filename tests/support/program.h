@@ -18,7 +18,9 @@ struct Outcome {
 // A running quicksand, in a working folder of its own choice.
 class Program {
  public:
-  Program(const std::vector<std::string>& arguments, const std::filesystem::path& working_folder);
+  // `input` is its standard input.
+  Program(const std::vector<std::string>& arguments, const std::filesystem::path& working_folder,
+          const std::string& input = {});
   ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
@@ -33,6 +35,6 @@ class Program {
 };
 
 Outcome run_program(const std::vector<std::string>& arguments,
-                    const std::filesystem::path& working_folder);
+                    const std::filesystem::path& working_folder, const std::string& input = {});
 
 }  // namespace quicksand::test

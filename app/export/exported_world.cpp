@@ -1,0 +1,84 @@
+// What is derived from a world before it is exported.
+#include <algorithm>
+#include <cmath>
+
+#include "app/export/tables.h"
+
+namespace quicksand {
+
+namespace {
+
+std::vector<Link> links_of(const World& world, const std::vector<Pair>& touching) {
+  std::vector<Pair> pairs = touching;
+  for (const Bond& bond : world.bonds.list)
+    if (bond.state == BondState::active) pairs.push_back(bond.pair);
+  for (const Contact& contact : world.contacts)
+    if (contact.cohesion != 0 || !contact.impulse.isZero(0)) pairs.push_back(contact.pair);
+  std::ranges::sort(pairs);
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+
+  std::vector<Link> links;
+  links.reserve(pairs.size());
+  for (const Pair pair : pairs) {
+    const auto contact = std::ranges::lower_bound(world.contacts, pair, {}, &Contact::pair);
+    const bool listed =
+        world.impulse_dt > 0 && contact != world.contacts.end() && contact->pair == pair;
+    links.push_back({.pair = pair,
+                     .contact = listed ? &*contact : nullptr,
+                     .bond = world.bonds.find(pair),
+                     .touching = std::ranges::binary_search(touching, pair)});
+  }
+  return links;
+}
+
+// Where a disk is shown: inside periodic sides.
+Vec2 shown_at(const World& world, int disk) {
+  const Vec2& centre = world.disks.position[disk];
+  return {world.wrapped_x(centre.x()), centre.y()};
+}
+
+Rectangle covered_by(const World& world) {
+  Rectangle covered{.high = {world.box.width, world.box.height}};
+  for (int i = 0; i < world.disks.size(); ++i) {
+    const Vec2 reach(world.disks.radius[i], world.disks.radius[i]);
+    covered.low = covered.low.cwiseMin(shown_at(world, i) - reach);
+    covered.high = covered.high.cwiseMax(shown_at(world, i) + reach);
+  }
+  if (world.box.sides == Sides::periodic) {
+    covered.low.x() = 0;
+    covered.high.x() = world.box.width;
+  }
+  return covered;
+}
+
+}  // namespace
+
+ExportedWorld::ExportedWorld(const World& exported)
+    : ExportedWorld(exported, touching_pairs(exported)) {}
+
+ExportedWorld::ExportedWorld(const World& exported, const std::vector<Pair>& touching)
+    : world(exported),
+      counts(neighbours(exported, touching)),
+      pressure(contact_pressure(exported)),
+      links(links_of(exported, touching)),
+      covered(covered_by(exported)) {}
+
+Vec2 ExportedWorld::place(int disk) const { return shown_at(world, disk); }
+
+Vec2 ExportedWorld::branch(const Link& link) const {
+  const auto [a, b] = link.pair;
+  if (!is_wall(b)) return world.separation(a, b);
+  const Wall& wall = world.wall(b);
+  return -wall.normal.dot(world.disks.position[a] - wall.point) * wall.normal;
+}
+
+Vec2 ExportedWorld::wall_end(int wall, int which) const {
+  const Wall& w = world.walls[static_cast<std::size_t>(wall)];
+  const Vec2 along = perpendicular(w.normal);
+  const Vec2 middle = (covered.low + covered.high) / 2;
+  const Vec2 foot = middle - w.normal.dot(middle - w.point) * w.normal;
+  const double half = along.cwiseAbs().dot(covered.high - covered.low) / 2;
+  return which == 0 ? Vec2(foot - half * along) : Vec2(foot + half * along);
+}
+
+}  // namespace quicksand

@@ -1,0 +1,49 @@
+#include "app/window/journal.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "app/session/transcript.h"
+
+namespace quicksand {
+
+namespace {
+
+constexpr auto kOfTheWindow = std::to_array<std::string_view>({"start", "pause", "pace", "quit"});
+
+std::string_view name_of(const Json& command) {
+  return command["command"].get_ref<const std::string&>();
+}
+
+}  // namespace
+
+void Journal::add(const Json& command) {
+  const std::string_view name = name_of(command);
+  if (std::ranges::find(kOfTheWindow, name) != kOfTheWindow.end()) return;
+  // While the mouse moves, only the last force before the next step counts.
+  const bool replaces = name == "apply" && !commands_.empty() &&
+                        name_of(commands_.back()) == "apply" &&
+                        commands_.back()["body"] == command["body"];
+  if (replaces) commands_.pop_back();
+  commands_.push_back(command);
+}
+
+void Journal::add_steps(std::int64_t steps) {
+  if (steps == 0) return;
+  const bool goes_on = !commands_.empty() && name_of(commands_.back()) == "run" &&
+                       commands_.back().size() == 2 && commands_.back().contains("steps");
+  if (goes_on) {
+    commands_.back()["steps"] = commands_.back()["steps"].get<std::int64_t>() + steps;
+  } else {
+    commands_.push_back({{"command", "run"}, {"steps", steps}});
+  }
+}
+
+Json Journal::session(const World& world) const {
+  Json commands = commands_;
+  commands.push_back({{"command", "expect_hash"}, {"hash", text_of_hash(world_hash(world))}});
+  return {{"description", "Recorded by hand in a window."}, {"commands", std::move(commands)}};
+}
+
+}  // namespace quicksand

@@ -1,0 +1,135 @@
+#include "app/window/window.h"
+
+#include <chrono>
+#include <cstdio>
+#include <optional>
+
+#include "app/exit_code.h"
+#include "app/interrupt.h"
+#include "app/run/run_folder.h"
+#include "app/scene/scene_file.h"
+#include "app/session/command_table.h"
+#include "app/session/console.h"
+#include "app/session/session_file.h"
+#include "app/window/display.h"
+#include "app/window/journal.h"
+#include "core/errors.h"
+
+namespace quicksand {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+// Steps a second, over the last second.
+class Rate {
+ public:
+  void add(std::int64_t steps) {
+    steps_ += steps;
+    const double seconds = std::chrono::duration<double>(Clock::now() - since_).count();
+    if (seconds < 1) return;
+    rate_ = steps_ > 0 ? std::optional(static_cast<double>(steps_) / seconds) : std::nullopt;
+    steps_ = 0;
+    since_ = Clock::now();
+  }
+  std::optional<double> per_second() const { return rate_; }
+
+ private:
+  Clock::time_point since_ = Clock::now();
+  std::int64_t steps_ = 0;
+  std::optional<double> rate_;
+};
+
+class Window {
+ public:
+  explicit Window(const WindowOptions& options)
+      : options_(options),
+        folder_{options.out.empty() ? fs::path("out") / "window" : options.out},
+        console_({folder_.path, fs::current_path()}, options.scale) {
+    make_writable(folder_);
+    console_.given = [this](const Json& command) { journal_.add(command); };
+    console_.computed = [this](std::int64_t steps) {
+      journal_.add_steps(steps);
+      rate_.add(steps);
+    };
+    console_.session().stop_asked = [this](const Session&) { return watch_.interrupted(); };
+    begin();
+  }
+
+  int complete() {
+    const auto display = open_display("quicksand", options_.width, options_.height);
+    GuiInput input;
+    int lively = kLively;  // frames until the picture rests
+    while (!console_.quit && !watch_.interrupted()) {
+      const bool busy = lively > 0 || console_.session().running;
+      if (!display->poll(input, busy ? 1 : kIdle)) break;
+      if (display->something_happened()) lively = kLively;
+      if (lively > 0 || console_.session().running) {
+        show(*display, input);
+        --lively;
+        if (Clock::now() - journal_written_ > kJournalPeriod) write_journal();
+      }
+    }
+    finish();
+    return watch_.interrupted() ? kInterrupted : kFine;
+  }
+
+ private:
+  static constexpr int kLively = 4;
+  static constexpr int kIdle = 100;  // [ms]
+  static constexpr std::chrono::seconds kJournalPeriod{2};
+
+  // What the command line names: it becomes the first command, or the first commands.
+  void begin() {
+    if (options_.file.empty()) return;
+    const bool is_file = options_.file.find_first_of("/.") != std::string::npos;
+    if (is_file && parse_json(read_scene_text(options_.file)).contains("commands")) {
+      do_now({{"command", "include"}, {"file", fs::absolute(options_.file).string()}});
+      return;
+    }
+    do_now({{"command", "load"},
+            {"scene", is_file ? fs::absolute(options_.file).string() : options_.file}});
+  }
+
+  void do_now(const Json& command) {
+    console_.perform(command, options_.file);
+    journal_.add(command);
+  }
+
+  void show(Display& display, const GuiInput& input) {
+    const int width = display.width(), height = display.height();
+    if (!console_.session().running) rate_.add(0);
+    console_.panel().set_rate(rate_.per_second(), std::nullopt);
+    display.present(console_.panel_frame(input, width, height));
+  }
+
+  // Now and then: a screen that goes away must not take what was done with it.
+  void write_journal() {
+    if (options_.record.empty() || journal_.empty() || !console_.session().loaded()) return;
+    write_whole(options_.record, journal_.session(console_.session().world()).dump(2) + "\n");
+    journal_written_ = Clock::now();
+  }
+
+  void finish() {
+    if (console_.recording) console_.recording->finish();
+    write_journal();
+    if (options_.record.empty() || journal_.empty()) return;
+    std::fprintf(stderr, "what was done is in %s; `quicksand session` plays it again\n",
+                 options_.record.c_str());
+  }
+
+  InterruptWatch watch_;
+  const WindowOptions& options_;
+  RunFolder folder_;
+  Console console_;
+  Journal journal_;
+  Clock::time_point journal_written_ = Clock::now();
+  Rate rate_;
+};
+
+}  // namespace
+
+int run_window(const WindowOptions& options) { return Window(options).complete(); }
+
+}  // namespace quicksand

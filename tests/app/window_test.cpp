@@ -1,0 +1,89 @@
+// quicksand window: real clicks and keys in a real window, on a screen of the test's own.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "app/json/json_text.h"
+#include "app/session/transcript.h"
+#include "app/window/journal.h"
+#include "render/external_program.h"
+#include "tests/support/files.h"
+#include "tests/support/program_fixture.h"
+
+namespace quicksand::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class WindowTest : public ProgramFixture {
+ protected:
+  // The middle of a widget of the panel at the size of the window [px], as text.
+  std::pair<std::string, std::string> place_of(const std::string& path) const {
+    const Outcome outcome = run_program(
+        {"session", "-", "--out", "look"}, folder_.path(),
+        "{\"command\": \"view\", \"width\": 1000, \"height\": 700}\n"
+        "{\"command\": \"load\", \"scene\": \"collapse\"}\n{\"command\": \"widgets\"}\n");
+    const Json answer =
+        Json::parse(outcome.out.substr(outcome.out.find("\n", outcome.out.find('\n') + 1) + 1));
+    for (const Json& widget : answer["result"]["widgets"]) {
+      if (widget["path"] != path) continue;
+      const auto r = widget["rectangle"].get<std::vector<double>>();
+      return {std::to_string(static_cast<int>(r[0] + r[2] / 2)),
+              std::to_string(static_cast<int>(r[1] + r[3] / 2))};
+    }
+    return {};
+  }
+};
+
+TEST_F(WindowTest, WhatIsDoneByHandReplaysToTheSameWorld) {
+  if (!fs::exists(fs::path(QUICKSAND_PROGRAM).parent_path() / "quicksand_window.so"))
+    GTEST_SKIP() << "built without SDL2 (package libsdl2-dev)";
+  const auto [run_x, run_y] = place_of("Controls/Run");
+  const auto [step_x, step_y] = place_of("Controls/Step");
+  const ProgramEnd hand = run_external({(kSource / "tests/support/window_by_hand.sh").string(),
+                                        QUICKSAND_PROGRAM, run_x, run_y, step_x, step_y},
+                                       folder_.path());
+  if (hand.code == 77) GTEST_SKIP() << "Xvfb or xdotool is not installed";
+  ASSERT_TRUE(hand.fine()) << hand.problem;
+
+  const Json recorded = parse_json(contents(at("by_hand.json")));
+  const Json& commands = recorded["commands"];
+  const auto steps = std::count_if(commands.begin(), commands.end(), [](const Json& c) {
+    return c == Json{{"command", "run"}, {"steps", 1}};
+  });
+  EXPECT_EQ(steps, 2) << recorded.dump(1);
+  EXPECT_EQ(commands[1]["command"], "run") << "what the run button started";
+  EXPECT_GT(commands[1]["steps"], 10);
+  EXPECT_TRUE(std::any_of(commands.begin(), commands.end(), [](const Json& c) {
+    return c["command"] == "camera";
+  })) << "the wheel";
+  const Outcome replayed = quicksand({"session", "by_hand.json", "--out", "replay"});
+  EXPECT_EQ(replayed.exit_code, 0) << replayed.err;
+}
+
+TEST_F(WindowTest, WithoutAScreenItSaysSo) {
+  ASSERT_EQ(unsetenv("DISPLAY"), 0);
+  ASSERT_EQ(unsetenv("WAYLAND_DISPLAY"), 0);
+  const Outcome outcome = quicksand({"window", "collapse"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("DISPLAY"), std::string::npos) << outcome.err;
+}
+
+TEST(Journal, KeepsStepsTogetherAndOnlyTheLastForceBetweenThem) {
+  Journal journal;
+  journal.add({{"command", "start"}});
+  journal.add_steps(3);
+  journal.add_steps(4);
+  journal.add({{"command", "apply"}, {"body", 1}, {"force", {1, 0}}});
+  journal.add({{"command", "apply"}, {"body", 1}, {"force", {2, 0}}});
+  journal.add_steps(1);
+  const Json session = journal.session(World{});
+  EXPECT_EQ(session["commands"].size(), 4U);
+  EXPECT_EQ(session["commands"][0], (Json{{"command", "run"}, {"steps", 7}}));
+  EXPECT_EQ(session["commands"][1]["force"], (Json{2, 0}));
+  EXPECT_EQ(session["commands"][3]["hash"], text_of_hash(world_hash(World{})));
+}
+
+}  // namespace
+}  // namespace quicksand::test

@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# install_test.sh BUILD: installs a build into a folder of its own; the program there finds its scenes,
+# and a program of somebody else links the installed library.
+set -euo pipefail
+build=$1
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# A library with sanitizers asks its users for the same options.
+if grep -q '^QUICKSAND_SANITIZE:BOOL=ON' "$build/CMakeCache.txt"; then
+  echo "skipped: this build has sanitizers"
+  exit 77
+fi
+
+cmake --install "$build" --prefix "$work/prefix" >"$work/install.log"
+cd "$work"
+
+echo "the program finds its scenes beside itself"
+unset QUICKSAND_ASSETS
+found=$(prefix/bin/quicksand list scenes | head -1)
+echo "  $found"
+[ "$(realpath "$found")" = "$(realpath prefix/share/quicksand/assets/scenes/cantilever.json)" ]
+prefix/bin/quicksand check prefix/share/quicksand/assets/scenes/chain.json >/dev/null
+test -s prefix/share/man/man1/quicksand.1
+test -s prefix/share/bash-completion/completions/quicksand
+
+echo "a program links the installed library"
+cmake -S "$here/example" -B example -G Ninja -DCMAKE_PREFIX_PATH="$work/prefix" >configure.log ||
+  { cat configure.log; exit 1; }
+# Nothing of the source or build tree may be needed.
+if grep -rqF "$build" prefix/lib*/cmake prefix/lib/*/cmake 2>/dev/null; then
+  echo "the exported targets name the build tree"
+  exit 1
+fi
+cmake --build example >build.log || { cat build.log; exit 1; }
+height=$(example/falling_grain)
+echo "  a grain comes to rest at $height d"
+[ "$height" = 0.500 ]
+test -s grain.png
