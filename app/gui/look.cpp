@@ -1,5 +1,7 @@
 #include "app/gui/look.h"
 
+#include <cctype>
+
 #include "render/font.h"
 
 namespace quicksand::gui {
@@ -120,6 +122,11 @@ void apply(const Look& look, float scale) {
   set(ImGuiCol_ScrollbarGrabHovered, look.faint);
   set(ImGuiCol_ScrollbarGrabActive, look.faint);
   set(ImGuiCol_TextSelectedBg, (look.accent & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 90));
+}
+
+std::string capitalised(std::string text) {
+  if (!text.empty()) text.front() = static_cast<char>(std::toupper(text.front()));
+  return text;
 }
 
 std::string unit_text(const std::string& unit) {

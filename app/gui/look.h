@@ -45,6 +45,7 @@ Fonts load_fonts(float scale);
 // Sets colours and distances of the present context.
 void apply(const Look& look, float scale);
 
+std::string capitalised(std::string text);
 // "sqrt(d/g)" with a sign for the root; "1" becomes nothing, "grain masses" m_g.
 std::string unit_text(const std::string& unit);
 

@@ -1,8 +1,6 @@
 // The scene's parameters, generated from the description of the scene format.
 #include <imgui.h>
 
-#include <cctype>
-
 #include "app/gui/panel_frame.h"
 #include "app/session/parameters.h"
 #include "render/nice_numbers.h"
@@ -14,13 +12,8 @@ bool is_number(const Parameter& p) {
   return p.kind == Parameter::Kind::number || p.kind == Parameter::Kind::integer;
 }
 
-std::string capitalised(std::string text) {
-  if (!text.empty()) text.front() = static_cast<char>(std::toupper(text.front()));
-  return text;
-}
-
 std::string help_of(const Parameter& p) {
-  std::string help = capitalised(p.help);
+  std::string help = p.help;
   if (!help.empty() && help.back() != '.') help += '.';
   if (is_number(p)) {
     const std::string unit = unit_text(p.unit);

@@ -23,16 +23,17 @@ std::string grouped(std::int64_t number) {
   return text;
 }
 
-// Text on a coloured ground.
+// Text on a coloured ground, at the right end of the line, over what may stand there.
 void chip(const Widgets& w, const std::string& text, ImU32 ground, ImU32 ink) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const float pad = w.px(8);
+  ImGui::SameLine();
+  const float right = ImGui::GetWindowContentRegionMax().x;
+  const ImVec2 at(std::floor(right - size.x - 2 * pad), ImGui::GetCursorScreenPos().y);
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled({at.x, at.y - w.px(1)}, {at.x + size.x + 2 * pad, at.y + size.y + w.px(1)},
                       ground, w.px(3));
   list->AddText({at.x + pad, at.y}, ink, text.c_str());
-  ImGui::Dummy(ImVec2(size.x + 2 * pad, size.y));
 }
 
 }  // namespace
@@ -50,7 +51,7 @@ void show_status(PanelFrame& frame) {
   bool first = true;
   // Each reading keeps its place while numbers change: it is as wide as its longest text.
   const auto put = [&](const std::string& name, const std::string& value, float width) {
-    if (!first) ImGui::SameLine(0, w.px(20));
+    if (!first) ImGui::SameLine(0, w.px(16));
     first = false;
     const float start = ImGui::GetCursorPosX();
     ImGui::PushStyleColor(ImGuiCol_Text, w.colours().faint);
@@ -65,12 +66,12 @@ void show_status(PanelFrame& frame) {
   put("Time", fixed_number(world.time, 3) + " √(d/g)", 136);
   put("Bodies", grouped(world.disks.size()), 96);
   if (frame.notes.steps_per_second) {
-    put("Steps/s", grouped(std::llround(*frame.notes.steps_per_second)), 104);
+    put("Steps/s", grouped(std::llround(*frame.notes.steps_per_second)), 96);
   }
   put("Residual",
       short_number(session.protocol().last_step().solve.residual.natural) + " of " +
           short_number(tolerance(session)),
-      188);
+      170);
   const std::int64_t unconverged = session.protocol().state().unconverged_steps;
   std::string warning;
   if (session.failed()) {
@@ -79,12 +80,10 @@ void show_status(PanelFrame& frame) {
     warning = grouped(unconverged) + (unconverged == 1 ? " step" : " steps") + " did not converge";
   }
   if (!warning.empty()) {
-    ImGui::SameLine(0, w.px(20));
     const bool failed = session.failed();
     chip(w, warning, failed ? w.colours().error : w.colours().warning,
          failed ? w.colours().on_error : w.colours().on_warning);
   } else if (session.finished()) {
-    ImGui::SameLine(0, w.px(20));
     chip(w, "Finished", w.colours().hovered, w.colours().ink);
   }
 }

@@ -119,8 +119,8 @@ void Widgets::plot(const std::string& name, const std::string& title, const Curv
   list->PushClipRect(frame.Min, frame.Max, true);
   const ImU32 colour = ImGui::GetColorU32(look_->curve);
   list->AddPolyline(places.data(), static_cast<int>(places.size()), colour, 0, px(1.5F));
-  list->AddCircleFilled(places.back(), px(3), colour);
   list->PopClipRect();
+  list->AddCircleFilled(places.back(), px(3), colour);
 }
 
 }  // namespace quicksand::gui

@@ -57,7 +57,7 @@ void Widgets::tooltip(const std::string& text) const {
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0F);  // also of a disabled widget
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(px(300));
-  ImGui::TextUnformatted(text.c_str());
+  ImGui::TextUnformatted(capitalised(text).c_str());
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
   ImGui::PopStyleVar(2);
