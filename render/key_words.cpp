@@ -56,6 +56,25 @@ Legend::Word swatch_word(const Font& font, Theme theme, const Swatch& swatch) {
   return word;
 }
 
+namespace {
+
+// As many as stand beside each other without touching.
+std::vector<double> ticks_that_fit(const Range& range, double width, const Font& font) {
+  constexpr int kMost = 5, kLeast = 3;  // of which at least two are in the range
+  for (int most = kMost; most > kLeast; --most) {
+    const std::vector<double> ticks = nice_ticks(range, most);
+    const double spacing =
+        ticks.size() < 2 ? width : (ticks[1] - ticks[0]) / (range.high - range.low) * width;
+    const bool fit = std::ranges::all_of(ticks, [&](double value) {
+      return font.width(short_number(value)) + 0.5 * font.size() <= spacing;
+    });
+    if (fit) return ticks;
+  }
+  return nice_ticks(range, kLeast);
+}
+
+}  // namespace
+
 Legend::Word bar_word(const Font& font, Theme theme, const ColourScale& scale) {
   const Range range = *scale.range;
   const double width = std::round(9 * font.size());
@@ -72,7 +91,7 @@ Legend::Word bar_word(const Font& font, Theme theme, const ColourScale& scale) {
       list.rectangle({left + i, top, 1, bar}, map(theme, (i + 0.5) / width));
     }
     list.frame({left - 1, top - 1, width + 2, bar + 2}, 1, with_alpha(ink, 0.6));
-    for (const double value : nice_ticks(range, 5)) {
+    for (const double value : ticks_that_fit(range, width, font)) {
       const double x =
           std::round(left + (value - range.low) / (range.high - range.low) * (width - 1));
       list.rectangle({x, top + bar + 1, 1, tick}, ink);

@@ -69,8 +69,11 @@ void show_status(PanelFrame& frame) {
     put("Steps/s", grouped(std::llround(*frame.notes.steps_per_second)), 96);
   }
   put("Residual",
-      short_number(session.protocol().last_step().solve.residual.natural) + " of " +
-          short_number(tolerance(session)),
+      // A state that was restored tells nothing of the step that led to it.
+      (session.protocol().last_step().seconds > 0
+           ? short_number(session.protocol().last_step().solve.residual.natural)
+           : std::string("–")) +
+          " of " + short_number(tolerance(session)),
       170);
   const std::int64_t unconverged = session.protocol().state().unconverged_steps;
   std::string warning;

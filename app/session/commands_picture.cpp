@@ -64,6 +64,18 @@ struct ViewCommand {
   }
 };
 
+// A part of a slender box, seen closer, leaves room at its sides: shown as wide as the picture, but no
+// wider than the box.
+WorldRect widened(WorldRect window, const View& view, const Box& box) {
+  const double wide = window.size().y() * view.width / view.height;
+  const double more = std::min(wide, box.width) - window.size().x();
+  if (more > 0) {
+    window.low.x() -= more / 2;
+    window.high.x() += more / 2;
+  }
+  return window;
+}
+
 struct CameraCommand {
   int fit = 0;
   std::optional<bool> follow;
@@ -107,7 +119,8 @@ struct CameraCommand {
       const Vec2 size = window.size() / *zoom;
       if (size.minCoeff() >= kNearest && size.maxCoeff() <= kFarthest)
         view.window =
-            WorldRect{fixed + (window.low - fixed) / *zoom, fixed + (window.high - fixed) / *zoom};
+            widened({fixed + (window.low - fixed) / *zoom, fixed + (window.high - fixed) / *zoom},
+                    view, session.world().box);
     }
     const WorldRect window = view_window(session.world(), session.shown());
     return {{"low", {window.low.x(), window.low.y()}},
