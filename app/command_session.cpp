@@ -29,7 +29,7 @@ Command add_session(CLI::App& program) {
       "Exit code: 0, 1 if a command failed, 2 if the file is malformed, 130 after Ctrl-C (the "
       "state\n"
       "is saved). `quicksand list commands` tells what there is to say.\n\n"
-      "Examples:\n"
+      "Example:\n"
       "  quicksand session assets/sessions/what_if.json\n"
       "  echo '{\"command\": \"load\", \"scene\": \"chain\"}' | quicksand session -");
   return {command, [options] {

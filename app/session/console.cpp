@@ -107,7 +107,9 @@ Image Console::panel_frame(const GuiInput& input, int width, int height) {
 Image Console::draw_panel(int width, int height, std::optional<double> scale) {
   constexpr int kSettling = 3;  // frames until the layout of a new size rests
   const auto picture_of = [&](Gui& gui, const GuiInput& input) {
-    for (int i = 0; i < kSettling; ++i) gui.frame(session_, input, width, height);
+    const bool rests = recording && gui.width() == width && gui.height() == height;
+    for (int i = rests ? kSettling - 1 : 0; i < kSettling; ++i)
+      gui.frame(session_, input, width, height);
     return gui.paint();
   };
   if (scale && *scale != panel().scale()) {

@@ -11,6 +11,7 @@
 #include "core/checkpoint.h"
 #include "core/errors.h"
 #include "tests/support/files.h"
+#include "tests/support/pierced_scene.h"
 #include "tests/support/program_fixture.h"
 
 namespace quicksand::test {
@@ -18,24 +19,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Grains that stick, some of them through the periodic sides, and are pierced by an intruder.
-const char* const kScene = R"({
-  "name": "pierced", "seed": 5, "gravity": {},
-  "box": {"width": 12, "height": 8},
-  "contact": {"friction": 0.3, "rolling_friction": 0.1, "cohesion_force": 100},
-  "step": {"dt": 0.01},
-  "phases": [
-    {"type": "deposit", "grains": 60, "interval": 0},
-    {"type": "push", "diameter": 2, "force": 300, "max_time": 0.5, "sample_every": 0.05}]
-})";
-
 const std::string kState = "out/pierced/state.cbor";
 
 class ExportTest : public ProgramFixture {
  protected:
   World run_scene() const {
-    folder_.write("pierced.json", kScene);
-    EXPECT_EQ(quicksand({"run", "pierced.json", "--no-frames"}).exit_code, 0);
+    folder_.write("pierced.json", kPiercedScene);
+    EXPECT_EQ(quicksand({"run", "pierced.json", "--no-frames", "--set", "phases[0].grains=60",
+                         "--set", "phases[1].max_time=0.5"})
+                  .exit_code,
+              0);
     return read_checkpoint(at(kState)).world;
   }
   void export_as(const std::string& format, const std::string& out) const {

@@ -7,6 +7,7 @@
 #include "app/json/json_text.h"
 #include "app/run/quantities.h"
 #include "tests/support/files.h"
+#include "tests/support/pierced_scene.h"
 #include "tests/support/program_fixture.h"
 
 namespace quicksand::test {
@@ -14,21 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Grains that stick and are pierced by an intruder; without the push there is none.
-const char* const kScene = R"({
-  "name": "pierced", "seed": 5, "gravity": {},
-  "box": {"width": 12, "height": 8},
-  "contact": {"friction": 0.3, "rolling_friction": 0.1, "cohesion_force": 100},
-  "step": {"dt": 0.01},
-  "phases": [
-    {"type": "deposit", "grains": 40, "interval": 0},
-    {"type": "push", "diameter": 2, "force": 300, "max_time": 0.2, "sample_every": 0.05}]
-})";
-
 class MeasureTest : public ProgramFixture {
  protected:
   void run_scene(const std::vector<std::string>& more = {}) const {
-    folder_.write("pierced.json", kScene);
+    folder_.write("pierced.json", kPiercedScene);
     std::vector<std::string> arguments{"run", "pierced.json", "--no-frames"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     ASSERT_EQ(quicksand(arguments).exit_code, 0);
