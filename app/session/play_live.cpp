@@ -1,5 +1,9 @@
 // The live connection. A line of garbage gets an answer that says so; a line longer than kLongestLine is
 // passed over without being kept.
+#include <poll.h>
+#include <unistd.h>
+
+#include <array>
 #include <csignal>
 #include <cstdio>
 #include <optional>
@@ -23,21 +27,39 @@ struct Line {
   bool too_long = false;
 };
 
-// Nothing at the end of the input.
-std::optional<Line> read_line() {
-  Line line;
-  bool any = false;
-  for (int c = std::getc(stdin); c != EOF; c = std::getc(stdin)) {
-    any = true;
-    if (c == '\n') break;
-    if (line.text.size() < kLongestLine) {
-      line.text.push_back(static_cast<char>(c));
-    } else {
-      line.too_long = true;
+// Lines of standard input. Waits for them in a way that Ctrl-C ends at once.
+class Input {
+ public:
+  // Nothing at the end of the input, or when waiting was interrupted.
+  std::optional<Line> next() {
+    Line line;
+    bool any = false;
+    while (at_ < filled_ || fill()) {
+      any = true;
+      const char c = buffer_[at_++];
+      if (c == '\n') return line;
+      if (line.text.size() < kLongestLine) {
+        line.text.push_back(c);
+      } else {
+        line.too_long = true;
+      }
     }
+    return any ? std::optional(std::move(line)) : std::nullopt;
   }
-  return any ? std::optional(std::move(line)) : std::nullopt;
-}
+
+ private:
+  bool fill() {
+    pollfd input{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
+    if (poll(&input, 1, -1) < 0) return false;
+    const ssize_t got = read(STDIN_FILENO, buffer_.data(), buffer_.size());
+    at_ = 0;
+    filled_ = got > 0 ? static_cast<std::size_t>(got) : 0;
+    return got > 0;
+  }
+
+  std::array<char, 65536> buffer_{};
+  std::size_t at_ = 0, filled_ = 0;
+};
 
 bool is_blank(const std::string& text) {
   return text.find_first_not_of(" \t\r") == std::string::npos;
@@ -76,9 +98,10 @@ int play_live(const std::filesystem::path& out) {
   std::signal(SIGPIPE, SIG_IGN);  // a reader that goes away ends the session, not the program
   Console console({folder.path, std::filesystem::current_path()});
   console.session().stop_asked = [&watch](const Session&) { return watch.interrupted(); };
+  Input input;
   while (!console.quit && !watch.interrupted()) {
-    const std::optional<Line> line = read_line();
-    if (!line) break;
+    const std::optional<Line> line = input.next();
+    if (!line || watch.interrupted()) break;
     if (is_blank(line->text) && !line->too_long) continue;
     const std::string text =
         answer(console, *line).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";

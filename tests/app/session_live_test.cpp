@@ -1,5 +1,6 @@
 // The live connection: a command a line in, an answer a line out.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <sstream>
 
@@ -60,6 +61,16 @@ TEST_F(LiveSession, TakesManyThousandCommands) {
   const auto lines = answers(input);
   ASSERT_EQ(lines.size(), kMany + 1U);
   EXPECT_EQ(lines.back()["ok"], true);
+}
+
+TEST_F(LiveSession, CtrlCEndsItWhileItWaits) {
+  ASSERT_EQ(mkfifo((folder_.path() / "pipe").c_str(), 0600), 0);
+  const ProgramEnd end = run_external(
+      {"sh", "-c",
+       "exec 3<>pipe; \"$0\" session - --out live <&3 & sleep 0.5; kill -INT $!; wait $!",
+       QUICKSAND_PROGRAM},
+      folder_.path());
+  EXPECT_EQ(end.code, 130) << end.problem;
 }
 
 // The README's Python example, word for word.
