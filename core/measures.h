@@ -37,6 +37,9 @@ Neighbours neighbours(const World& world, std::span<const Pair> touching);
 // circumference [F_g/d].
 std::vector<double> contact_pressure(const World& world);
 
+// Resultant force of the contacts of the last step on a body [F_g]; zero before the first step.
+Vec2 contact_force(const World& world, int body);
+
 // Area of the disks between two heights over the area of the box there, clipped exactly.
 double volume_fraction(const World& world, double y_low, double y_high);
 // Volume fraction in `bins` equal slices from 0 to `height`.
@@ -73,6 +76,7 @@ struct Sample {
   bool has_intruder = false;
   Vec2 intruder_position{0, 0};  // [d]
   Vec2 intruder_velocity{0, 0};  // [sqrt(g d)]
+  double resistance = 0;         // upward force of its contacts [F_g]
   double depth = 0;  // of its lowest point below the packing's top when it was placed [d]
   WeightAbove weight_above;
   AroundIntruder around_intruder;

@@ -54,6 +54,14 @@ void show_plots(PanelFrame& frame) {
   depth.nothing = loaded ? "no intruder" : none;
   w.plot("depth", "Intruder depth", depth);
 
+  Curve resistance = curve_of(history, [](const Row& r) -> std::optional<double> {
+    if (!r.sample.has_intruder) return std::nullopt;
+    return r.sample.resistance;
+  });
+  resistance.unit = "F_g";
+  resistance.nothing = depth.nothing;
+  w.plot("resistance", "Resistance to the intruder", resistance);
+
   Curve residual = curve_of(history, [](const Row& r) -> std::optional<double> {
     if (r.residual <= 0) return std::nullopt;
     return r.residual;

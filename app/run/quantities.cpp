@@ -64,6 +64,8 @@ const Quantity kQuantities[] = {
      [](const Row& r) { return of_intruder(r, r.sample.intruder_velocity.x()); }},
     {"intruder_velocity_y", "sqrt(g d)", "of the intruder's centre, positive upward",
      [](const Row& r) { return of_intruder(r, r.sample.intruder_velocity.y()); }},
+    {"resistance", "F_g", "upward force of the contacts of the last step on the intruder",
+     [](const Row& r) { return of_intruder(r, r.sample.resistance); }},
     {"depth", "d", "of the intruder's lowest point below the packing's top when it was placed",
      [](const Row& r) { return of_intruder(r, r.sample.depth); }},
     {"weight_above_column", "1",

@@ -89,6 +89,21 @@ TEST(Coordination, CountsWallsAsNeighboursAndIntrudersNotAsGrains) {
   EXPECT_EQ(sample.intruder_position, Vec2(0, 3.5));
 }
 
+// At rest the contacts carry its weight and what pushes it, whether bonds pull or not.
+TEST(Resistance, OfAnIntruderAtRestIsItsWeightAndThePush) {
+  for (const ContactLaw& law : {ContactLaw{}, paper_law(10)}) {
+    Scenario scene = column(Method::automatic, 2, law);
+    scene.disks.push_back(
+        {.position = {0, 3.5}, .radius = 1.5, .density = 0.5, .role = Role::intruder});
+    scene.disk_forces = {{0, 0, 0}, {0, 0, 0}, {0, -7, 0}};
+    scene.initial_bonds = InitialBonds::touching;
+    Simulation run(scene);
+    EXPECT_EQ(measure(run.world).resistance, 0) << "no step yet";
+    run.advance(3);
+    EXPECT_NEAR(measure(run.world).resistance, 0.5 * 9 + 7, tolerance::solved(10));
+  }
+}
+
 TEST(BondFractions, FollowTheBonds) {
   Scenario scene = column(Method::automatic, 4, paper_law(10));
   scene.initial_bonds = InitialBonds::touching;
