@@ -114,8 +114,8 @@ struct ExpectImage {
               tolerance);
   }
   Json perform(Console& console, const std::string& place) {
-    const ImageComparison result =
-        compare_images(console.input(image), console.input(reference), static_cast<int>(tolerance));
+    const ImageComparison result = compare_images(console.input(image), console.beside(reference),
+                                                  static_cast<int>(tolerance));
     if (result.same) return {{"worst", result.difference.worst}};
     std::string seen;
     if (result.difference.picture.width > 0) {

@@ -54,7 +54,7 @@ struct Load {
     }
     const std::string name = scene.get<std::string>();
     const bool is_name = name.find_first_of("/.") == std::string::npos;
-    SceneRequest request{is_name ? shipped_scene(name) : console.input(name), {}, {}};
+    SceneRequest request{is_name ? shipped_scene(name) : console.beside(name), {}, {}};
     for (const auto& [path, value] : set.items())
       request.overrides.push_back(path + "=" + value.dump());
     if (seed >= 0) request.seed = static_cast<std::uint64_t>(seed);

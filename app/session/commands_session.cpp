@@ -22,7 +22,7 @@ struct Include {
     f.text({"file", "another session file, relative to this one", Presence::required}, file);
   }
   Json perform(Console& console, const std::string& place) {
-    console.include(console.input(file), place + ".file");
+    console.include(console.beside(file), place + ".file");
     return Json::object();
   }
 };

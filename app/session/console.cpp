@@ -43,12 +43,13 @@ fs::path Console::output(const std::string& name, const std::string& place) cons
 }
 
 fs::path Console::input(const std::string& name) const {
-  const fs::path path = name;
-  if (path.is_absolute()) return path;
   std::error_code ignored;
-  if (fs::exists(folders_.out / path, ignored)) return folders_.out / path;
-  return folders_.base / path;
+  const fs::path ours = folders_.out / name;
+  return fs::path(name).is_relative() && fs::exists(ours, ignored) ? ours : beside(name);
 }
+
+// An absolute name stays what it is.
+fs::path Console::beside(const std::string& name) const { return folders_.base / name; }
 
 Image Console::draw_view(int width, int height) {
   if (!renderer_) renderer_ = std::make_unique<Renderer>();

@@ -16,7 +16,7 @@ namespace quicksand {
 
 struct ConsoleFolders {
   std::filesystem::path out;   // receives every file that commands write; made when needed
-  std::filesystem::path base;  // that paths of files to read are relative to
+  std::filesystem::path base;  // of the command file
 };
 
 class Console {
@@ -34,9 +34,10 @@ class Console {
   // A file that a command writes: inside the folder for output, whatever the name says. Makes its
   // folder. Throws InputError for absolute names and those that lead out of it.
   std::filesystem::path output(const std::string& name, const std::string& place) const;
-  // A file that a command reads: in the output folder if it is there, else relative to the file that
-  // names it.
+  // A file that this session wrote, or one beside the command file.
   std::filesystem::path input(const std::string& name) const;
+  // A file beside the command file, or in the present folder if there is none.
+  std::filesystem::path beside(const std::string& name) const;
 
   // The panel, made when it is first asked for. Throws RenderError if there is no font.
   Gui& panel();
@@ -70,7 +71,7 @@ class Console {
   double scale_;
   std::unique_ptr<Gui> panel_;
   std::unique_ptr<Robot> robot_;
-  int depth_ = 0;       // of included files
+  int depth_ = 0;  // of included files
 };
 
 }  // namespace quicksand

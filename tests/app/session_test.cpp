@@ -191,7 +191,7 @@ TEST_F(SessionTest, PicturesCanBeExpectedToLookLikeOthers) {
   ASSERT_EQ(play({load(), R"({"command": "view", "width": 300, "height": 200})",
                   R"({"command": "snapshot", "file": "a.png"})",
                   R"({"command": "snapshot", "file": "b.png"})",
-                  R"({"command": "expect_image", "image": "a.png", "reference": "b.png"})"})
+                  R"({"command": "expect_image", "image": "a.png", "reference": "out/b.png"})"})
                 .exit_code,
             0);
   const Outcome other =
@@ -199,10 +199,15 @@ TEST_F(SessionTest, PicturesCanBeExpectedToLookLikeOthers) {
             R"({"command": "snapshot", "file": "a.png"})",
             R"({"command": "view", "colour": "coordination"})",
             R"({"command": "snapshot", "file": "b.png"})",
-            R"({"command": "expect_image", "image": "a.png", "reference": "b.png"})"});
+            R"({"command": "expect_image", "image": "a.png", "reference": "out/b.png"})"});
   EXPECT_EQ(other.exit_code, 1);
   EXPECT_NE(other.err.find("differs from "), std::string::npos) << other.err;
   EXPECT_TRUE(fs::exists(at("out/a.png.difference.png")));
+  // A reference is never a picture of the session itself by mistake.
+  EXPECT_EQ(play({load(), R"({"command": "snapshot", "file": "a.png"})",
+                  R"({"command": "expect_image", "image": "a.png", "reference": "a.png"})"})
+                .exit_code,
+            1);
 }
 
 TEST_F(SessionTest, AStateIsExportedOnTheWay) {
