@@ -16,17 +16,14 @@ std::string with_unit(const std::string& number, const std::string& unit) {
 
 std::string with_sign(double value) { return (value > 0 ? "+" : "") + typeset(value, 3); }
 
-std::string verdict_text(const Target& target, const Measured& measured, const Verdict& verdict) {
-  std::string text = verdict.inside ? "inside" : "outside";
-  if (verdict.deviation != 0) {
-    const bool value = target.low && target.high && *target.low == *target.high;
-    text += ": " + with_sign(verdict.deviation) + (value ? " from the paper" : " past the bound");
-    if (measured.standard_error && *measured.standard_error > 0) {
-      text += ", " + typeset(std::abs(verdict.deviation) / *measured.standard_error, 2) + " se";
-    }
+// From the paper's value or the nearest bound: "+0.08 (12 se), 0.06 beyond the tolerance".
+std::string deviation_text(const Measured& measured, const Verdict& verdict) {
+  if (verdict.deviation == 0) return "none";
+  std::string text = with_sign(verdict.deviation);
+  if (measured.standard_error && *measured.standard_error > 0) {
+    text += " (" + typeset(std::abs(verdict.deviation) / *measured.standard_error, 2) + " se)";
   }
-  if (!verdict.inside) text += "; " + typeset(verdict.beyond, 3) + " past the tolerance";
-  if (verdict.close) text += " (less than 2 se from turning)";
+  if (!verdict.inside) text += ", " + typeset(verdict.beyond, 3) + " beyond the tolerance";
   return text;
 }
 
@@ -45,10 +42,15 @@ std::string tolerance_text(const Target& target) {
   return target.tolerance == 0 ? "none" : "± " + typeset(target.tolerance, 3);
 }
 
-// What a reader needs besides: how words became a bound, and what the measurement was.
-std::string note_text(const Target& target, const std::string& note) {
-  std::string text = target.because;
-  if (!note.empty()) text += (text.empty() ? "" : ". ") + note;
+// What a reader needs besides: how words became a bound, what the measurement was, and where the paper
+// says so.
+std::string remarks(const Target& target, const std::string& note, bool close) {
+  std::string text;
+  for (const std::string& part :
+       {target.because, note, std::string(close ? "less than 2 se from turning" : ""),
+        target.source}) {
+    if (!part.empty()) text += (text.empty() ? "" : "; ") + part;
+  }
   return text;
 }
 
@@ -99,27 +101,29 @@ Table comparison_table(const PaperTargets& targets,
   for (const auto& [id, value] : measured) targets.at(id);
   Table table{.caption =
                   "se: standard error of the mean over n realizations. Inside means: within the "
-                  "stated tolerance of what the paper admits, whatever the standard error.",
+                  "stated tolerance of what the paper admits, whatever the standard error. The "
+                  "deviation is from the paper's value or nearest bound.",
               .columns = {{.title = "quantity"},
-                          {.title = "paper", .number = true},
+                          {.title = "paper"},
                           {.title = "tolerance", .number = true},
                           {.title = "ours ± standard error", .number = true},
                           {.title = "verdict"},
-                          {.title = "note"},
-                          {.title = "source"}}};
+                          {.title = "deviation"},
+                          {.title = "remarks"}}};
   for (const Target& target : targets.targets) {
     std::vector<Cell> row{{quantity_text(target)}, {paper_text(target)}, {tolerance_text(target)}};
     const auto found = measured.find(target.id);
     if (found == measured.end()) {
-      row.insert(row.end(), {{}, {"not measured", Cell::Mark::undecided}, {note_text(target, {})}});
+      row.insert(row.end(),
+                 {{}, {"not measured", Cell::Mark::undecided}, {}, {remarks(target, {}, false)}});
     } else {
       const Verdict verdict = judge(target, found->second);
       row.insert(row.end(), {{ours_text(found->second)},
-                             {verdict_text(target, found->second, verdict),
+                             {verdict.inside ? "inside" : "outside",
                               verdict.inside ? Cell::Mark::inside : Cell::Mark::outside},
-                             {note_text(target, found->second.note)}});
+                             {deviation_text(found->second, verdict)},
+                             {remarks(target, found->second.note, verdict.close)}});
     }
-    row.push_back({target.source});
     table.rows.push_back(std::move(row));
   }
   return table;

@@ -22,7 +22,7 @@ constexpr const char* kReportStyle = R"css(
 }
 * { box-sizing: border-box; }
 body {
-  margin: 0 auto; padding: 1.5rem 1rem 4rem; max-width: 60rem;
+  margin: 0 auto; padding: 1.5rem 1rem 4rem; max-width: 66rem;
   background: var(--page); color: var(--ink);
   font: 1rem/1.55 system-ui, "Segoe UI", Roboto, Helvetica, Arial, sans-serif;
 }
@@ -44,6 +44,7 @@ table { border-collapse: collapse; font-size: 0.92rem; font-variant-numeric: tab
 th, td { padding: 0.3rem 0.7rem; text-align: left; vertical-align: top; border-bottom: 1px solid var(--rule); }
 thead th { border-bottom: 2px solid var(--faint); vertical-align: bottom; }
 tbody tr:nth-child(even) { background: var(--stripe); }
+td:not(.number) { min-width: 6.5rem; }
 .number { text-align: right; white-space: nowrap; }
 .inside { color: var(--inside); font-weight: 600; }
 .outside { color: var(--outside); font-weight: 600; }

@@ -149,7 +149,8 @@ TEST(ComparisonTable, HasARowATargetWithItsVerdictInWordsAndSymbol) {
   const std::vector<Cell>& density = table.rows[0];
   EXPECT_EQ(density[3].text, "0.370 ± 0.002 (n = 10)");
   EXPECT_EQ(density[4].mark, Cell::Mark::outside);
-  EXPECT_EQ(density[4].text, "outside: -0.03 past the bound, 15 se; 0.02 past the tolerance");
+  EXPECT_EQ(density[4].text, "outside");
+  EXPECT_EQ(density[5].text, "-0.03 (15 se), 0.02 beyond the tolerance");
   EXPECT_EQ(table.rows[1][4].text, "not measured");
   const Tally counts = tally(paper, ours);
   EXPECT_EQ(counts.inside, 1);
