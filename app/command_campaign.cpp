@@ -14,6 +14,7 @@
 #include "app/nearest_name.h"
 #include "app/shell_text.h"
 #include "core/errors.h"
+#include "core/whole_file.h"
 
 namespace quicksand {
 

@@ -1,14 +1,13 @@
 // quicksand run: computes a scene and writes its results.
-#include <cstdio>
 #include <memory>
 
 #include "app/commands.h"
-#include "app/exit_code.h"
 #include "app/json/json_reader.h"
 #include "app/picture_options.h"
-#include "app/run/run_scene.h"
+#include "app/run/folder_lock.h"
+#include "app/run_outcome.h"
 #include "app/scene/scene_options.h"
-#include "app/shell_text.h"
+#include "app/strict_options.h"
 #include "core/errors.h"
 
 namespace quicksand {
@@ -19,61 +18,30 @@ struct Options {
   SceneRequest scene;
   RunOptions run;
   PictureOptions picture;
+  StrictOptions strict;
   std::optional<double> every;
   std::optional<std::string> continued_from;
   bool no_frames = false;
 };
 
-std::string continue_command(const RunFolder& folder, const Options& options) {
-  return "quicksand run " + shell_text(folder.scene()) + " --continue " +
-         shell_text(folder.state()) + " --out " + shell_text(folder.path) +
-         (options.every ? " --every " + number_text(*options.every) : "") +
-         (options.no_frames ? " --no-frames" : "");
-}
-
-int report(const RunResult& result, const Options& options) {
-  const std::string folder = result.folder.path.string();
-  const std::string go_on = continue_command(result.folder, options);
-  if (!result.notes.empty() && !options.run.quiet) {
-    std::fprintf(stderr, "%s\n", result.notes.c_str());
-  }
-  switch (result.end.how) {
-    case RunEnd::How::finished:
-      std::printf("%lld steps in %.1f s; results are in %s\n",
-                  static_cast<long long>(result.end.steps), result.end.wall_seconds,
-                  folder.c_str());
-      return kFine;
-    case RunEnd::How::interrupted:
-      std::printf("interrupted after %lld steps; results so far are in %s\n  continue with: %s\n",
-                  static_cast<long long>(result.end.steps), folder.c_str(), go_on.c_str());
-      return kInterrupted;
-    case RunEnd::How::failed:
-      if (result.end.unwritable) {
-        std::fprintf(stderr, "quicksand: the run ended early: %s\n  what was written is in %s\n",
-                     result.end.failure.c_str(), folder.c_str());
-        return kRunFailed;
-      }
-      std::fprintf(
-          stderr,
-          "quicksand: the run failed: %s\n  results so far are in %s\n"
-          "  continue with: %s --set step.max_halvings=16\n"
-          "  or, to take such steps as they are, with --set step.on_unconverged=continue\n",
-          result.end.failure.c_str(), folder.c_str(), go_on.c_str());
-      return kRunFailed;
-  }
-  return kRunFailed;
-}
-
 int run(Options& options) {
   if (options.every && !(*options.every > 0)) {
     throw InputError("--every " + number_text(*options.every), "must be a time above 0 sqrt(d/g)");
   }
+  const double pause = options.run.checkpoint_every;
+  if (!(pause >= 0 && pause <= kLongestCheckpointTime)) {
+    throw InputError("--checkpoint-every " + number_text(pause),
+                     "must be a time from 0 to " + number_text(kLongestCheckpointTime) + " s");
+  }
   options.run.view = view_from(options.picture);
   options.run.every = options.every;
   options.run.frames = !options.no_frames;
+  options.run.strict = strict_from(options.strict);
   if (options.continued_from) options.run.continued_from = *options.continued_from;
   const Scenario scenario = read_scene(options.scene);
-  return report(run_scene(scenario, options.run), options);
+  if (options.run.out.empty()) options.run.out = std::filesystem::path("out") / scenario.name;
+  const FolderLock lock = lock_run(options.run.out);
+  return tell_outcome(run_scene(scenario, options.run), options.run);
 }
 
 }  // namespace
@@ -91,14 +59,22 @@ Command add_run(CLI::App& program) {
       ->type_name("TIME");
   command
       ->add_option("--continue", options->continued_from,
-                   "go on from the state of an interrupted or failed run of this scene")
+                   "go on from the state of an earlier run of this scene, with other step, solver "
+                   "or phases; `resume` goes on with the same")
       ->type_name("STATE.cbor");
+  command
+      ->add_option("--checkpoint-every", options->run.checkpoint_every,
+                   "wall time between checkpoints [s]; there is one at each end of a phase, too")
+      ->type_name("SECONDS")
+      ->capture_default_str();
   command->add_flag("--no-frames", options->no_frames, "compute without pictures");
   command->add_flag("--quiet", options->run.quiet, "print nothing but where the results are");
+  add_strict_options(*command, options->strict);
   add_picture_options(*command, options->picture);
   command->footer(
-      "DIR receives scene.json, frames/, film.mp4 (if ffmpeg is there), series.csv, summary.json\n"
-      "and state.cbor. Ctrl-C ends a run after the present step with complete results.\n\n"
+      "DIR receives scene.json, run.json, frames/, film.mp4 (if ffmpeg is there), series.csv,\n"
+      "summary.json and state.cbor. Ctrl-C ends a run after the present step with complete "
+      "results;\n`quicksand resume DIR` goes on, after a kill or a power cut, too.\n\n"
       "Example:\n"
       "  quicksand run assets/scenes/collapse.json --out out/strong "
       "--set phases[1].force_over_cohesion=3");

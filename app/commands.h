@@ -14,6 +14,7 @@ struct Command {
 };
 
 Command add_run(CLI::App& program);
+Command add_resume(CLI::App& program);
 Command add_check(CLI::App& program);
 Command add_render(CLI::App& program);
 Command add_report(CLI::App& program);

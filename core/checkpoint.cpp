@@ -10,7 +10,7 @@
 #include "core/checkpoint_archive.h"
 #include "core/checkpoint_check.h"
 #include "core/checkpoint_search.h"
-#include "core/errors.h"
+#include "core/whole_file.h"
 
 namespace quicksand {
 
@@ -22,7 +22,7 @@ using Reader = CheckpointReader;
 static_assert(std::endian::native == std::endian::little, "arrays are stored little-endian");
 
 constexpr const char* kFormat = "quicksand checkpoint";
-constexpr int kVersion = 3;
+constexpr int kVersion = 4;
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{4} << 30U;  // [bytes]
 
 template <class Archive, class Law>
@@ -121,6 +121,10 @@ void describe_protocol(Archive& archive, State& state) {
   archive.value("iterations", state.iterations);
   archive.value("factorisations", state.factorisations);
   archive.value("worst_residual", state.worst_residual);
+  archive.value("worst_overlap", state.worst_overlap);
+  archive.value("external_work", state.external_work);
+  archive.value("energy_dissipated", state.energy_dissipated);
+  archive.value("energy_gained", state.energy_gained);
   archive.value("trial_start", state.trial_start);
 }
 
@@ -161,6 +165,7 @@ Json to_json(const Checkpoint& checkpoint) {
   writer.object("world", [&](Writer& w) { write_world(w, checkpoint.world); });
   writer.object("protocol", [&](Writer& w) { describe_protocol(w, checkpoint.protocol); });
   writer.object("search", [&](Writer& w) { write_search(w, checkpoint.protocol); });
+  writer.array("samples", checkpoint.samples);
   if (const auto& base = checkpoint.protocol.search.base)
     writer.object("base", [&](Writer& w) { write_world(w, *base); });
   return json;
@@ -254,16 +259,10 @@ std::span<const std::uint8_t> sealed_content(std::span<const std::uint8_t> bytes
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
   std::vector<std::uint8_t> bytes = Json::to_cbor(to_json(checkpoint));
   add_seal(bytes);
-  std::filesystem::path temporary = path;
-  temporary += ".part";
-  std::ofstream file(temporary, std::ios::binary);
-  file.write(reinterpret_cast<const char*>(bytes.data()),
-             static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  if (!file) throw InputError(path.string(), "cannot be written");
-  std::error_code error;
-  std::filesystem::rename(temporary, path, error);
-  if (error) throw InputError(path.string(), "cannot be written: " + error.message());
+  WholeFile file(path);
+  file.stream().write(reinterpret_cast<const char*>(bytes.data()),
+                      static_cast<std::streamsize>(bytes.size()));
+  file.finish();
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& path) {
@@ -280,8 +279,9 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
     require(json.is_object() && json.value("format", "") == kFormat, "this is no checkpoint");
     const int version = json.at("version").get<int>();
     if (version != kVersion)
-      throw std::runtime_error("its format version is " + std::to_string(version) +
-                               ", this program reads version " + std::to_string(kVersion));
+      throw OtherVersion(path.string(), "its format version is " + std::to_string(version) +
+                                            ", this program reads version " +
+                                            std::to_string(kVersion));
     Checkpoint checkpoint;
     checkpoint.scene = json.at("scene").get<std::string>();
     checkpoint.world = world_from(json.at("world"));
@@ -289,10 +289,13 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
     describe_protocol(reader, checkpoint.protocol);
     Reader searches(json.at("search"));
     read_search(searches, checkpoint.protocol);
+    Reader(json).array("samples", checkpoint.samples);
     if (json.contains("base"))
       checkpoint.protocol.search.base = std::make_shared<const World>(world_from(json.at("base")));
     if (const char* problem = impossible(checkpoint)) throw std::runtime_error(problem);
     return checkpoint;
+  } catch (const OtherVersion&) {
+    throw;
   } catch (const std::exception& problem) {
     throw InputError(path.string(),
                      std::string("is not a whole checkpoint of quicksand: ") + problem.what());

@@ -3,7 +3,9 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include "core/errors.h"
 #include "core/protocols.h"
 #include "core/world.h"
 
@@ -13,12 +15,21 @@ struct Checkpoint {
   World world;
   ProtocolState protocol;
   std::string scene;  // the resolved scene as text; opaque here
+  // Where the samples of a run stand; opaque here, empty if there is no run.
+  std::vector<std::uint8_t> samples = {};
 };
 
-// Writes to a temporary name beside `path`, then renames. Throws InputError if it cannot be written.
+// A whole file: the old one stays until the new one is on the disk. Throws InputError if it cannot be
+// written.
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 
-// Throws InputError if the file is missing, truncated, damaged or of another version.
+// A whole checkpoint, but of another format version.
+class OtherVersion : public InputError {
+ public:
+  using InputError::InputError;
+};
+
+// Throws InputError if the file is missing, truncated or damaged, OtherVersion if it is of another version.
 Checkpoint read_checkpoint(const std::filesystem::path& path);
 
 }  // namespace quicksand

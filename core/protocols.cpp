@@ -109,6 +109,11 @@ bool Protocol::try_step(const StepSettings& step, int halvings_left) {
     return try_step(half, halvings_left - 1) && try_step(half, halvings_left - 1);
   }
   state_.worst_residual = std::max(state_.worst_residual, report_.solve.residual.natural);
+  for (const Contact& contact : world_.contacts)
+    state_.worst_overlap = std::max(state_.worst_overlap, -contact.gap);
+  state_.external_work += report_.energy.work;
+  const double lost = report_.energy.work - report_.energy.change;
+  (lost < 0 ? state_.energy_gained : state_.energy_dissipated) += std::abs(lost);
   if (report_.converged) return true;
   ++state_.unconverged_steps;
   state_.broken_in_unconverged += report_.bonds_broken;

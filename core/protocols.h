@@ -29,6 +29,11 @@ struct ProtocolState {
   std::int64_t iterations = 0;
   std::int64_t factorisations = 0;
   double worst_residual = 0;  // Residual::natural
+  double worst_overlap = 0;   // of two bodies, where a step began [d]
+  // EnergyBalance of all steps [F_g d].
+  double external_work = 0;
+  double energy_dissipated = 0;
+  double energy_gained = 0;  // by steps that ended with more than they began with and received
   // Found over the whole run.
   std::vector<CriticalForce> critical_forces;
   std::vector<AdiabaticDeposit> adiabatic_deposits;

@@ -157,6 +157,7 @@ StepReport Stepper::advance(World& world, const StepSettings& step,
   if (!report.taken) return report;
 
   update_bonds(world, step, report);
+  report.energy = energy_balance(world, s.contacts, s.problem, s.state.velocity, step.dt);
   move(world, s.state.velocity, step.dt);
   std::swap(world.contacts, s.contacts);
   world.impulse_dt = step.dt;

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "core/energy_balance.h"
 #include "core/solver.h"
 #include "core/world.h"
 
@@ -14,7 +15,8 @@ struct StepReport {
   bool finite = true;  // false: not taken
   int bad_body = -1;   // the first body whose velocity is not finite
   SolveReport solve;
-  double seconds = 0;  // that the step took
+  double seconds = 0;    // that the step took
+  EnergyBalance energy;  // if taken
   std::int64_t bonds_formed = 0;
   std::int64_t bonds_broken = 0;     // always 0 if not converged
   std::int64_t breaks_withheld = 0;  // bonds beyond their range in an unconverged step

@@ -110,4 +110,18 @@ void write_png(const std::filesystem::path& path, const Image& image) {
   }
 }
 
+bool is_whole_png(const std::filesystem::path& path) {
+  // The last chunk is always the same: no bytes, its name, its checksum.
+  constexpr std::array<char, 12> kEnd{0,   0,   0,      0,      'I',    'E',
+                                      'N', 'D', '\xAE', '\x42', '\x60', '\x82'};
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, kSignature.size()> begin{};
+  std::array<char, kEnd.size()> end{};
+  file.read(begin.data(), begin.size());
+  file.seekg(-static_cast<std::streamoff>(end.size()), std::ios::end);
+  file.read(end.data(), end.size());
+  const auto same = [](char a, auto b) { return a == static_cast<char>(b); };
+  return file && std::equal(begin.begin(), begin.end(), kSignature.begin(), same) && end == kEnd;
+}
+
 }  // namespace quicksand

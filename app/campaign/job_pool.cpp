@@ -10,9 +10,10 @@
 #include <optional>
 #include <thread>
 
-#include "app/campaign/folder_lock.h"
 #include "app/campaign/pool_progress.h"
 #include "app/interrupt.h"
+#include "app/run/folder_lock.h"
+#include "app/run/resumption.h"
 #include "app/run/run_scene.h"
 #include "core/errors.h"
 #include "render/renderer.h"
@@ -34,11 +35,9 @@ JobOutcome compute(const Job& job, bool anew, bool frames) {
     options.out = job.folder.path;
     options.frames = frames;
     options.quiet = true;
-    std::error_code error;
-    const bool has_state = std::filesystem::exists(job.folder.state(), error);
-    if (record.status != JobStatus::missing && has_state) {
+    if (record.status != JobStatus::missing &&
+        resumption_of(job.folder, frames).how == Resumption::How::goes_on)
       options.continued_from = job.folder.state();
-    }
     const RunResult result = run_scene(job.scenario, options);
     switch (result.end.how) {
       case RunEnd::How::finished:

@@ -5,6 +5,7 @@
 #include "app/run/run_folder.h"
 #include "app/shell_text.h"
 #include "core/errors.h"
+#include "core/whole_file.h"
 #include "render/external_program.h"
 
 namespace quicksand {

@@ -5,6 +5,7 @@
 
 #include "app/run/run_folder.h"
 #include "core/errors.h"
+#include "core/whole_file.h"
 
 namespace quicksand {
 

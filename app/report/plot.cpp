@@ -8,6 +8,7 @@
 #include "app/report/plot_rows.h"
 #include "app/report/report_text.h"
 #include "app/run/run_folder.h"
+#include "core/whole_file.h"
 #include "render/external_program.h"
 
 namespace quicksand {

@@ -7,6 +7,7 @@
 #include "app/report/report_text.h"
 #include "app/run/run_folder.h"
 #include "core/errors.h"
+#include "core/whole_file.h"
 
 namespace quicksand {
 

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "core/whole_file.h"
+
 namespace quicksand {
 
 View view_of(const Scenario& scenario, View view) {
@@ -14,11 +16,19 @@ Film::Film(const RunFolder& folder, const Scenario& scenario, const View& view, 
     : folder_(folder),
       view_(view_of(scenario, view)),
       title_(scenario.name),
-      sequence_(folder.frames(), first) {}
+      sequence_(folder.frames(), first),
+      secured_(first) {}
 
 void Film::add(const World& world, const std::string& phase) {
   const auto caption = std::to_array<std::string>({title_, phase});
   sequence_.add(renderer_.draw(world, view_, caption));
+}
+
+void Film::secure() {
+  sequence_.finish();
+  if (secured_ == frames()) return;
+  for (; secured_ < frames(); ++secured_) bring_to_disk(frame_path(folder_.frames(), secured_));
+  bring_to_disk(folder_.frames());
 }
 
 VideoReport Film::finish() {

@@ -24,6 +24,8 @@ class Film {
   Film(const RunFolder& folder, const Scenario& scenario, const View& view, std::int64_t first);
 
   void add(const World& world, const std::string& phase);
+  // Waits until the frames so far are on the disk. Throws InputError if one could not be written.
+  void secure();
   // Waits for the frames, and joins them if there is ffmpeg. Returns what became of it.
   VideoReport finish();
 
@@ -35,6 +37,7 @@ class Film {
   std::string title_;
   Renderer renderer_;
   Sequence sequence_;
+  std::int64_t secured_;  // frames with smaller numbers are on the disk
 };
 
 }  // namespace quicksand

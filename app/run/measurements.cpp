@@ -6,6 +6,7 @@
 #include "app/run/run_folder.h"
 #include "app/run/summary.h"
 #include "core/measures.h"
+#include "core/whole_file.h"
 
 namespace quicksand {
 

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "app/run/whole_file.h"
 #include "core/errors.h"
 
 namespace quicksand {
@@ -32,7 +31,7 @@ void make_writable(const RunFolder& folder) {
 
 void remove_earlier_results(const RunFolder& folder) {
   std::error_code ignored;
-  for (const fs::path& file : {folder.film(), folder.summary(), folder.state(),
+  for (const fs::path& file : {folder.state(), folder.summary(), folder.film(),
                                folder.critical_forces(), folder.adiabatic()}) {
     fs::remove(file, ignored);
   }
@@ -42,12 +41,6 @@ void remove_earlier_results(const RunFolder& folder) {
     if (name.starts_with("frame_") && name.ends_with(".png")) frames.push_back(file.path());
   }
   for (const fs::path& frame : frames) fs::remove(frame, ignored);
-}
-
-void write_whole(const fs::path& path, std::string_view text) {
-  WholeFile file(path);
-  file.stream() << text;
-  file.finish();
 }
 
 }  // namespace quicksand

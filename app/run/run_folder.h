@@ -2,13 +2,13 @@
 #pragma once
 
 #include <filesystem>
-#include <string_view>
 
 namespace quicksand {
 
 struct RunFolder {
   std::filesystem::path path;
 
+  std::filesystem::path options() const { return path / "run.json"; }
   std::filesystem::path scene() const { return path / "scene.json"; }
   std::filesystem::path frames() const { return path / "frames"; }
   std::filesystem::path film() const { return path / "film.mp4"; }
@@ -25,9 +25,5 @@ void make_writable(const RunFolder& folder);
 // Removes the files of an earlier run that this run may not write again: its film, summary, state,
 // tables of searches and frames. Other files are left alone.
 void remove_earlier_results(const RunFolder& folder);
-
-// Writes beside `path`, then renames: the file is the old one or the new one, never a half. Throws
-// InputError if it cannot be written.
-void write_whole(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace quicksand

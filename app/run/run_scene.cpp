@@ -1,6 +1,7 @@
 #include "app/run/run_scene.h"
 
 #include <chrono>
+#include <optional>
 #include <utility>
 
 #include "app/interrupt.h"
@@ -8,11 +9,13 @@
 #include "app/run/course.h"
 #include "app/run/film.h"
 #include "app/run/progress_line.h"
+#include "app/run/run_position.h"
 #include "app/run/search_results.h"
 #include "app/run/series.h"
 #include "app/scene/scenario_json.h"
 #include "app/scene/scene_file.h"
 #include "core/errors.h"
+#include "core/whole_file.h"
 
 namespace quicksand {
 
@@ -20,9 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-
-// A run that is killed loses at most this. [s]
-constexpr double kCheckpointPeriod = 60;
 
 double seconds_since(Clock::time_point moment) {
   return std::chrono::duration<double>(Clock::now() - moment).count();
@@ -36,20 +36,23 @@ bool same_file(const fs::path& a, const fs::path& b) {
 // One run: its course, and what writes it down.
 class Run {
  public:
+  // `earlier`: where the run stands that goes on in its own folder.
   Run(const Scenario& scenario, const RunOptions& options, const RunFolder& folder,
-      Checkpoint start)
+      Checkpoint start, const std::optional<RunPosition>& earlier)
       : scenario_(scenario),
         options_(options),
         folder_(folder),
-        first_step_(start.world.step),
-        series_(folder.series(), resumed_step()),
+        first_step_(earlier ? earlier->first_step : start.world.step),
+        began_at_step_(start.world.step),
+        series_(folder.series(), earlier ? earlier->rows : 0),
         course_(scenario, std::move(start), options.every,
                 [this](const Row& row, const World& world) { record(row, world); }) {
+    if (earlier) course_.go_on(earlier->samples);
     if (options.frames) film_.emplace(folder, scenario, options.view, series_.rows());
   }
 
   RunResult complete() {
-    RunResult result{folder_, {}, {}};
+    RunResult result{folder_, {}, {}, {}};
     try {
       result.end.how = compute();
       if (result.end.how == RunEnd::How::failed) result.end.failure = protocol().failure();
@@ -57,17 +60,20 @@ class Run {
     } catch (const InputError& error) {
       fail(result.end, error);
     }
-    result.end.steps = course_.world().step - first_step_;
+    const std::int64_t step = course_.world().step;
+    result.end.steps = step - first_step_;
+    result.end.computed_steps = step - began_at_step_;
     result.end.wall_seconds = seconds_since(began_);
+    const Row& last = course_.last();
     try {
-      write_state();
       write_search_tables(folder_, protocol().state());
-      const Json values =
-          summary(scenario_, course_.world(), protocol().state(), course_.last(), result.end);
+      const Json values = summary(scenario_, course_.world(), protocol().state(), last, result.end);
       write_whole(folder_.summary(), values.dump(2) + "\n");
     } catch (const InputError& error) {
       fail(result.end, error);
     }
+    if (options_.strict)
+      result.distrust = distrust(protocol().state(), last.sample.max_overlap, *options_.strict);
     return result;
   }
 
@@ -79,18 +85,9 @@ class Run {
     end.unwritable = true;
   }
 
-  // A run that goes on in its own folder appends to what is there.
-  std::optional<std::int64_t> resumed_step() const {
-    const bool same =
-        options_.continued_from && same_file(*options_.continued_from, folder_.state());
-    return same ? std::optional(first_step_) : std::nullopt;
-  }
-
   const Protocol& protocol() const { return course_.protocol(); }
 
   void record(const Row& row, const World& world) {
-    // The earlier part of a continued run ended with this sample.
-    if (std::exchange(first_sample_, false) && series_.last_step() == world.step) return;
     series_.add(row);
     if (film_) film_->add(world, row.phase);
   }
@@ -104,19 +101,29 @@ class Run {
         break;
       }
       progress.show(protocol());
-      if (course_.advance() == Progress::failed) {
+      const Progress made = course_.advance();
+      if (made == Progress::failed) {
         how = RunEnd::How::failed;
         break;
       }
-      if (seconds_since(checkpointed_) > kCheckpointPeriod) write_state();
+      if (made == Progress::phase_ended ||
+          seconds_since(checkpointed_) >= options_.checkpoint_every)
+        write_state();
     }
+    // The sample of an early end is not one of the whole run: who goes on drops it.
+    if (how != RunEnd::How::finished) write_state();
     course_.sample();
+    if (how == RunEnd::How::finished) write_state();
     progress.end();
     return how;
   }
 
+  // The state speaks of rows and frames, so these are on the disk before it.
   void write_state() {
-    write_checkpoint(folder_.state(), {course_.world(), protocol().state(), to_text(scenario_)});
+    series_.secure();
+    if (film_) film_->secure();
+    write_checkpoint(folder_.state(), {course_.world(), protocol().state(), to_text(scenario_),
+                                       to_bytes({series_.rows(), first_step_, course_.samples()})});
     checkpointed_ = Clock::now();
   }
 
@@ -130,8 +137,8 @@ class Run {
   const Scenario& scenario_;
   const RunOptions& options_;
   RunFolder folder_;
-  std::int64_t first_step_;
-  bool first_sample_ = true;
+  std::int64_t first_step_;     // of the run
+  std::int64_t began_at_step_;  // of this part of it
   Series series_;
   std::optional<Film> film_;
   Course course_;
@@ -139,27 +146,39 @@ class Run {
   Clock::time_point checkpointed_ = Clock::now();
 };
 
+// Where the run stands that left this state.
+RunPosition position_of(const Checkpoint& checkpoint, const fs::path& state) {
+  try {
+    return position_from(checkpoint.samples);
+  } catch (const std::exception&) {
+    throw InputError(state.string(),
+                     "was not left by a run; go on from it in another folder with --out");
+  }
+}
+
 }  // namespace
 
 RunResult run_scene(const Scenario& scenario, const RunOptions& options) {
   const RunFolder folder{options.out.empty() ? fs::path("out") / scenario.name : options.out};
   Checkpoint start;
+  std::optional<RunPosition> earlier;
   if (options.continued_from) {
     start = read_continuation(*options.continued_from, scenario);
+    if (same_file(*options.continued_from, folder.state()))
+      earlier = position_of(start, folder.state());
   } else {
     start.world = start_world(scenario);
   }
-  const bool goes_on_here =
-      options.continued_from && same_file(*options.continued_from, folder.state());
   if (!scenario.start_from.empty() && same_file(scenario.start_from, folder.state())) {
     throw InputError(folder.state().string(),
                      "is what the scene starts from and would be overwritten; choose another "
                      "folder with --out");
   }
   make_writable(folder);
-  if (!goes_on_here) remove_earlier_results(folder);
+  if (!earlier) remove_earlier_results(folder);
+  write_options(folder.options(), options);
   write_whole(folder.scene(), to_text(scenario));
-  return Run(scenario, options, folder, std::move(start)).complete();
+  return Run(scenario, options, folder, std::move(start), earlier).complete();
 }
 
 }  // namespace quicksand

@@ -1,6 +1,7 @@
 #include "app/run/search_results.h"
 
 #include "core/shear_strength.h"
+#include "core/whole_file.h"
 
 namespace quicksand {
 

@@ -1,21 +1,24 @@
 #include "app/run/series.h"
 
-#include <charconv>
-
-#include "app/run/run_folder.h"
 #include "core/errors.h"
 
 namespace quicksand {
 
 namespace {
 
-// Value of a row's `step` column; -1 if the row is cut short.
-std::int64_t step_of(const std::string& row) {
-  const std::size_t comma = row.find(',');
-  if (comma == std::string::npos) return -1;
-  std::int64_t step = -1;
-  std::from_chars(row.data() + comma + 1, row.data() + row.size(), step);
-  return step;
+// The header and up to `most` rows after it, each with its end of line; a row without is cut short.
+// Empty if the header is another one.
+std::string whole_lines(const std::filesystem::path& path, std::int64_t most, std::int64_t& rows) {
+  rows = 0;
+  std::ifstream file(path, std::ios::binary);
+  std::string line;
+  std::string text = series_header() + "\n";
+  if (!std::getline(file, line) || line + "\n" != text) return {};
+  while (rows < most && std::getline(file, line) && !file.eof()) {
+    text += line + "\n";
+    ++rows;
+  }
+  return text;
 }
 
 }  // namespace
@@ -28,27 +31,20 @@ std::string series_header() {
   return header;
 }
 
-Series::Series(std::filesystem::path path, std::optional<std::int64_t> up_to_step)
-    : path_(std::move(path)) {
+std::int64_t whole_rows(const std::filesystem::path& path, std::int64_t most) {
+  std::int64_t rows = 0;
+  whole_lines(path, most, rows);
+  return rows;
+}
+
+Series::Series(std::filesystem::path path, std::int64_t kept_rows) : path_(std::move(path)) {
   std::string text = series_header() + "\n";
-  std::ifstream earlier;
-  if (up_to_step) earlier.open(path_);
-  if (earlier.is_open()) {
-    std::string line;
-    std::getline(earlier, line);
-    if (line + "\n" != text) {
+  if (kept_rows > 0) {
+    text = whole_lines(path_, kept_rows, rows_);
+    if (rows_ < kept_rows)
       throw InputError(path_.string(),
-                       "has other columns than this version writes; continue the "
-                       "run in another folder with --out");
-    }
-    while (std::getline(earlier, line)) {
-      const std::int64_t step = step_of(line);
-      if (step < 0 || step > *up_to_step) break;
-      text += line + "\n";
-      last_step_ = step;
-      ++rows_;
-    }
-    earlier.close();
+                       "has other columns or fewer rows than the run that is to go on; continue "
+                       "it in another folder with --out");
   }
   write_whole(path_, text);
   file_.open(path_, std::ios::binary | std::ios::app);
@@ -64,7 +60,6 @@ void Series::add(const Row& row) {
   file_ << line << '\n' << std::flush;
   if (!file_) throw InputError(path_.string(), "cannot be written; is the disk full?");
   ++rows_;
-  last_step_ = row.sample.step;
 }
 
 }  // namespace quicksand

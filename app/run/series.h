@@ -4,30 +4,32 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <optional>
 
 #include "app/run/quantities.h"
+#include "core/whole_file.h"
 
 namespace quicksand {
 
 class Series {
  public:
-  // Starts a new file, or, to continue a run at a step, keeps the rows up to that step. Throws
-  // InputError if the file cannot be written, or is not the series of such a run.
-  explicit Series(std::filesystem::path path, std::optional<std::int64_t> up_to_step = {});
+  // Starts a new file, or, to go on with a run, keeps so many rows of what is there. Throws InputError if
+  // the file cannot be written, or has not so many rows of these quantities.
+  explicit Series(std::filesystem::path path, std::int64_t kept_rows = 0);
 
   void add(const Row& row);
+  // Waits until the rows are on the disk. Throws InputError.
+  void secure() const { bring_to_disk(path_); }
 
   std::int64_t rows() const { return rows_; }
-  // Step of the last row; -1 if there is none.
-  std::int64_t last_step() const { return last_step_; }
 
  private:
   std::filesystem::path path_;
   std::ofstream file_;
   std::int64_t rows_ = 0;
-  std::int64_t last_step_ = -1;
 };
+
+// How many whole rows a file has, counted up to `most`; 0 if it is not a series of these quantities.
+std::int64_t whole_rows(const std::filesystem::path& path, std::int64_t most);
 
 // The first line: names of the quantities.
 std::string series_header();

@@ -4,6 +4,7 @@
 #include <cinttypes>
 #include <cstdio>
 
+#include "app/run/distrust.h"
 #include "app/run/search_results.h"
 #include "app/scene/si_scale.h"
 
@@ -53,10 +54,14 @@ Json summary(const Scenario& scenario, const World& world, const ProtocolState& 
   json["steps"] = end.steps;
   json["wall_seconds"] = end.wall_seconds;
   json["steps_per_second"] =
-      end.wall_seconds > 0 ? static_cast<double>(end.steps) / end.wall_seconds : 0;
+      end.wall_seconds > 0 ? static_cast<double>(end.computed_steps) / end.wall_seconds : 0;
   json["total_iterations"] = state.iterations;
   json["total_factorisations"] = state.factorisations;
   json["worst_residual"] = state.worst_residual;
+  json["worst_overlap"] = worst_overlap(state, last.sample.max_overlap);
+  json["external_work"] = state.external_work;
+  json["energy_dissipated"] = state.energy_dissipated;
+  json["energy_gained"] = state.energy_gained;
   json["unconverged_steps"] = state.unconverged_steps;
   json["halved_steps"] = state.halved_steps;
   json["bonds_broken_in_unconverged_steps"] = state.broken_in_unconverged;

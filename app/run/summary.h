@@ -13,10 +13,11 @@ namespace quicksand {
 struct RunEnd {
   enum class How : std::uint8_t { finished, interrupted, failed };
   How how = How::finished;
-  std::string failure;      // a sentence, if failed
-  bool unwritable = false;  // failed because results could not be written
-  std::int64_t steps = 0;   // of this run; a continued run counts its own
-  double wall_seconds = 0;  // of this run, pictures included
+  std::string failure;              // a sentence, if failed
+  bool unwritable = false;          // failed because results could not be written
+  std::int64_t steps = 0;           // of this run, before it was interrupted too
+  std::int64_t computed_steps = 0;  // of its last part, since it was last resumed
+  double wall_seconds = 0;          // of its last part, pictures included
 };
 
 // The value as JSON; null if there is none.

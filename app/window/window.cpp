@@ -14,6 +14,7 @@
 #include "app/window/display.h"
 #include "app/window/journal.h"
 #include "core/errors.h"
+#include "core/whole_file.h"
 
 namespace quicksand {
 

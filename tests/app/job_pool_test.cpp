@@ -3,11 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include "app/campaign/folder_lock.h"
 #include "app/campaign/results_table.h"
+#include "app/run/folder_lock.h"
 #include "app/scene/scenario_json.h"
 #include "app/scene/scene_file.h"
 #include "core/checkpoint.h"
+#include "core/whole_file.h"
 #include "tests/support/files.h"
 
 namespace quicksand::test {

@@ -5,6 +5,7 @@
 #include "app/paper/paper_strength.h"
 #include "app/scene/scenario_json.h"
 #include "core/errors.h"
+#include "core/whole_file.h"
 #include "tests/support/files.h"
 #include "tests/support/program_fixture.h"
 

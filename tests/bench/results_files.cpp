@@ -8,6 +8,7 @@
 #include "app/json/json_text.h"
 #include "app/machine.h"
 #include "app/run/run_folder.h"
+#include "core/whole_file.h"
 #include "tests/bench/results.h"
 #include "tests/bench/statistics.h"
 

@@ -1,12 +1,14 @@
-#include "app/campaign/folder_lock.h"
+#include "app/run/folder_lock.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <utility>
 
 #include "app/run/run_folder.h"
+#include "core/errors.h"
 
 namespace quicksand {
 
@@ -16,8 +18,17 @@ FolderLock::FolderLock(const std::filesystem::path& folder) {
   held_ = file_ < 0 || flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
 }
 
+FolderLock::FolderLock(FolderLock&& other) noexcept
+    : file_(std::exchange(other.file_, -1)), held_(other.held_) {}
+
 FolderLock::~FolderLock() {
   if (file_ >= 0) close(file_);
+}
+
+FolderLock lock_run(const std::filesystem::path& folder) {
+  FolderLock lock(folder);
+  if (!lock.held()) throw InputError(folder.string(), "another process is computing in it");
+  return lock;
 }
 
 }  // namespace quicksand

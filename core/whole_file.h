@@ -1,8 +1,10 @@
-// A file that is there as a whole or not at all: written beside its place, then renamed.
+// A file that is there as a whole or not at all: written beside its place, brought to the disk, then
+// renamed. Neither a killed program nor a power cut leaves half of it under its name.
 #pragma once
 
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 namespace quicksand {
 
@@ -24,5 +26,12 @@ class WholeFile {
   std::ofstream file_;
   bool finished_ = false;
 };
+
+// A whole file of this text. Throws InputError if it cannot be written.
+void write_whole(const std::filesystem::path& path, std::string_view text);
+
+// Waits until what was written to a file, or the names in a folder, are on the disk. Throws InputError if
+// they cannot be brought there.
+void bring_to_disk(const std::filesystem::path& path);
 
 }  // namespace quicksand

@@ -13,6 +13,8 @@ class FolderLock {
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
+  FolderLock(FolderLock&& other) noexcept;
+  FolderLock& operator=(FolderLock&&) = delete;
 
   // False: another process has it. File systems that know no locks give it to all.
   bool held() const { return held_; }
@@ -21,5 +23,8 @@ class FolderLock {
   int file_ = -1;
   bool held_ = false;
 };
+
+// The lock of a run's folder. Throws InputError if another process computes in it.
+FolderLock lock_run(const std::filesystem::path& folder);
 
 }  // namespace quicksand

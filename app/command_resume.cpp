@@ -1,0 +1,82 @@
+// quicksand resume: goes on with a run that did not reach its end, whatever ended it.
+#include <cstdio>
+#include <memory>
+
+#include "app/commands.h"
+#include "app/run/folder_lock.h"
+#include "app/run/resumption.h"
+#include "app/run_outcome.h"
+#include "app/scene/scene_file.h"
+#include "app/strict_options.h"
+#include "core/checkpoint.h"
+#include "core/errors.h"
+#include "core/measures.h"
+
+namespace quicksand {
+
+namespace {
+
+struct Options {
+  std::string folder;
+  bool quiet = false;
+  StrictOptions strict;
+};
+
+void require_run(const RunFolder& folder) {
+  std::error_code ignored;
+  for (const auto& file : {folder.scene(), folder.options()})
+    if (!std::filesystem::exists(file, ignored))
+      throw InputError(folder.path.string(),
+                       "is not the folder of a run: it has no " + file.filename().string());
+}
+
+int tell_finished(const RunFolder& folder, const RunOptions& options) {
+  std::printf("the run in %s is finished\n", folder.path.c_str());
+  if (!options.strict) return tell_distrust({});
+  const Checkpoint end = read_checkpoint(folder.state());
+  return tell_distrust(distrust(end.protocol, measure(end.world).max_overlap, *options.strict));
+}
+
+int resume(const Options& asked) {
+  const RunFolder folder{asked.folder};
+  require_run(folder);
+  RunOptions options = read_options(folder.options());
+  options.out = folder.path;
+  options.quiet = asked.quiet;
+  if (asked.strict.strict) options.strict = strict_from(asked.strict);
+  const Scenario scenario = read_scene({folder.scene(), {}, {}});
+  const FolderLock lock = lock_run(folder.path);
+  const Resumption resumption = resumption_of(folder, options.frames);
+  switch (resumption.how) {
+    case Resumption::How::finished:
+      return tell_finished(folder, options);
+    case Resumption::How::goes_on:
+      options.continued_from = folder.state();
+      break;
+    case Resumption::How::starts_again:
+      if (!asked.quiet)
+        std::fprintf(stderr, "the run starts again from its beginning: %s\n",
+                     resumption.why.c_str());
+      break;
+  }
+  return tell_outcome(run_scene(scenario, options), options);
+}
+
+}  // namespace
+
+Command add_resume(CLI::App& program) {
+  CLI::App* command = program.add_subcommand(
+      "resume", "go on with a run that was killed, interrupted or out of disk space");
+  const auto options = std::make_shared<Options>();
+  command->add_option("folder", options->folder, "folder of the run")->type_name("DIR")->required();
+  command->add_flag("--quiet", options->quiet, "print nothing but where the results are");
+  add_strict_options(*command, options->strict);
+  command->footer(
+      "The results are those of a run that nothing had stopped. Rows and frames after the last\n"
+      "checkpoint are computed again; without a usable checkpoint the run starts again.\n\n"
+      "Example:\n"
+      "  quicksand resume out/collapse");
+  return {command, [options] { return resume(*options); }};
+}
+
+}  // namespace quicksand

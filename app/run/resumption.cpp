@@ -1,0 +1,52 @@
+#include "app/run/resumption.h"
+
+#include <fstream>
+
+#include "app/json/json_text.h"
+#include "app/run/run_position.h"
+#include "app/run/series.h"
+#include "core/checkpoint.h"
+#include "core/errors.h"
+#include "render/png.h"
+#include "render/sequence.h"
+
+namespace quicksand {
+
+namespace {
+
+// The summary is the last that a run writes.
+bool has_finished(const RunFolder& folder) {
+  try {
+    const Json summary = parse_json(read_text(folder.summary()));
+    return summary.is_object() && summary.value("finished", Json()) == true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+Resumption resumption_of(const RunFolder& folder, bool frames) {
+  using enum Resumption::How;
+  RunPosition position;
+  std::error_code ignored;
+  if (!std::filesystem::exists(folder.state(), ignored))
+    return {starts_again, "it has no state yet"};
+  try {
+    position = position_from(read_checkpoint(folder.state()).samples);
+  } catch (const OtherVersion&) {
+    throw;
+  } catch (const InputError& error) {
+    return {starts_again, error.where() + " " + error.what()};
+  } catch (const std::exception&) {
+    return {starts_again, folder.state().string() + " was not left by a run"};
+  }
+  if (whole_rows(folder.series(), position.rows) < position.rows)
+    return {starts_again, folder.series().string() + " lacks rows that were there"};
+  for (std::int64_t k = 0; frames && k < position.rows; ++k)
+    if (const auto frame = frame_path(folder.frames(), k); !is_whole_png(frame))
+      return {starts_again, frame.string() + " is not whole"};
+  return {has_finished(folder) ? finished : goes_on, {}};
+}
+
+}  // namespace quicksand

@@ -1,0 +1,25 @@
+// What can be done with the folder of a run that ended somehow: by itself, by Ctrl-C, or in the middle.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "app/run/run_folder.h"
+
+namespace quicksand {
+
+struct Resumption {
+  enum class How : std::uint8_t {
+    finished,      // nothing is left to do
+    goes_on,       // from its state
+    starts_again,  // its results do not reach as far as its state, or there is none
+  };
+  How how = How::goes_on;
+  std::string why;  // it starts again: a phrase
+};
+
+// `frames`: whether the run draws pictures. Throws InputError if the state is of another format version:
+// the program that wrote it can go on with it.
+Resumption resumption_of(const RunFolder& folder, bool frames);
+
+}  // namespace quicksand

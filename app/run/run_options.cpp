@@ -1,0 +1,71 @@
+#include "app/run/run_options.h"
+
+#include <string_view>
+#include <vector>
+
+#include "app/json/json_reader.h"
+#include "app/json/json_writer.h"
+#include "core/errors.h"
+#include "core/whole_file.h"
+
+namespace quicksand {
+
+namespace {
+
+constexpr std::string_view kThemes[] = {"light", "dark"};
+
+void describe_view(Fields& f, View& view) {
+  std::vector<std::string_view> names;
+  for (const ColouringInfo& known : colourings()) names.push_back(known.name);
+  f.choice({"colour", "what grains are coloured by"}, names, view.colouring);
+  f.choice({"theme", "light or dark"}, kThemes, view.theme);
+  std::int64_t width = view.width, height = view.height;
+  f.integer({"width", "of the pictures [px]"}, kSmallestPicture, kLargestPicture, width);
+  f.integer({"height", "of the pictures [px]"}, kSmallestPicture, kLargestPicture, height);
+  view.width = static_cast<int>(width), view.height = static_cast<int>(height);
+  f.flag({"bonds", "whether active bonds are drawn"}, view.bonds);
+  f.flag({"forces", "whether contact forces are drawn"}, view.forces);
+}
+
+void describe_strict(Fields& f, StrictBounds& strict) {
+  f.number({"max_overlap", "deepest overlap that is accepted"}, between(0, 1, "d"),
+           strict.max_overlap);
+}
+
+void describe(Fields& f, RunOptions& options) {
+  constexpr double kLongest = 1e12;
+  f.number({"every", "time between samples, instead of the scene's"},
+           above(0, kLongest, "sqrt(d/g)"), options.every);
+  f.flag({"frames", "whether pictures are drawn"}, options.frames);
+  f.number({"checkpoint_every", "wall time between checkpoints"},
+           between(0, kLongestCheckpointTime, "s"), options.checkpoint_every);
+  f.optional_object({"strict", "what a run must keep to be believed"}, options.strict,
+                    describe_strict);
+  f.object({"view", "how pictures look"},
+           [&](Fields& inner) { describe_view(inner, options.view); });
+}
+
+}  // namespace
+
+void write_options(const std::filesystem::path& file, RunOptions options) {
+  JsonWriter writer;
+  describe(writer, options);
+  write_whole(file, writer.take().dump(2) + "\n");
+}
+
+RunOptions read_options(const std::filesystem::path& file) {
+  RunOptions options;
+  try {
+    const Json json = parse_json(read_text(file));
+    JsonReader reader(json, "", "the options of a run");
+    describe(reader, options);
+    reader.refuse_unknown_keys();
+  } catch (const InputError& error) {
+    if (error.where() == file.string()) throw;
+    throw InputError(file.string() + (error.where().empty() ? "" : ": " + error.where()),
+                     error.what());
+  }
+  return options;
+}
+
+}  // namespace quicksand

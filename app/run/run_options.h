@@ -1,0 +1,31 @@
+// What a run was asked for besides its scene. It is kept as run.json beside the results, so that `resume`
+// goes on in the same way.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "app/run/distrust.h"
+#include "render/view.h"
+
+namespace quicksand {
+
+struct RunOptions {
+  std::filesystem::path out;                            // empty: out/<scene name>
+  std::optional<double> every;                          // time between samples [sqrt(d/g)]
+  std::optional<std::filesystem::path> continued_from;  // state.cbor
+  bool frames = true;
+  bool quiet = false;
+  double checkpoint_every = 60;  // wall time between checkpoints; 0: one a step [s]
+  std::optional<StrictBounds> strict;
+  View view;  // kept are colouring, theme, size, bonds and forces
+};
+
+// The longest time between checkpoints that may be asked for. [s]
+constexpr double kLongestCheckpointTime = 1e6;
+
+// Writes and reads what is kept; `out`, `continued_from` and `quiet` belong to the call. Throw InputError.
+void write_options(const std::filesystem::path& file, RunOptions options);
+RunOptions read_options(const std::filesystem::path& file);
+
+}  // namespace quicksand

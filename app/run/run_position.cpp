@@ -1,0 +1,72 @@
+#include "app/run/run_position.h"
+
+#include <stdexcept>
+
+#include "app/json/json_text.h"
+
+namespace quicksand {
+
+namespace {
+
+// One description for both directions.
+struct Writer {
+  Json& json;
+  template <class T>
+  void value(const char* key, const T& x) {
+    json[key] = x;
+  }
+};
+struct Reader {
+  const Json& json;
+  template <class T>
+  void value(const char* key, T& x) {
+    json.at(key).get_to(x);
+  }
+};
+
+template <class Archive, class AnyRow>
+void describe_row(Archive archive, AnyRow& row) {
+  archive.value("phase", row.phase);
+  archive.value("residual", row.residual);
+  archive.value("gap_error", row.gap_error);
+  archive.value("velocity_change", row.velocity_change);
+  archive.value("iterations", row.iterations);
+  archive.value("factorisations", row.factorisations);
+  archive.value("unconverged", row.unconverged);
+  archive.value("trial", row.trial);
+  archive.value("trial_force", row.trial_force);
+}
+
+template <class Archive, class Position>
+void describe(Archive archive, Position& position) {
+  archive.value("rows", position.rows);
+  archive.value("first_step", position.first_step);
+  archive.value("step", position.samples.step);
+  archive.value("bodies", position.samples.bodies);
+  archive.value("healed", position.samples.healed);
+  archive.value("phase", position.samples.phase);
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> to_bytes(const RunPosition& position) {
+  Json json, last, pending;
+  describe(Writer{json}, position);
+  describe_row(Writer{last}, position.samples.last);
+  describe_row(Writer{pending}, position.samples.pending);
+  json["last"] = std::move(last);
+  json["pending"] = std::move(pending);
+  return Json::to_cbor(json);  // keeps every bit of a number, and those that are not finite
+}
+
+RunPosition position_from(const std::vector<std::uint8_t>& bytes) {
+  const Json json = Json::from_cbor(bytes);
+  RunPosition position;
+  describe(Reader{json}, position);
+  describe_row(Reader{json.at("last")}, position.samples.last);
+  describe_row(Reader{json.at("pending")}, position.samples.pending);
+  if (position.rows < 0) throw std::runtime_error("a number of rows cannot be below 0");
+  return position;
+}
+
+}  // namespace quicksand

@@ -1,0 +1,69 @@
+#include "app/run_outcome.h"
+
+#include <cstdio>
+
+#include "app/exit_code.h"
+#include "app/json/json_reader.h"
+#include "app/shell_text.h"
+
+namespace quicksand {
+
+namespace {
+
+// Goes on with other settings than those that failed.
+std::string continue_command(const RunFolder& folder, const RunOptions& options) {
+  return "quicksand run " + shell_text(folder.scene()) + " --continue " +
+         shell_text(folder.state()) + " --out " + shell_text(folder.path) +
+         (options.every ? " --every " + number_text(*options.every) : "") +
+         (options.frames ? "" : " --no-frames");
+}
+
+int tell_failure(const RunResult& result, const RunOptions& options) {
+  const std::string folder = result.folder.path.string();
+  if (result.end.unwritable) {
+    std::fprintf(stderr,
+                 "quicksand: the run ended early: %s\n  what was written is in %s\n"
+                 "  when it can be written again, go on with: quicksand resume %s\n",
+                 result.end.failure.c_str(), folder.c_str(),
+                 shell_text(result.folder.path).c_str());
+    return kRunFailed;
+  }
+  std::fprintf(stderr,
+               "quicksand: the run failed: %s\n  results so far are in %s\n"
+               "  continue with: %s --set step.max_halvings=16\n"
+               "  or, to take such steps as they are, with --set step.on_unconverged=continue\n",
+               result.end.failure.c_str(), folder.c_str(),
+               continue_command(result.folder, options).c_str());
+  return kRunFailed;
+}
+
+}  // namespace
+
+int tell_distrust(const std::string& reasons) {
+  if (reasons.empty()) return kFine;
+  std::fprintf(stderr, "quicksand: --strict: the run is not to be believed: %s\n", reasons.c_str());
+  return kRunFailed;
+}
+
+int tell_outcome(const RunResult& result, const RunOptions& options) {
+  const std::string folder = result.folder.path.string();
+  const auto steps = static_cast<long long>(result.end.computed_steps);
+  if (!result.notes.empty() && !options.quiet) std::fprintf(stderr, "%s\n", result.notes.c_str());
+  switch (result.end.how) {
+    case RunEnd::How::finished:
+      std::printf("%lld steps in %.1f s; results are in %s\n", steps, result.end.wall_seconds,
+                  folder.c_str());
+      return tell_distrust(result.distrust);
+    case RunEnd::How::interrupted:
+      std::printf(
+          "interrupted after %lld steps; results so far are in %s\n"
+          "  continue with: quicksand resume %s\n",
+          steps, folder.c_str(), shell_text(result.folder.path).c_str());
+      return kInterrupted;
+    case RunEnd::How::failed:
+      return tell_failure(result, options);
+  }
+  return kRunFailed;
+}
+
+}  // namespace quicksand

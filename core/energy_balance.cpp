@@ -1,0 +1,65 @@
+#include "core/energy_balance.h"
+
+namespace quicksand {
+
+namespace {
+
+void add_disks(const World& world, const std::vector<Vec3>& velocity, double dt,
+               EnergyBalance& energy) {
+  const Disks& disks = world.disks;
+  const Vec2 g = world.gravity.value_or(Vec2(0, 0));
+  for (int i = 0; i < disks.size(); ++i) {
+    if (disks.fixed(i)) continue;
+    const Vec3 sum = velocity[i] + disks.velocity[i], gain = velocity[i] - disks.velocity[i];
+    energy.change += disks.mass[i] * sum.head<2>().dot(gain.head<2>()) / 2 +
+                     disks.inertia(i) * sum.z() * gain.z() / 2;
+    energy.work +=
+        dt * (disks.mass[i] * g.dot(velocity[i].head<2>()) + disks.applied[i].dot(velocity[i]));
+  }
+}
+
+void add_walls(const World& world, const std::vector<Vec3>& velocity, double dt,
+               EnergyBalance& energy) {
+  const Vec2 g = world.gravity.value_or(Vec2(0, 0));
+  for (std::size_t k = 0; k < world.walls.size(); ++k) {
+    const Wall& wall = world.walls[k];
+    if (wall.mass == 0) continue;
+    const Vec2 after = velocity[world.disks.position.size() + k].head<2>();
+    energy.change += wall.mass * (after + wall.velocity).dot(after - wall.velocity) / 2;
+    energy.work += dt * (wall.force * wall.normal + wall.mass * g).dot(after);
+  }
+}
+
+void add_contacts(const World& world, const std::vector<Contact>& contacts,
+                  const ContactProblem& problem, const std::vector<Vec3>& velocity, double dt,
+                  EnergyBalance& energy) {
+  auto bond = world.bonds.list.begin();
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const Contact& contact = contacts[c];
+    const ContactRow& row = problem.contacts[c];
+    const Vec3 &va = velocity[row.a], &vb = velocity[row.b];
+    const Vec3 impulse = contact.impulse - Vec3(dt * contact.cohesion, 0, 0);
+    // What does not respond to forces passes the work of the contact on.
+    if (problem.inverse_mass[row.a].isZero(0)) energy.work -= momentum_of_a(row, impulse).dot(va);
+    if (problem.inverse_mass[row.b].isZero(0)) energy.work -= momentum_of_b(row, impulse).dot(vb);
+    if (contact.cohesion == 0) continue;
+    while (bond != world.bonds.list.end() && bond->pair < contact.pair) ++bond;
+    const bool lasts = bond != world.bonds.list.end() && bond->pair == contact.pair &&
+                       bond->state == BondState::active;
+    if (lasts) energy.change += dt * contact.cohesion * relative_velocity(row, va, vb).x();
+  }
+}
+
+}  // namespace
+
+EnergyBalance energy_balance(const World& world, const std::vector<Contact>& contacts,
+                             const ContactProblem& problem, const std::vector<Vec3>& velocity,
+                             double dt) {
+  EnergyBalance energy;
+  add_disks(world, velocity, dt, energy);
+  add_walls(world, velocity, dt, energy);
+  add_contacts(world, contacts, problem, velocity, dt, energy);
+  return energy;
+}
+
+}  // namespace quicksand
