@@ -5,11 +5,11 @@
 #include <cstdio>
 
 #include "app/assets.h"
+#include "app/bench/goals/goal_cases.h"
+#include "app/bench/goals/over_gauss_seidel.h"
+#include "app/bench/window.h"
 #include "app/scene/scene_file.h"
 #include "core/step.h"
-#include "tests/bench/cases.h"
-#include "tests/bench/velocity_error.h"
-#include "tests/bench/window.h"
 
 namespace quicksand::bench {
 
@@ -29,12 +29,12 @@ Outcome first_step(const Scenario& scene, double goal, const Options& options) {
   for (int repeat = 0; repeat < options.repeats_or(9); ++repeat) {
     World moved = world;
     StepReport report;
-    Run run = measure_step(moved, scene, options, report);
+    Row run = measure_step(moved, scene, options, report);
     run.repeat = repeat;
-    run.grains = mobile_disks(step.problem);
+    run.size = mobile_disks(step.problem);
     run.contacts = static_cast<std::int64_t>(step.problem.contacts.size());
     if (report.taken)
-      run.velocity_error = velocity_distance(step.problem, moved.disks.velocity, solution.velocity);
+      run.error = velocity_distance(step.problem, moved.disks.velocity, solution.velocity);
     time.valid = time.valid && report.converged;
     time.values.push_back(1e3 * run.seconds.cpu);
     outcome.runs.push_back(run);

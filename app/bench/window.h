@@ -5,13 +5,13 @@
 #include <functional>
 #include <string>
 
+#include "app/bench/bench.h"
 #include "core/protocols.h"
-#include "tests/bench/bench_case.h"
 
 namespace quicksand::bench {
 
 struct Window {
-  Run run;              // a step that was tried as two halves counts once
+  Row run{};            // a step that was tried as two halves counts once
   std::string failure;  // why it ended early; empty if it did not
 };
 
@@ -25,6 +25,6 @@ struct WindowSettings {
 Window measure_window(Protocol& protocol, const WindowSettings& settings, const Options& options);
 
 // The next step of `world` alone, by a stepper that knows nothing yet. `report` is the step's own.
-Run measure_step(World& world, const Scenario& scene, const Options& options, StepReport& report);
+Row measure_step(World& world, const Scenario& scene, const Options& options, StepReport& report);
 
 }  // namespace quicksand::bench

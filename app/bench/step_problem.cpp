@@ -1,4 +1,4 @@
-#include "tests/bench/step_problem.h"
+#include "app/bench/step_problem.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,9 +6,9 @@
 #include <array>
 #include <cstdio>
 
-#include "tests/bench/cases.h"
-#include "tests/bench/paper_states.h"
-#include "tests/bench/velocity_error.h"
+#include "app/bench/goals/goal_cases.h"
+#include "app/bench/paper_states.h"
+#include "app/bench/velocity_error.h"
 
 namespace quicksand::bench {
 
@@ -30,22 +30,22 @@ void solve_cold(const std::string& network, const World& world, const Scenario& 
   time.valid = false;
   for (const double tolerance : kTolerances) {
     settings.tolerance = tolerance;
-    Run run = measure_solution(step, step.start, settings, reference, options);
-    run.part = network + "_tolerance";
-    time.valid = *run.velocity_error < kError;
+    Row run = measure_solution(step, step.start, settings, reference, options);
+    run.what = network + "_tolerance";
+    time.valid = *run.error < kError;
     outcome.runs.push_back(run);
     if (time.valid) break;
   }
   for (int repeat = 0; repeat < options.repeats_or(7); ++repeat) {
-    Run run = measure_solution(step, step.start, settings, reference, options);
-    run.part = network;
+    Row run = measure_solution(step, step.start, settings, reference, options);
+    run.what = network;
     run.repeat = repeat;
     time.values.push_back(1e3 * run.seconds.cpu);
     outcome.runs.push_back(run);
   }
   time.run = static_cast<int>(outcome.runs.size()) - 1;
-  Run swept = measure_gauss_seidel(step, step.start, kError, reference, options);
-  swept.part = network + "_gauss_seidel";
+  Row swept = measure_gauss_seidel(step, step.start, kError, reference, options);
+  swept.what = network + "_gauss_seidel";
   outcome.runs.push_back(swept);
   ratio.valid = time.valid;
   ratio.at_least = swept.unconverged > 0;
@@ -57,8 +57,8 @@ void solve_cold(const std::string& network, const World& world, const Scenario& 
                 "%s: tolerance %.0e%s; Gauss-Seidel %.1e g dt off after %lld sweeps and %.3g s; "
                 "reference at residual %.1e, two routes %.1e g dt apart",
                 network.c_str(), settings.tolerance,
-                time.valid ? "" : ", and no looser one reaches 1e-3 g dt either",
-                *swept.velocity_error, static_cast<long long>(swept.iterations), swept.seconds.cpu,
+                time.valid ? "" : ", and no looser one reaches 1e-3 g dt either", *swept.error,
+                static_cast<long long>(swept.iterations), swept.seconds.cpu,
                 reference.residual.natural, reference.doubt);
   outcome.notes.emplace_back(text.data());
 }

@@ -5,9 +5,9 @@
 // measured: all methods see the same problems.
 #pragma once
 
+#include "app/bench/bench.h"
 #include "core/checkpoint.h"
 #include "core/scenario.h"
-#include "tests/bench/bench_case.h"
 
 namespace quicksand::bench {
 
@@ -32,8 +32,17 @@ Checkpoint at_rest(const Options& options);
 // The intruder half-way down.
 Checkpoint ploughing(const Options& options);
 
+// The shipped collapse (quick: in a box of half its size) 1 sqrt(d/g) after its push, while the channel falls in.
+Checkpoint collapsing(const Options& options);
+// Grains without cohesion (assets/scenes/dense.json; quick: 100 of them) 1 sqrt(d/g) after the last was dropped.
+Checkpoint dense(const Options& options);
+
 // A deposit without dynamics: every grain stays where it first touched, in a box of the paper's shape,
 // with bonds and without forces.
 World fresh_deposit(const Options& options, std::int64_t grains);
+
+// Their scenes.
+Scenario collapse_scene(const Options& options);
+Scenario dense_scene(const Options& options);
 
 }  // namespace quicksand::bench

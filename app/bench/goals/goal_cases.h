@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "tests/bench/bench_case.h"
+#include "app/bench/goals/goal_case.h"
 
 namespace quicksand::bench {
 

@@ -3,11 +3,11 @@
 #include <array>
 #include <cstdio>
 
+#include "app/bench/goals/goal_cases.h"
+#include "app/bench/goals/over_gauss_seidel.h"
+#include "app/bench/paper_states.h"
+#include "app/bench/window.h"
 #include "core/measures.h"
-#include "tests/bench/cases.h"
-#include "tests/bench/paper_states.h"
-#include "tests/bench/velocity_error.h"
-#include "tests/bench/window.h"
 
 namespace quicksand::bench {
 
@@ -50,7 +50,7 @@ Outcome piston(const Options& options) {
   for (int repeat = 0; repeat < options.repeats_or(1); ++repeat) {
     Protocol protocol(scene, start);
     const Window window = measure_window(protocol, settings, options);
-    Run run = window.run;
+    Row run = window.run;
     run.repeat = repeat;
     run.tolerance = scene.solver.tolerance;
     outcome.runs.push_back(run);

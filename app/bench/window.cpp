@@ -1,4 +1,4 @@
-#include "tests/bench/window.h"
+#include "app/bench/window.h"
 
 #include <algorithm>
 
@@ -13,13 +13,14 @@ constexpr double kGapUnit = 0.1;  // [d_c]
 
 Window measure_window(Protocol& protocol, const WindowSettings& settings, const Options& options) {
   Window window;
-  Run& run = window.run;
-  run.part = "steps";
+  Row& run = window.run;
+  run.what = "steps";
   run.method = options.method;
   const ProtocolState before = protocol.state();
   const Stopwatch whole;
   ProgressLine line(options.progress);
   while (run.steps < settings.steps) {
+    stop_if_interrupted();
     const std::int64_t step = protocol.world().step;
     const Stopwatch watch;
     const Progress progress = protocol.advance();
@@ -49,16 +50,16 @@ Window measure_window(Protocol& protocol, const WindowSettings& settings, const 
   run.factorisations = after.factorisations - before.factorisations;
   run.unconverged +=
       after.unconverged_steps - before.unconverged_steps + after.halved_steps - before.halved_steps;
-  run.grains = std::ranges::count(protocol.world().disks.role, Role::grain);
+  run.size = std::ranges::count(protocol.world().disks.role, Role::grain);
   run.contacts = static_cast<std::int64_t>(protocol.world().contacts.size());
   return window;
 }
 
-Run measure_step(World& world, const Scenario& scene, const Options& options, StepReport& report) {
+Row measure_step(World& world, const Scenario& scene, const Options& options, StepReport& report) {
   Stepper stepper;
   const Stopwatch watch;
   report = stepper.advance(world, scene.step, scene.solver);
-  Run run{.part = "step", .method = options.method};
+  Row run{.what = "step", .method = options.method};
   run.seconds = watch.elapsed();
   run.contacts = static_cast<std::int64_t>(world.contacts.size());
   run.tolerance = scene.solver.tolerance;

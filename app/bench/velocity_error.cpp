@@ -1,32 +1,29 @@
-#include "tests/bench/velocity_error.h"
+#include "app/bench/velocity_error.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
+#include "app/bench/contact_modes.h"
 #include "core/residual.h"
-#include "tests/bench/contact_modes.h"
 
 namespace quicksand::bench {
 
 namespace {
 
 constexpr double kReferenceTolerance = 1e-12;
-constexpr double kTightEnough = 1e-9;
 constexpr int kReferenceFactorisations = 150;
 constexpr double kGapUnit = 0.1;  // of Residual::gap [d_c]
 
 // A row for a solution with this outcome.
-Run row_of(const StepProblem& step, const SolveReport& report, const ContactState& state,
+Row row_of(const StepProblem& step, const SolveReport& report, const ContactState& state,
            const Reference& reference) {
-  Run run;
-  run.grains = mobile_disks(step.problem);
+  Row run;
+  run.size = mobile_disks(step.problem);
   run.contacts = static_cast<std::int64_t>(step.problem.contacts.size());
   run.iterations = report.iterations;
   run.factorisations = report.factorisations;
   run.residual = report.residual.natural;
   run.gap_error = kGapUnit * report.residual.gap;
-  run.velocity_error = velocity_distance(step.problem, state.velocity, reference.velocity);
+  run.error = velocity_distance(step.problem, state.velocity, reference.velocity);
   return run;
 }
 
@@ -61,15 +58,15 @@ Reference solve_tightly(const StepProblem& step) {
   return reference;
 }
 
-Run measure_solution(const StepProblem& step, const std::vector<Vec3>& start,
+Row measure_solution(const StepProblem& step, const std::vector<Vec3>& start,
                      const SolverSettings& settings, const Reference& reference,
                      const Options& options) {
   ContactState state{.velocity = {}, .impulse = start};
   const Stopwatch watch;
   const SolveReport report = solve(step.problem, settings, state);
   const Seconds seconds = watch.elapsed();
-  Run run = row_of(step, report, state, reference);
-  run.part = "solve";
+  Row run = row_of(step, report, state, reference);
+  run.what = "solve";
   run.method = options.method;
   run.tolerance = settings.tolerance;
   run.seconds = seconds;
@@ -77,7 +74,7 @@ Run measure_solution(const StepProblem& step, const std::vector<Vec3>& start,
   return run;
 }
 
-Run measure_gauss_seidel(const StepProblem& step, const std::vector<Vec3>& start, double error,
+Row measure_gauss_seidel(const StepProblem& step, const std::vector<Vec3>& start, double error,
                          const Reference& reference, const Options& options) {
   constexpr int kLeastPortion = 20;
   ContactState state{.velocity = {}, .impulse = start};
@@ -92,34 +89,12 @@ Run measure_gauss_seidel(const StepProblem& step, const std::vector<Vec3>& start
     reached = velocity_distance(step.problem, state.velocity, reference.velocity);
     settings.max_iterations = std::max(kLeastPortion, static_cast<int>(report.iterations / 10));
   } while (reached > error && seconds.cpu < options.patience());
-  Run run = row_of(step, report, state, reference);
-  run.part = "gauss_seidel";
+  Row run = row_of(step, report, state, reference);
+  run.what = "gauss_seidel";
   run.method = "gauss_seidel";
   run.seconds = seconds;
   run.unconverged = reached > error ? 1 : 0;
   return run;
-}
-
-void compare_with_gauss_seidel(const StepProblem& step, const SolverSettings& settings,
-                               const Reference& reference, const Options& options,
-                               Outcome& outcome) {
-  const Run solved = measure_solution(step, step.start, settings, reference, options);
-  const double error = *solved.velocity_error;
-  const Run swept = measure_gauss_seidel(step, step.start, error, reference, options);
-  outcome.runs.push_back(solved);
-  outcome.runs.push_back(swept);
-  outcome.over_gauss_seidel = {.factor = swept.seconds.cpu / solved.seconds.cpu,
-                               .at_least = swept.unconverged > 0};
-  std::array<char, 240> text{};
-  std::snprintf(
-      text.data(), text.size(),
-      "one problem: %.3g ms to a velocity error of %.1e g dt, Gauss-Seidel %.1e after %.3g "
-      "s; reference at residual %.1e, two routes %.1e g dt apart",
-      1e3 * solved.seconds.cpu, error, *swept.velocity_error, swept.seconds.cpu,
-      reference.residual.natural, reference.doubt);
-  outcome.notes.emplace_back(text.data());
-  if (reference.residual.natural > kTightEnough || reference.doubt > error / 10)
-    outcome.notes.emplace_back("the reference is not tight: take the velocity errors as rough");
 }
 
 }  // namespace quicksand::bench

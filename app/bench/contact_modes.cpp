@@ -1,4 +1,4 @@
-#include "tests/bench/contact_modes.h"
+#include "app/bench/contact_modes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // Deposition, rest and ploughing: steps per second over a phase, its preparation not counted.
 #include <limits>
 
-#include "tests/bench/cases.h"
-#include "tests/bench/paper_states.h"
-#include "tests/bench/velocity_error.h"
-#include "tests/bench/window.h"
+#include "app/bench/goals/goal_cases.h"
+#include "app/bench/goals/over_gauss_seidel.h"
+#include "app/bench/paper_states.h"
+#include "app/bench/window.h"
 
 namespace quicksand::bench {
 
@@ -24,7 +24,7 @@ Figure steps_per_second(double goal) {
 // Takes a window as a repeat of the figure.
 void add(const Window& window, const Scenario& scene, int repeat, Figure& figure,
          Outcome& outcome) {
-  Run run = window.run;
+  Row run = window.run;
   run.repeat = repeat;
   run.tolerance = scene.solver.tolerance;
   figure.values.push_back(static_cast<double>(run.steps) / run.seconds.cpu);

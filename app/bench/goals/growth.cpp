@@ -2,11 +2,11 @@
 // one shape, search for contacts included.
 #include <algorithm>
 
+#include "app/bench/goals/goal_cases.h"
+#include "app/bench/paper_states.h"
+#include "app/bench/statistics.h"
+#include "app/bench/window.h"
 #include "core/step.h"
-#include "tests/bench/cases.h"
-#include "tests/bench/paper_states.h"
-#include "tests/bench/statistics.h"
-#include "tests/bench/window.h"
 
 namespace quicksand::bench {
 
@@ -26,15 +26,15 @@ Outcome growth(const Options& options) {
     for (int repeat = 0; repeat < repeats; ++repeat) {
       World world = fresh;
       StepReport report;
-      Run run = measure_step(world, scene, options, report);
+      Row run = measure_step(world, scene, options, report);
       run.repeat = repeat;
-      run.grains = size;
+      run.size = size;
       growing.valid = growing.valid && report.converged;
       seconds[static_cast<std::size_t>(repeat)].push_back(run.seconds.cpu);
       outcome.runs.push_back(run);
       growing.run = static_cast<int>(outcome.runs.size()) - 1;
     }
-    const Run& last = outcome.runs.back();
+    const Row& last = outcome.runs.back();
     per_factorisation.push_back(
         last.seconds.cpu / static_cast<double>(std::max<std::int64_t>(1, last.factorisations)));
     outcome.notes.push_back(std::to_string(size) +

@@ -1,4 +1,4 @@
-#include "tests/bench/paper_states.h"
+#include "app/bench/paper_states.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,6 +61,7 @@ Checkpoint run_until(const Options& options, const Scenario& scenario, World wor
   Protocol protocol(scenario, std::move(world), state);
   ProgressLine line(options.progress);
   while (!reached(protocol)) {
+    stop_if_interrupted();
     const Progress progress = protocol.advance();
     if (progress == Progress::finished) break;
     if (progress == Progress::failed)
@@ -132,6 +133,40 @@ Checkpoint ploughing(const Options& options) {
           return intruder >= 0 &&
                  p.world().disks.position[static_cast<std::size_t>(intruder)].y() <= half;
         });
+  });
+}
+
+Scenario collapse_scene(const Options& options) {
+  std::vector<std::string> overrides;
+  if (options.quick) overrides = {"box.width=15", "box.height=24", "phases[0].height=18"};
+  return read_scene({.file = shipped_scene("collapse"), .overrides = overrides, .seed = {}});
+}
+
+Checkpoint collapsing(const Options& options) {
+  constexpr double kAfterPush = 1;  // [sqrt(d/g)]
+  const Scenario scene = collapse_scene(options);
+  return stored(options, "collapsing", scene, [&] {
+    return run_until(options, scene, make_world(scene), {}, [](const Protocol& p) {
+      return p.state().phase == 2 && p.state().entered &&
+             p.world().time >= p.state().phase_start + kAfterPush;
+    });
+  });
+}
+
+Scenario dense_scene(const Options& options) {
+  std::vector<std::string> overrides;
+  if (options.quick) overrides = {"box.width=12", "phases[0].grains=100"};
+  return read_scene({.file = shipped_scene("dense"), .overrides = overrides, .seed = {}});
+}
+
+Checkpoint dense(const Options& options) {
+  constexpr double kAfterLast = 1;  // [sqrt(d/g)]
+  const Scenario scene = dense_scene(options);
+  return stored(options, "dense", scene, [&] {
+    return run_until(options, scene, make_world(scene), {}, [](const Protocol& p) {
+      return p.state().phase == 1 && p.state().entered &&
+             p.world().time >= p.state().phase_start + kAfterLast;
+    });
   });
 }
 

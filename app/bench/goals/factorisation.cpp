@@ -6,12 +6,12 @@
 #include <Eigen/SparseLU>
 #include <cmath>
 
+#include "app/bench/goals/goal_cases.h"
+#include "app/bench/paper_states.h"
+#include "app/bench/step_problem.h"
+#include "app/bench/stopwatch.h"
 #include "core/contact_matrix.h"
 #include "core/random.h"
-#include "tests/bench/cases.h"
-#include "tests/bench/paper_states.h"
-#include "tests/bench/step_problem.h"
-#include "tests/bench/stopwatch.h"
 
 namespace quicksand::bench {
 
@@ -86,9 +86,9 @@ Outcome factorisation(const Options& options) {
     const auto measured = [&](const char* part, auto solve) {
       const Stopwatch watch;
       solve();
-      Run run{.part = part, .method = part, .repeat = repeat};
+      Row run{.what = part, .method = part, .repeat = repeat};
       run.seconds = watch.elapsed();
-      run.grains = mobile_disks(problem);
+      run.size = mobile_disks(problem);
       run.contacts = static_cast<std::int64_t>(problem.contacts.size());
       run.factorisations = 1;
       outcome.runs.push_back(run);

@@ -1,4 +1,4 @@
-#include "tests/bench/cases.h"
+#include "app/bench/goals/goal_cases.h"
 
 namespace quicksand::bench {
 

@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "tests/bench/bench_case.h"
-#include "tests/bench/step_problem.h"
+#include "app/bench/bench.h"
+#include "app/bench/step_problem.h"
 
 namespace quicksand::bench {
 
@@ -31,19 +31,13 @@ double velocity_distance(const ContactProblem& problem, const std::vector<Vec3>&
 Reference solve_tightly(const StepProblem& step);
 
 // Solves once from `start`, timed.
-Run measure_solution(const StepProblem& step, const std::vector<Vec3>& start,
+Row measure_solution(const StepProblem& step, const std::vector<Vec3>& start,
                      const SolverSettings& settings, const Reference& reference,
                      const Options& options);
 
 // Gauss-Seidel from `start` until its velocity error is at most `error`, in portions of a tenth of the
 // sweeps done, or until the patience is used up.
-Run measure_gauss_seidel(const StepProblem& step, const std::vector<Vec3>& start, double error,
+Row measure_gauss_seidel(const StepProblem& step, const std::vector<Vec3>& start, double error,
                          const Reference& reference, const Options& options);
-
-// Both at one problem: a method at the given settings, then Gauss-Seidel to the same error, from the
-// inherited impulses. Adds two rows and a note to the outcome and sets its advantage.
-void compare_with_gauss_seidel(const StepProblem& step, const SolverSettings& settings,
-                               const Reference& reference, const Options& options,
-                               Outcome& outcome);
 
 }  // namespace quicksand::bench
