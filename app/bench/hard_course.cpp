@@ -65,11 +65,11 @@ Vec2 Course::force(Pair pair) const {
   return {0, 0};
 }
 
-double Course::floor_force() const {
-  Vec2 sum(0, 0);
+double Course::load_on_walls() const {
+  double sum = 0;
   for (const Contact& contact : world().contacts)
-    if (contact.pair.b == kWallBase) sum += contact.force(world().impulse_dt);
-  return -sum.dot(world().wall(kWallBase).normal);
+    if (is_wall(contact.pair.b)) sum -= contact.force(world().impulse_dt).y();
+  return sum;
 }
 
 Row Course::answer(const std::string& expected, const std::string& found, double off,

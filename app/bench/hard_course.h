@@ -35,7 +35,7 @@ class Course {
   Vec2 position(int disk) const { return world().disks.position[static_cast<std::size_t>(disk)]; }
   // Force of the last step in a contact, on its second body; 0 if there is none [F_g].
   Vec2 force(Pair pair) const;
-  double floor_force() const;  // on the first wall, along its normal inwards [F_g]
+  double load_on_walls() const;  // downward, on all of them [F_g]
 
   // The answer as a row: right where `right` holds and `off` is at most `allowed`.
   Row answer(const std::string& expected, const std::string& found, double off, double allowed,
