@@ -30,7 +30,7 @@ struct Options {
 
   int repeats_or(int sensible) const { return repeats > 0 ? repeats : sensible; }
   // Time that Gauss-Seidel may spend on one problem [s].
-  double patience() const { return quick ? 0.5 : 30; }
+  double patience() const { return quick ? 1.5 : 30; }
 };
 
 // One measurement: a line of results.csv. What is not defined for it stays empty.

@@ -60,10 +60,10 @@ constexpr std::array kObservables{
 Scenario push_scene(const Options& options) {
   const bool quick = options.quick;
   return read_scene({.file = shipped_scene("collapse"),
-                     .overrides = {quick ? "box.width=10" : "box.width=20",
-                                   quick ? "box.height=20" : "box.height=36",
-                                   quick ? "phases[0].height=14" : "phases[0].height=30",
-                                   quick ? "phases[1].max_time=0.4" : "phases[1].max_time=1"},
+                     .overrides = {quick ? "box.width=16" : "box.width=24",
+                                   quick ? "box.height=28" : "box.height=40",
+                                   quick ? "phases[0].height=22" : "phases[0].height=34",
+                                   quick ? "phases[1].max_time=0.4" : "phases[1].max_time=0.8"},
                      .seed = {}});
 }
 
@@ -195,15 +195,14 @@ Plot cost_plot(const std::vector<Found>& all, const std::string& observable, con
     }
     plot.curves.push_back(std::move(curve));
   }
-  plot.references.push_back(
-      {.name = "5 %", .low = -5, .high = 5, .role = quicksand::Reference::Role::guide});
+  plot.references.push_back({.low = -5, .high = 5, .role = quicksand::Reference::Role::guide});
   return plot;
 }
 
 }  // namespace
 
 std::vector<Task> error_tasks(const Options& options) {
-  const int seeds = options.repeats_or(options.quick ? 3 : 8);
+  const int seeds = options.repeats_or(options.quick ? 5 : 10);
   std::vector<Task> tasks;
   for (int seed = 1; seed <= seeds; ++seed)
     tasks.push_back({format("push, seed %d", seed),
@@ -261,9 +260,10 @@ void report_error(std::span<const Row> rows, const Options&, Section& section) {
   }
   section.blocks.emplace_back(
       quicksand::Figure{cost_plot(all, "broken bonds", "error_broken_bonds"),
-                        "Bars are standard errors over the seeds."});
-  section.blocks.emplace_back(quicksand::Figure{cost_plot(all, "depth", "error_depth"),
-                                                "Bars are standard errors over the seeds."});
+                        "Bars are standard errors over the seeds; grey: within 5 %."});
+  section.blocks.emplace_back(
+      quicksand::Figure{cost_plot(all, "depth", "error_depth"),
+                        "Bars are standard errors over the seeds; grey: within 5 %."});
 }
 
 }  // namespace quicksand::bench
