@@ -63,10 +63,10 @@ int run_command_line(int argc, const char* const* argv) {
   program.require_subcommand(1);
   program.footer("Example:\n  quicksand run assets/scenes/collapse.json");
   const std::vector<Command> commands{
-      add_run(program),       add_resume(program),  add_check(program),    add_render(program),
-      add_measure(program),   add_export(program),  add_campaign(program), add_report(program),
-      add_reproduce(program), add_session(program), add_window(program),   add_compare(program),
-      add_list(program)};
+      add_run(program),       add_resume(program), add_check(program),    add_render(program),
+      add_measure(program),   add_export(program), add_campaign(program), add_report(program),
+      add_reproduce(program), add_bench(program),  add_session(program),  add_window(program),
+      add_compare(program),   add_list(program)};
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& request) {

@@ -22,6 +22,7 @@ Command add_campaign(CLI::App& program);
 Command add_measure(CLI::App& program);
 Command add_export(CLI::App& program);
 Command add_reproduce(CLI::App& program);
+Command add_bench(CLI::App& program);
 Command add_session(CLI::App& program);
 Command add_compare(CLI::App& program);
 Command add_window(CLI::App& program);

@@ -38,8 +38,8 @@ class ManualTest : public ProgramFixture {
 TEST_F(ManualTest, ThePageHasEveryCommandOptionAndExitCode) {
   const std::string page = quicksand({"list", "man"}).out;
   EXPECT_TRUE(page.starts_with(".TH QUICKSAND 1"));
-  for (const char* command :
-       {"run", "check", "render", "measure", "export", "campaign", "report", "reproduce", "list"}) {
+  for (const char* command : {"run", "check", "render", "measure", "export", "campaign", "report",
+                              "reproduce", "bench", "list"}) {
     EXPECT_NE(page.find(std::string(".SS ") + command + "\n"), std::string::npos) << command;
   }
   for (const char* words : {"\\fB\\-\\-set\\fR \\fIPATH=VALUE\\fR", "\\fB130\\fR",

@@ -39,8 +39,9 @@ int rows(const std::string& csv) {
 }
 
 TEST_F(ProgramTest, HelpOfEveryCommandEndsWithAnExample) {
-  for (const char* command : {"run", "resume", "check", "render", "measure", "export", "campaign",
-                              "report", "reproduce", "session", "window", "compare", "list"}) {
+  for (const char* command :
+       {"run", "resume", "check", "render", "measure", "export", "campaign", "report", "reproduce",
+        "bench", "session", "window", "compare", "list"}) {
     const Outcome help = quicksand({command, "--help"});
     EXPECT_EQ(help.exit_code, 0);
     EXPECT_NE(help.out.find(std::string("Example:\n  quicksand ") + command), std::string::npos)

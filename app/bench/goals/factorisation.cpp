@@ -1,0 +1,125 @@
+// Whether our own factorisation pays: that of M + H^T D H in 3x3 blocks against Eigen's sparse ones, on
+// the graph of a standing network. The symbolic part is kept by all. D is random, positive and diagonal,
+// so that LDLT can take part; where a contact slides the matrix is not symmetric, which leaves SparseLU.
+// Ours fills in the matrix as part of its time, the others have it ready.
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseLU>
+#include <cmath>
+
+#include "app/bench/goals/goal_cases.h"
+#include "app/bench/paper_states.h"
+#include "app/bench/step_problem.h"
+#include "app/bench/stopwatch.h"
+#include "core/contact_matrix.h"
+#include "core/random.h"
+
+namespace quicksand::bench {
+
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+// Rows of bodies that cannot move are those of the unit matrix.
+Sparse assembled(const ContactProblem& problem, const std::vector<Mat3>& stiffness) {
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto mobile = [&](int body, int k) { return problem.inverse_mass[body][k] > 0; };
+  for (int i = 0; i < static_cast<int>(problem.inverse_mass.size()); ++i)
+    for (int k = 0; k < 3; ++k)
+      entries.emplace_back(3 * i + k, 3 * i + k, mobile(i, k) ? 1 / problem.inverse_mass[i][k] : 1);
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+    const ContactRow& row = problem.contacts[c];
+    Eigen::Matrix<double, 3, 6> h;
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 none(0, 0, 0), unit = Vec3::Unit(k);
+      h.col(k) = relative_velocity(row, unit, none);
+      h.col(3 + k) = relative_velocity(row, none, unit);
+    }
+    const Eigen::Matrix<double, 6, 6> block = h.transpose() * stiffness[c] * h;
+    const auto place = [&](int k) { return 3 * (k < 3 ? row.a : row.b) + k % 3; };
+    const auto moves = [&](int k) { return mobile(k < 3 ? row.a : row.b, k % 3); };
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j < 6; ++j)
+        if (moves(i) && moves(j)) entries.emplace_back(place(i), place(j), block(i, j));
+  }
+  const auto size = static_cast<Eigen::Index>(3 * problem.inverse_mass.size());
+  Sparse matrix(size, size);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+}  // namespace
+
+Outcome factorisation(const Options& options) {
+  const Scenario scene = paper_scene(options);
+  const ContactProblem problem = next_problem(at_rest(options).world, scene.step).problem;
+  Random random{1};
+  std::vector<Mat3> stiffness(problem.contacts.size(), Mat3::Zero());
+  std::vector<Vec3> impulse;
+  for (Mat3& d : stiffness) {
+    for (int k = 0; k < 3; ++k) d(k, k) = std::pow(1e6, random.uniform());
+    impulse.emplace_back(random.uniform(), random.uniform(), random.uniform());
+  }
+  const Sparse matrix = assembled(problem, stiffness);
+  Eigen::VectorXd momentum = Eigen::VectorXd::Zero(matrix.rows());
+  for (std::size_t c = 0; c < impulse.size(); ++c) {
+    const ContactRow& row = problem.contacts[c];
+    momentum.segment<3>(3 * row.a) += momentum_of_a(row, impulse[c]);
+    momentum.segment<3>(3 * row.b) += momentum_of_b(row, impulse[c]);
+  }
+  for (std::size_t i = 0; i < problem.inverse_mass.size(); ++i)
+    for (int k = 0; k < 3; ++k)
+      if (problem.inverse_mass[i][k] == 0) momentum[static_cast<Eigen::Index>(3 * i) + k] = 0;
+
+  ContactMatrix ours;
+  ours.attach(problem);
+  std::vector<Vec3> change;
+  Eigen::SimplicialLDLT<Sparse> ldlt;
+  ldlt.analyzePattern(matrix);
+  Eigen::SparseLU<Sparse> lu;
+  lu.analyzePattern(matrix);
+
+  Outcome outcome;
+  Figure block{.what = "block LU", .unit = "ms", .goal = 1};
+  Figure over_ldlt{.what = "over Eigen LDLT", .unit = "times", .goal = 2, .more_is_better = true};
+  Figure over_lu{.what = "over Eigen LU", .unit = "times", .goal = 2, .more_is_better = true};
+  for (int repeat = 0; repeat < options.repeats_or(9); ++repeat) {
+    const auto measured = [&](const char* part, auto solve) {
+      const Stopwatch watch;
+      solve();
+      Row run{.what = part, .method = part, .repeat = repeat};
+      run.seconds = watch.elapsed();
+      run.size = mobile_disks(problem);
+      run.contacts = static_cast<std::int64_t>(problem.contacts.size());
+      run.factorisations = 1;
+      outcome.runs.push_back(run);
+      return run.seconds.cpu;
+    };
+    Eigen::VectorXd by_ldlt, by_lu;
+    const double own = measured("block_lu", [&] {
+      ours.factorise(stiffness);
+      ours.velocity_change(impulse, change);
+    });
+    const double symmetric = measured("eigen_ldlt", [&] {
+      ldlt.factorize(matrix);
+      by_ldlt = ldlt.solve(momentum);
+    });
+    const double general = measured("eigen_lu", [&] {
+      lu.factorize(matrix);
+      by_lu = lu.solve(momentum);
+    });
+    double off = 0;
+    for (std::size_t i = 0; i < change.size(); ++i)
+      off = std::max(off, (by_lu.segment<3>(static_cast<Eigen::Index>(3 * i)) - change[i]).norm());
+    const double largest = by_lu.lpNorm<Eigen::Infinity>();
+    block.valid =
+        block.valid && off <= 1e-6 * largest && (by_ldlt - by_lu).norm() <= 1e-6 * largest;
+    block.values.push_back(1e3 * own);
+    over_ldlt.values.push_back(symmetric / own);
+    over_lu.values.push_back(general / own);
+  }
+  outcome.figures = {block, over_ldlt, over_lu};
+  if (!block.valid) outcome.notes.emplace_back("the three solutions differ by more than 1e-6");
+  return outcome;
+}
+
+}  // namespace quicksand::bench

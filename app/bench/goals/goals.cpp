@@ -1,0 +1,95 @@
+// The goals as a part of the benchmark: each case a task, each figure a row with its verdict.
+#include <algorithm>
+#include <array>
+
+#include "app/bench/goals/goal_cases.h"
+#include "app/bench/statistics.h"
+
+namespace quicksand::bench {
+
+namespace {
+
+constexpr const char* kFigure = "figure";
+constexpr const char* kNote = "note";
+
+// Whether the median reaches the goal and nothing besides speed is missing.
+bool goal_met(const Figure& figure) {
+  const double middle = median(figure.values);
+  return figure.valid && (figure.more_is_better ? middle >= figure.goal : middle <= figure.goal);
+}
+
+Row row_of(const Figure& figure, const Outcome& outcome, const Options& options) {
+  const auto [low, high] = std::ranges::minmax(figure.values);
+  Row row;
+  if (figure.run >= 0) row = outcome.runs.at(static_cast<std::size_t>(figure.run));
+  row.what = kFigure;
+  row.method = figure.what;
+  row.seconds = {};
+  row.value = median(figure.values);
+  row.unit = figure.unit;
+  row.found = format("%s%.4g (worst %.4g)", figure.at_least ? "> " : "", *row.value,
+                     figure.more_is_better ? low : high);
+  // Goals are those of full size: quick runs are not held to them.
+  row.expected = options.quick ? "" : format("%g", figure.goal);
+  if (!options.quick) row.passed = goal_met(figure);
+  return row;
+}
+
+void run_case(const Case& one, const Options& options, std::vector<Row>& rows) {
+  const Outcome outcome = one.run(options);
+  for (const Row& run : outcome.runs) rows.push_back(run);
+  for (const Figure& figure : outcome.figures)
+    if (!figure.values.empty()) rows.push_back(row_of(figure, outcome, options));
+  if (outcome.over_gauss_seidel)
+    rows.push_back({.what = kNote,
+                    .found = format("Gauss-Seidel takes %s%.4g times as long to the same error",
+                                    outcome.over_gauss_seidel->at_least ? "more than " : "",
+                                    outcome.over_gauss_seidel->factor)});
+  for (const std::string& note : outcome.notes) rows.push_back({.what = kNote, .found = note});
+}
+
+}  // namespace
+
+std::vector<Task> goal_tasks(const Options& options) {
+  std::vector<Task> tasks;
+  for (const Case& one : cases())
+    tasks.push_back(
+        {one.name, [&one, options](std::vector<Row>& rows) { run_case(one, options, rows); }});
+  return tasks;
+}
+
+void report_goals(std::span<const Row> rows, const Options& options, Section& section) {
+  section.blocks.emplace_back(Paragraph{
+      std::string("CPU time of one core, medians. Residuals and errors are those of the last "
+                  "measurement; velocity errors are the worst of a disk.") +
+      (options.quick ? " Goals hold for full size, so this quick run is not held to them." : "")});
+  Table table{.columns = {{"case"},
+                          {"figure"},
+                          {"goal", true},
+                          {"ours", true},
+                          {"unit"},
+                          {"factorisations a step", true},
+                          {"residual", true},
+                          {"velocity error (g dt)", true}}};
+  BulletList notes;
+  for (const Row& row : rows) {
+    if (row.what == kNote) notes.items.push_back(row.name + ": " + row.found);
+    if (row.what != kFigure) continue;
+    const auto steps = static_cast<double>(std::max<std::int64_t>(1, row.steps));
+    const Cell::Mark mark = !row.passed   ? Cell::Mark::none
+                            : *row.passed ? Cell::Mark::inside
+                                          : Cell::Mark::outside;
+    table.rows.push_back({{row.name},
+                          {row.method},
+                          {row.expected},
+                          {row.found, mark},
+                          {row.unit},
+                          {format("%.2f", static_cast<double>(row.factorisations) / steps)},
+                          {format("%.1e", row.residual)},
+                          {row.error ? format("%.1e", *row.error) : "-"}});
+  }
+  section.blocks.emplace_back(std::move(table));
+  section.blocks.emplace_back(std::move(notes));
+}
+
+}  // namespace quicksand::bench

@@ -1,0 +1,111 @@
+// The benchmark as a user meets it. How long anything took is not looked at.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "app/bench/against.h"
+#include "tests/support/files.h"
+#include "tests/support/program.h"
+
+namespace quicksand::test {
+namespace {
+
+Outcome run_bench(std::vector<std::string> words, const std::filesystem::path& folder) {
+  words.insert(words.begin(), "bench");
+  return run_program(words, folder);
+}
+
+Json results_in(const TemporaryFolder& folder) {
+  return bench::read_results(folder.path() / "results/results.json");
+}
+
+TEST(Benchmark, CantileverLeavesATidyTable) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      run_bench({"cantilever", "--quick", "--repeats", "2", "--out", "results"}, folder.path());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json results = results_in(folder);
+  EXPECT_TRUE(results.contains("processor"));
+  int steps = 0, swept = 0;
+  for (const Json& row : results["rows"]) {
+    EXPECT_EQ(row["part"], "goals");
+    EXPECT_EQ(row["case"], "cantilever");
+    if (row["what"] == "gauss_seidel") ++swept;
+    if (row["what"] != "step") continue;
+    ++steps;
+    EXPECT_GT(row["cpu_seconds"].get<double>(), 0);
+    EXPECT_EQ(row["contacts"], 31);
+    EXPECT_LE(row["residual"].get<double>(), 1e-9);  // it holds, to the tolerance asked for
+    EXPECT_LT(row["error"].get<double>(), 0.1);
+  }
+  EXPECT_EQ(steps, 2);
+  EXPECT_EQ(swept, 1);
+  const std::string csv = contents(folder.path() / "results/results.csv");
+  EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(csv, '\n')), 1 + results["rows"].size());
+}
+
+// At the default tolerance some are not: that is for the report to say.
+TEST(Benchmark, HardCasesAreRightWhereTheToleranceIsTight) {
+  const TemporaryFolder folder;
+  run_bench({"hard", "--quick", "--out", "results"}, folder.path());
+  int tight = 0;
+  for (const Json& row : results_in(folder)["rows"]) {
+    EXPECT_NE(row["what"], "failed") << row.dump();
+    if (row["case"].get<std::string>().find("tolerance") == std::string::npos) continue;
+    ++tight;
+    EXPECT_EQ(row["passed"], true) << row.dump();
+  }
+  EXPECT_GE(tight, 6);
+  EXPECT_NE(contents(folder.path() / "results/report.md").find("two bodies at one place"),
+            std::string::npos);
+}
+
+TEST(Benchmark, ComparisonMarksWhatTakesMoreThanHalfAsLongAgain) {
+  Json before = {{"rows", Json::array()}};
+  for (const char* name : {"slower", "same", "gone"})
+    before["rows"].push_back({{"part", "p"},
+                              {"case", name},
+                              {"what", "w"},
+                              {"method", "m"},
+                              {"size", 1},
+                              {"tolerance", 1e-6},
+                              {"dt", nullptr},
+                              {"cpu_seconds", 1.0},
+                              {"residual", 1e-7}});
+  Json after = before;
+  after["rows"].erase(2);
+  after["rows"][0]["cpu_seconds"] = 1.6;
+  const std::vector<bench::Ratio> ratios = bench::ratios(before, after);
+  ASSERT_EQ(ratios.size(), 2U);
+  EXPECT_DOUBLE_EQ(ratios[0].value(), 1.6);
+  EXPECT_TRUE(ratios[0].regression());
+  EXPECT_FALSE(ratios[1].regression());
+  EXPECT_NE(bench::ratio_table(before, after).find("2 measurements in both, 1 slower"),
+            std::string::npos);
+}
+
+TEST(Benchmark, WrongUsageExitsWithTwoAndOffersTheNearestName) {
+  const TemporaryFolder folder;
+  const Outcome unknown = run_bench({"cantilver"}, folder.path());
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_NE(unknown.err.find("did you mean \"cantilever\""), std::string::npos) << unknown.err;
+  const Outcome method =
+      run_bench({"cantilever", "--quick", "--method", "gaus_seidel"}, folder.path());
+  EXPECT_EQ(method.exit_code, 2);
+  EXPECT_NE(method.err.find("did you mean \"gauss_seidel\""), std::string::npos) << method.err;
+  const Outcome missing = run_bench({"--compare", "a.json", "b.json"}, folder.path());
+  EXPECT_EQ(missing.exit_code, 2);
+  EXPECT_NE(missing.err.find("a.json"), std::string::npos) << missing.err;
+}
+
+TEST(Benchmark, ListsItsPartsAndGoals) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run_bench({"--list"}, folder.path());
+  EXPECT_EQ(outcome.exit_code, 0);
+  for (const char* name : {"precision", "hard", "error", "size", "terms", "goals", "intact", "rest",
+                           "deposition", "ploughing", "piston", "chain", "growth", "factors"})
+    EXPECT_NE(outcome.out.find(name), std::string::npos) << name;
+}
+
+}  // namespace
+}  // namespace quicksand::test
