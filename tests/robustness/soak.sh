@@ -29,7 +29,7 @@ while [ "$SECONDS" -lt "$seconds" ]; do
   for _ in 1 2 3; do
     ask '{"command": "run", "steps": 30}'
     ask '{"command": "snapshot", "file": "view.png", "width": 320, "height": 240}'
-    ask '{"command": "snapshot", "file": "panel.png", "panel": true, "width": 960, "height": 600}'
+    ask '{"command": "snapshot", "file": "panel.png", "what": "panel", "width": 960, "height": 600}'
     ask '{"command": "measure"}'
     ask '{"command": "restore", "file": "state.cbor"}'
   done
