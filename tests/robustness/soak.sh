@@ -9,7 +9,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
 
-coproc live { "$program" session - --out out; }
+coproc live { exec "$program" session - --out out; }
 process=$live_PID
 memory() { awk '/^VmRSS/ { print $2 }' "/proc/$process/status"; }  # [KiB]
 
