@@ -39,8 +39,8 @@ int rows(const std::string& csv) {
 }
 
 TEST_F(ProgramTest, HelpOfEveryCommandEndsWithAnExample) {
-  for (const char* command :
-       {"run", "resume", "check", "render", "measure", "export", "campaign", "report", "reproduce", "list"}) {
+  for (const char* command : {"run", "resume", "check", "render", "measure", "export", "campaign",
+                              "report", "reproduce", "list"}) {
     const Outcome help = quicksand({command, "--help"});
     EXPECT_EQ(help.exit_code, 0);
     EXPECT_NE(help.out.find(std::string("Example:\n  quicksand ") + command), std::string::npos)
