@@ -43,6 +43,7 @@ int resume(const Options& asked) {
   RunOptions options = read_options(folder.options());
   options.out = folder.path;
   options.quiet = asked.quiet;
+  options.lock = false;
   if (asked.strict.strict) options.strict = strict_from(asked.strict);
   const Scenario scenario = read_scene({folder.scene(), {}, {}});
   const FolderLock lock = lock_run(folder.path);

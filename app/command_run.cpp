@@ -4,7 +4,6 @@
 #include "app/commands.h"
 #include "app/json/json_reader.h"
 #include "app/picture_options.h"
-#include "app/run/folder_lock.h"
 #include "app/run_outcome.h"
 #include "app/scene/scene_options.h"
 #include "app/strict_options.h"
@@ -39,8 +38,6 @@ int run(Options& options) {
   options.run.strict = strict_from(options.strict);
   if (options.continued_from) options.run.continued_from = *options.continued_from;
   const Scenario scenario = read_scene(options.scene);
-  if (options.run.out.empty()) options.run.out = std::filesystem::path("out") / scenario.name;
-  const FolderLock lock = lock_run(options.run.out);
   return tell_outcome(run_scene(scenario, options.run), options.run);
 }
 

@@ -46,7 +46,9 @@ void add_contacts(const World& world, const std::vector<Contact>& contacts,
     while (bond != world.bonds.list.end() && bond->pair < contact.pair) ++bond;
     const bool lasts = bond != world.bonds.list.end() && bond->pair == contact.pair &&
                        bond->state == BondState::active;
-    if (lasts) energy.change += dt * contact.cohesion * relative_velocity(row, va, vb).x();
+    // The gap that a bond leaves behind where it breaks is lost. The offset has the turning of the pair.
+    const double opened = dt * (row.offset.x() + relative_velocity(row, va, vb).x());
+    energy.change += contact.cohesion * ((lasts ? opened : 0) - contact.gap);
   }
 }
 

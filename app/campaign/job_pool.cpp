@@ -35,6 +35,7 @@ JobOutcome compute(const Job& job, bool anew, bool frames) {
     options.out = job.folder.path;
     options.frames = frames;
     options.quiet = true;
+    options.lock = false;
     if (record.status != JobStatus::missing &&
         resumption_of(job.folder, frames).how == Resumption::How::goes_on)
       options.continued_from = job.folder.state();

@@ -16,6 +16,7 @@ struct RunOptions {
   std::optional<std::filesystem::path> continued_from;  // state.cbor
   bool frames = true;
   bool quiet = false;
+  bool lock = true;              // the folder; false: the caller has it locked
   double checkpoint_every = 60;  // wall time between checkpoints; 0: one a step [s]
   std::optional<StrictBounds> strict;
   View view;  // kept are colouring, theme, size, bonds and forces
@@ -24,7 +25,7 @@ struct RunOptions {
 // The longest time between checkpoints that may be asked for. [s]
 constexpr double kLongestCheckpointTime = 1e6;
 
-// Writes and reads what is kept; `out`, `continued_from` and `quiet` belong to the call. Throw InputError.
+// Writes and reads what is kept; `out`, `continued_from`, `quiet` and `lock` belong to the call. Throw InputError.
 void write_options(const std::filesystem::path& file, RunOptions options);
 RunOptions read_options(const std::filesystem::path& file);
 

@@ -8,6 +8,7 @@
 #include "app/run/continuation.h"
 #include "app/run/course.h"
 #include "app/run/film.h"
+#include "app/run/folder_lock.h"
 #include "app/run/progress_line.h"
 #include "app/run/run_position.h"
 #include "app/run/search_results.h"
@@ -175,6 +176,8 @@ RunResult run_scene(const Scenario& scenario, const RunOptions& options) {
                      "folder with --out");
   }
   make_writable(folder);
+  std::optional<FolderLock> lock;
+  if (options.lock) lock.emplace(lock_run(folder.path));
   if (!earlier) remove_earlier_results(folder);
   write_options(folder.options(), options);
   write_whole(folder.scene(), to_text(scenario));

@@ -7,6 +7,8 @@ namespace {
 
 constexpr std::string_view kRoles[] = {"grain", "intruder"};
 
+constexpr double kLongestOffset = 1e6;  // [d]
+
 struct Repeat {
   std::int64_t count = 1;
   Vec2 offset{1, 0};  // [d]
@@ -23,7 +25,8 @@ void describe_repeat(Fields& f, Repeat& repeat) {
   using enum Presence;
   f.integer({"count", "number of bodies, this one included", required}, 1, kMaxBodies,
             repeat.count);
-  f.vector({"offset", "from each to the next", required}, between(-1e6, 1e6, "d"), repeat.offset);
+  f.vector({"offset", "from each to the next", required},
+           between(-kLongestOffset, kLongestOffset, "d"), repeat.offset);
 }
 
 void describe_entry(Fields& f, Entry& e) {
@@ -42,15 +45,46 @@ void describe_entry(Fields& f, Entry& e) {
   f.optional_object({"repeat", "puts a row of such bodies"}, e.repeat, describe_repeat);
 }
 
+bool same_but_for_place(const Disk& a, const Disk& b) {
+  return a.radius == b.radius && a.density == b.density && a.velocity == b.velocity &&
+         a.spin == b.spin && a.role == b.role && a.fixed == b.fixed;
+}
+
+// How many bodies from `first` on are a row: the same but for places that a repeat gives back bit by bit.
+std::int64_t row_length(const std::vector<Disk>& disks, const std::vector<Vec3>& forces,
+                        std::size_t first) {
+  if (first + 1 >= disks.size()) return 1;
+  const Vec2 offset = disks[first + 1].position - disks[first].position;
+  if (offset.lpNorm<Eigen::Infinity>() > kLongestOffset) return 1;
+  std::int64_t count = 1;
+  for (std::size_t k = first + 1; k < disks.size() && forces[k] == forces[first]; ++k, ++count) {
+    const Vec2 expected = disks[first].position + static_cast<double>(count) * offset;
+    if (disks[k].position != expected || !same_but_for_place(disks[k], disks[first])) break;
+  }
+  return count;
+}
+
+// Rows are written as repeats, so that a scene of a million bodies stays a file that can be read.
+std::vector<Entry> entries_of(const std::vector<Disk>& disks, const std::vector<Vec3>& forces) {
+  constexpr std::int64_t kShortestRow = 3;
+  std::vector<Entry> entries;
+  for (std::size_t i = 0; i < disks.size();) {
+    const std::int64_t count = row_length(disks, forces, i);
+    Entry entry{disks[i], forces[i].head<2>(), forces[i].z(), std::nullopt};
+    if (count >= kShortestRow)
+      entry.repeat = Repeat{count, disks[i + 1].position - disks[i].position};
+    i += entry.repeat ? static_cast<std::size_t>(count) : 1;
+    entries.push_back(entry);
+  }
+  return entries;
+}
+
 }  // namespace
 
 void describe_bodies(Fields& f, std::vector<Disk>& disks, std::vector<Vec3>& forces) {
-  std::vector<Entry> entries;
-  entries.reserve(disks.size());
-  for (std::size_t i = 0; i < disks.size(); ++i) {
-    const Vec3 force = i < forces.size() ? forces[i] : Vec3(0, 0, 0);
-    entries.push_back({disks[i], force.head<2>(), force.z(), std::nullopt});
-  }
+  std::vector<Vec3> all_forces = forces;
+  all_forces.resize(disks.size(), Vec3(0, 0, 0));
+  std::vector<Entry> entries = entries_of(disks, all_forces);
   f.list({"bodies", "listed bodies"}, static_cast<std::size_t>(kMaxBodies), entries,
          describe_entry);
   if (!f.reading()) return;

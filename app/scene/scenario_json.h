@@ -10,7 +10,7 @@ namespace quicksand {
 // validate(Scenario).
 Scenario scenario_from_json(const Json& json);
 
-// The fully resolved scene: every default explicit, patterns expanded, forces in F_g. Reading it
+// The fully resolved scene: every default explicit, equal bodies in rows, forces in F_g. Reading it
 // gives the same scenario, bit by bit.
 Json to_json(const Scenario& scenario);
 

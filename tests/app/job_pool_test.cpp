@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "app/campaign/results_table.h"
+#include "app/run/course.h"
 #include "app/run/folder_lock.h"
+#include "app/run/run_position.h"
+#include "app/run/series.h"
 #include "app/scene/scenario_json.h"
 #include "app/scene/scene_file.h"
 #include "core/checkpoint.h"
@@ -103,18 +106,25 @@ TEST_F(JobPoolTest, FinishedRunsAreNotRepeated) {
 TEST_F(JobPoolTest, AKilledRunGoesOnFromItsLastCheckpoint) {
   const Job whole = job("whole", packing(1)), killed = job("killed", packing(1));
   run({whole});
-  Protocol protocol(killed.scenario, start_world(killed.scenario));
-  constexpr int kSteps = 30;
-  for (int i = 0; i < kSteps; ++i) protocol.advance();
   make_writable(killed.folder);
   write_whole(killed.folder.scene(), to_text(killed.scenario));
+  Series series(killed.folder.series());
+  Course course(killed.scenario, {start_world(killed.scenario), {}, {}}, std::nullopt,
+                [&](const Row& row, const World&) { series.add(row); });
+  constexpr int kSteps = 30;
+  for (int i = 0; i < kSteps; ++i) course.advance();
   write_checkpoint(killed.folder.state(),
-                   {protocol.world(), protocol.state(), to_text(killed.scenario)});
+                   {course.world(), course.protocol().state(), to_text(killed.scenario),
+                    to_bytes({series.rows(), 0, course.samples()})});
   EXPECT_EQ(read_record(killed).status, JobStatus::interrupted);
   run({killed});
   const Json alone = read_record(whole).summary, summary = read_record(killed).summary;
   EXPECT_EQ(summary["world_hash"], alone["world_hash"]);
-  EXPECT_EQ(summary["steps"], alone["steps"].get<int>() - kSteps);
+  EXPECT_EQ(summary["steps"], alone["steps"]);
+  EXPECT_EQ(contents(killed.folder.series()), contents(whole.folder.series()));
+  const double computed =
+      summary["steps_per_second"].get<double>() * summary["wall_seconds"].get<double>();
+  EXPECT_NEAR(computed, alone["steps"].get<double>() - kSteps, 0.5);
 }
 
 TEST_F(JobPoolTest, WhatAnotherSceneLeftIsComputedAnew) {

@@ -66,7 +66,7 @@ TEST_F(ManualTest, MandocFindsNoErrorInThePage) {
 TEST_F(ManualTest, BashCompletesCommandsOptionsAndFiles) {
   write_list("completion", "quicksand.bash");
   EXPECT_EQ(completed("quicksand exp", 1), "export\n");
-  EXPECT_EQ(completed("quicksand re", 1), "render report reproduce\n");
+  EXPECT_EQ(completed("quicksand re", 1), "resume render report reproduce\n");
   EXPECT_EQ(completed("quicksand --v", 1), "--version\n");
   EXPECT_EQ(completed("quicksand export state.cbor --fo", 3), "--format\n");
   EXPECT_EQ(completed("quicksand measure --sl", 2), "--slice\n");

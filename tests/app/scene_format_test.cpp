@@ -116,6 +116,22 @@ TEST(SceneFormat, ARepeatedBodyIsARow) {
   EXPECT_EQ(scene.disks[3].radius, 1);
 }
 
+TEST(SceneFormat, RowsStayRowsInTheResolvedSceneBitByBit) {
+  const Scenario scene = scenario(R"({"box": {"width": 9, "sides": "open"}, "bodies": [
+    {"position": [1, 2], "force": [3, 0], "repeat": {"count": 1000, "offset": [1.1, 0.3]}},
+    {"position": [1, 5], "repeat": {"count": 50000, "offset": [2, 0]}},
+    {"position": [-9, 9], "diameter": 2}, {"position": [-6, 9]}, {"position": [-3, 9.5]}]})");
+  const std::string text = to_text(scene);
+  EXPECT_LT(text.size(), 1000000U);
+  const Scenario again = scenario(text);
+  ASSERT_EQ(again.disks.size(), scene.disks.size());
+  for (std::size_t k = 0; k < scene.disks.size(); ++k) {
+    ASSERT_EQ(again.disks[k].position, scene.disks[k].position) << k;
+    ASSERT_EQ(again.disks[k].radius, scene.disks[k].radius) << k;
+    ASSERT_EQ(again.disk_forces[k], scene.disk_forces[k]) << k;
+  }
+}
+
 TEST(SceneFormat, WholeNumbersMayBeWrittenAsPowersOfTen) {
   const Scenario scene =
       scenario(R"({"box": {"width": 9}, "phases": [{"type": "deposit", "grains": 1e3}]})");

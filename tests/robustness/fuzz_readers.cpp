@@ -117,6 +117,16 @@ void read_line_of(const std::string& text) {
   command_of(command, "line").check(command, "line");
 }
 
+// Campaigns name their scene relative to themselves.
+std::vector<std::string> campaigns() {
+  std::vector<std::string> texts = files_in("campaigns");
+  for (std::string& text : texts) {
+    const std::size_t at = text.find("../scenes");
+    if (at != std::string::npos) text.replace(at, 2, QUICKSAND_SOURCE "/assets");
+  }
+  return texts;
+}
+
 std::vector<std::string> command_examples() {
   std::vector<std::string> lines;
   for (const SessionCommand& command : session_commands()) lines.emplace_back(command.example);
@@ -133,7 +143,7 @@ std::vector<Reader> readers(const fs::path& folder) {
   const std::string options = read_file(json);
   return {
       {"scene", std::move(scenes), read_scene_of},
-      {"campaign", files_in("campaigns"),
+      {"campaign", campaigns(),
        [=](const std::string& text) {
          write(json, text);
          const Campaign campaign = read_campaign(json);

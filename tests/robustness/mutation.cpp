@@ -77,7 +77,7 @@ void Mutation::change_piece(std::string& text) {
 
 std::string Mutation::next() {
   std::string text = seeds_[below(seeds_.size())];
-  for (std::size_t changes = 1 + below(8); changes > 0; --changes) {
+  for (std::size_t changes = 1 + below(1 + below(8)); changes > 0; --changes) {
     const std::size_t kind = below(5);
     if (kind < 2) change_number(text);
     if (kind == 2) change_bytes(text);

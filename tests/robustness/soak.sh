@@ -9,7 +9,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
 
-coproc live { "$program" session - --out out; }
+coproc live { exec "$program" session - --out out; }
 process=$live_PID
 memory() { awk '/^VmRSS/ { print $2 }' "/proc/$process/status"; }  # [KiB]
 
@@ -29,7 +29,7 @@ while [ "$SECONDS" -lt "$seconds" ]; do
   for _ in 1 2 3; do
     ask '{"command": "run", "steps": 30}'
     ask '{"command": "snapshot", "file": "view.png", "width": 320, "height": 240}'
-    ask '{"command": "snapshot", "file": "panel.png", "panel": true, "width": 960, "height": 600}'
+    ask '{"command": "snapshot", "file": "panel.png", "what": "panel", "width": 960, "height": 600}'
     ask '{"command": "measure"}'
     ask '{"command": "restore", "file": "state.cbor"}'
   done
