@@ -29,13 +29,14 @@ struct Setting {
 };
 
 // The first is what the others are compared with.
-std::vector<Setting> settings(const Options& options) {
+std::vector<Setting> settings() {
   using enum BreakRule;
-  return {{kReference, options.quick ? 2e-4 : 1e-4, 1e-7},
+  return {{kReference, 1e-4, 1e-7},
           {"energy", 1e-2},
           {"energy", 3e-3},
           {"energy", 1e-3},
           {"energy", 5e-4},
+          {"energy", 2.5e-4},
           {"energy", 1e-3, 1e-3},
           {"energy", 1e-3, 1e-4},
           {"energy", 1e-3, 1e-5},
@@ -63,7 +64,7 @@ Scenario push_scene(const Options& options) {
                      .overrides = {quick ? "box.width=16" : "box.width=24",
                                    quick ? "box.height=28" : "box.height=40",
                                    quick ? "phases[0].height=22" : "phases[0].height=34",
-                                   quick ? "phases[1].max_time=0.4" : "phases[1].max_time=0.8"},
+                                   quick ? "phases[1].max_time=0.15" : "phases[1].max_time=0.2"},
                      .seed = {}});
 }
 
@@ -82,7 +83,7 @@ void run_seed(int seed, const Options& options, std::vector<Row>& rows) {
   scene.seed = static_cast<std::uint64_t>(seed);
   Protocol deposit(scene, make_world(scene));
   advance_to_phase(deposit, 1);
-  for (const Setting& setting : settings(options)) {
+  for (const Setting& setting : settings()) {
     Scenario varied = scene;
     varied.phases.resize(2);
     varied.phases[1].dt = setting.dt;
@@ -159,12 +160,12 @@ std::string setting_text(const Row& row) {
   return row.method + format(", dt %g, tolerance %g", row.dt, row.tolerance);
 }
 
-// The cheapest setting within the bound, where the standard error does not hide it.
+// The cheapest setting of the default rule within the bound, where the standard error does not hide it.
 std::string needed(const std::vector<Found>& all, const std::string& observable, double bound) {
   const Found* cheapest = nullptr;
   bool hidden = false;
   for (const Found& found : all) {
-    if (&found == &all.front()) continue;
+    if (found.row->method != "energy") continue;
     const Mean off = deviation(found, all.front(), observable);
     if (std::abs(off.value) > bound) continue;
     if (std::abs(off.value) + off.error.value_or(HUGE_VAL) > bound) {
@@ -202,7 +203,7 @@ Plot cost_plot(const std::vector<Found>& all, const std::string& observable, con
 }  // namespace
 
 std::vector<Task> error_tasks(const Options& options) {
-  const int seeds = options.repeats_or(options.quick ? 5 : 10);
+  const int seeds = options.repeats_or(options.quick ? 8 : 16);
   std::vector<Task> tasks;
   for (int seed = 1; seed <= seeds; ++seed)
     tasks.push_back({format("push, seed %d", seed),
@@ -215,21 +216,20 @@ void report_error(std::span<const Row> rows, const Options&, Section& section) {
   if (all.empty() || all.front().row->method != kReference) return;
   const Found& reference = all.front();
   const std::size_t seeds = reference.values.begin()->second.size();
-  section.blocks.emplace_back(
-      Paragraph{format("An intruder is pushed with F_c into a loose packing of about %lld grains. "
-                       "Each setting is run "
-                       "from the same %zu deposits. The reference is the energy rule at dt = %g "
-                       "and a tolerance of %g; "
-                       "deviations are means over the seeds, with standard errors, in percent of "
-                       "the reference's mean. "
-                       "The reference is no exact solution: it has its own time step.",
-                       static_cast<long long>(reference.row->size), seeds, reference.row->dt,
-                       reference.row->tolerance)});
+  section.blocks.emplace_back(Paragraph{format(
+      "An intruder is pushed with F_c into a loose packing of about %lld grains, for so short a "
+      "time that it is still on its way. Each setting is run from the same %zu deposits. The "
+      "reference is the energy rule at dt = %g and a tolerance of %g; deviations are means over "
+      "the seeds, with standard errors, in percent of the reference's mean. The reference is no "
+      "exact solution: it has its own time step.",
+      static_cast<long long>(reference.row->size), seeds, reference.row->dt,
+      reference.row->tolerance)});
   Table table{.caption = "Deviation from the reference [%]",
               .columns = {{"setting"}, {"seconds", true}}};
-  Table need{
-      .caption = "The cheapest setting whose deviation, with its standard error, stays below",
-      .columns = {{"observable"}, {"reference", true}, {"5 %"}, {"1 %"}}};
+  Table need{.caption =
+                 "The cheapest setting of the energy rule whose deviation, with its standard "
+                 "error, stays below",
+             .columns = {{"observable"}, {"reference", true}, {"5 %"}, {"1 %"}}};
   for (const Observable& observable : kObservables)
     table.columns.push_back({observable.name, true});
   for (const Found& found : all) {
