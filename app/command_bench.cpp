@@ -174,9 +174,8 @@ int bench_command(Request& request) {
     return kFine;
   }
   if (!request.compare.empty()) {
-    std::fputs(ratio_table(read_results(request.compare.at(0)), read_results(request.compare.at(1)))
-                   .c_str(),
-               stdout);
+    const Json before = read_results(request.compare.at(0));
+    std::fputs(ratio_table(before, read_results(request.compare.at(1))).c_str(), stdout);
     return kFine;
   }
   if (!request.against.empty()) read_results(request.against);  // refused before anything runs
