@@ -21,7 +21,7 @@ namespace quicksand {
 
 namespace {
 
-using namespace bench;  // NOLINT(google-build-using-namespace)
+using namespace bench;
 
 struct Request {
   bench::Options options;
@@ -142,6 +142,7 @@ int run(const Request& request) {
     ++done;
     write_results(rows, request.options, command_of(request));  // what is measured is not lost
   }
+  write_results(rows, request.options, command_of(request));
   const Report report = report_of(request, rows, elapsed(), tasks.size() - done);
   for (const std::string& problem : write_report(report, request.options.out))
     std::fprintf(stderr, "quicksand: %s\n", problem.c_str());
@@ -173,9 +174,8 @@ int bench_command(Request& request) {
     return kFine;
   }
   if (!request.compare.empty()) {
-    std::fputs(ratio_table(read_results(request.compare.at(0)), read_results(request.compare.at(1)))
-                   .c_str(),
-               stdout);
+    const Json before = read_results(request.compare.at(0));
+    std::fputs(ratio_table(before, read_results(request.compare.at(1))).c_str(), stdout);
     return kFine;
   }
   if (!request.against.empty()) read_results(request.against);  // refused before anything runs
@@ -219,7 +219,7 @@ Command add_bench(CLI::App& program) {
   command->add_flag("--quiet", request->quiet, "no progress");
   command->footer(
       "DIR receives results.csv, results.json, report.html, report.md and plots/.\n\n"
-      "Examples:\n  quicksand bench --quick --out out/bench\n"
+      "Example:\n  quicksand bench --quick --out out/bench\n"
       "  quicksand bench precision --quick --against out/bench/results.json --out out/now");
   return {command, [request] { return bench_command(*request); }};
 }

@@ -49,7 +49,8 @@ TEST(Benchmark, HardCasesAreRightWhereTheToleranceIsTight) {
   const TemporaryFolder folder;
   run_bench({"hard", "--quick", "--out", "results"}, folder.path());
   int tight = 0;
-  for (const Json& row : results_in(folder)["rows"]) {
+  const Json results = results_in(folder);
+  for (const Json& row : results["rows"]) {
     EXPECT_NE(row["what"], "failed") << row.dump();
     if (row["case"].get<std::string>().find("tolerance") == std::string::npos) continue;
     ++tight;
