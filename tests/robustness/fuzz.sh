@@ -7,4 +7,6 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 source "$root/app/setup.sh"
 build_in "$root/build" quicksand_fuzz -DCMAKE_BUILD_TYPE=Release
 mkdir -p "$root/out/fuzz"
+# A disk would take most of the time.
+[ -w /dev/shm ] && export TMPDIR=/dev/shm
 "$root/build/tests/robustness/quicksand_fuzz" --seconds "${1:-600}" --seed "${2:-$$}" --save "$root/out/fuzz"
