@@ -128,7 +128,7 @@ Vec2 Robot::reach(const std::string& path) {
   const Widget& widget = shown(path);
   if (widget.disabled) throw InputError(path, "this widget is disabled at present");
   if (!widget.visible) throw InputError(path, "there is no room in the picture for this widget");
-  const Vec2 place = middle(widget.rect);
+  Vec2 place = middle(widget.rect);
   move_to(place);
   const Widget& there = shown(path);
   if (gui_.hovered() != there.id) {

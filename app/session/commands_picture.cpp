@@ -202,7 +202,7 @@ struct Record {
   Json perform(Console& console, const std::string& place) {
     if (!on) {
       if (!console.recording) throw CommandFailure("nothing is being recorded");
-      const Json result = console.recording->finish();
+      Json result = console.recording->finish();
       console.recording.reset();
       console.session().sample_every(std::nullopt);
       return result;
