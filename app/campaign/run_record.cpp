@@ -3,7 +3,7 @@
 #include <array>
 
 #include "app/scene/scenario_json.h"
-#include "core/errors.h"
+#include "core/checkpoint.h"
 
 namespace quicksand {
 
@@ -29,6 +29,18 @@ Json json_in(const fs::path& file) {
   }
 }
 
+// A state that an earlier version of the format wrote is none that other runs could start from.
+bool of_another_version(const fs::path& state) {
+  try {
+    read_checkpoint(state);
+  } catch (const OtherVersion&) {
+    return true;
+  } catch (const InputError&) {
+    return false;  // damaged: whoever needs it says so
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string_view status_name(JobStatus status) {
@@ -46,7 +58,9 @@ RunRecord read_record(const Job& job) {
     return record;
   }
   std::error_code error;
-  if (fs::exists(job.folder.state(), error)) record.status = JobStatus::interrupted;
+  const bool has_state = fs::exists(job.folder.state(), error);
+  if (has_state && of_another_version(job.folder.state())) return record;
+  if (has_state) record.status = JobStatus::interrupted;
   record.summary = json_in(job.folder.summary());
   if (!record.summary.is_object()) {
     record.summary = nullptr;

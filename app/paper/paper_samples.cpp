@@ -97,7 +97,7 @@ class Samples : public PaperExperiment {
                            const std::string& number) {
     constexpr double kNearX = 0.03, kNearY = 0.08;
     for (Annotation& label : labels) {
-      if (std::abs(label.x - x) > kNearX || std::abs(label.y - y) > kNearY) continue;
+      if (std::abs(label.x - x) > kNearX || std::abs(label.y - kNearY - y) > kNearY) continue;
       label.text += ", " + number;
       return;
     }

@@ -13,6 +13,7 @@
 #include "app/shell_text.h"
 #include "core/errors.h"
 #include "tests/support/files.h"
+#include "tests/support/older_state.h"
 #include "tests/support/program_fixture.h"
 
 namespace quicksand::test {
@@ -153,6 +154,19 @@ TEST_F(CampaignTest, AfterAKillFinishedRunsAreNotRepeated) {
   EXPECT_EQ(fs::last_write_time(at("out/many/runs/00000/summary.json")), finished);
   EXPECT_EQ(physics(contents(at("out/many/results.csv"))),
             physics(contents(at("whole/results.csv"))));
+}
+
+// What starts from them could not read their states.
+TEST_F(CampaignTest, RunsOfAnEarlierFormatAreComputedAgain) {
+  write_long();
+  ASSERT_EQ(quicksand({"campaign", "many.json"}).exit_code, 0);
+  const std::string state = "out/many/runs/00001/state.cbor";
+  const std::string before = contents(at(state));
+  folder_.write(state, of_an_older_version(before));
+  EXPECT_EQ(quicksand({"campaign", "many.json", "--status"}).out,
+            "many: 3 runs, 2 finished, 1 missing; results are in out/many/results.csv\n");
+  ASSERT_EQ(quicksand({"campaign", "many.json"}).exit_code, 0);
+  EXPECT_EQ(contents(at(state)), before);
 }
 
 TEST_F(CampaignTest, InterruptedRunsGoOnFromTheirStates) {

@@ -13,6 +13,7 @@
 
 #include "app/json/json_text.h"
 #include "tests/support/files.h"
+#include "tests/support/older_state.h"
 #include "tests/support/program_fixture.h"
 
 namespace quicksand::test {
@@ -161,16 +162,7 @@ TEST_F(ResumeTest, AFinishedRunSaysSo) {
 
 TEST_F(ResumeTest, AnotherVersionOfTheFormatIsRefusedAndNothingIsLost) {
   run_unbroken();
-  std::string state = contents(at("whole/state.cbor"));
-  const std::size_t version = state.find("gversion\x04");
-  ASSERT_NE(version, std::string::npos);
-  state[version + 8] = '\x03';
-  // The checksum at the end, so that nothing but the version is wrong.
-  std::uint64_t hash = 0xCBF29CE484222325ULL;
-  for (const char c : state.substr(0, state.size() - 9))
-    hash = (hash ^ static_cast<std::uint8_t>(c)) * 0x100000001B3ULL;
-  for (unsigned k = 0; k < 8; ++k) state[state.size() - 8 + k] = static_cast<char>(hash >> (8 * k));
-  folder_.write("whole/state.cbor", state);
+  folder_.write("whole/state.cbor", of_an_older_version(contents(at("whole/state.cbor"))));
   const auto before = files_of(at("whole"));
   const Outcome resumed = quicksand({"resume", "whole"});
   EXPECT_EQ(resumed.exit_code, 2);
