@@ -3,7 +3,6 @@
 #include <chrono>
 #include <cstdio>
 #include <memory>
-#include <thread>
 
 #include "app/campaign/campaign.h"
 #include "app/campaign/job_pool.h"
@@ -13,6 +12,7 @@
 #include "app/exit_code.h"
 #include "app/nearest_name.h"
 #include "app/shell_text.h"
+#include "app/threads_option.h"
 #include "core/errors.h"
 #include "core/whole_file.h"
 
@@ -23,11 +23,10 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kMostListed = 20;      // failed runs
-constexpr double kTablePeriod = 10;          // between two writings of results.csv [s]
-constexpr std::int64_t kMostThreads = 1024;  // more is taken for a mistake
+constexpr std::size_t kMostListed = 20;  // failed runs
+constexpr double kTablePeriod = 10;      // between two writings of results.csv [s]
 
-struct Options {
+struct CampaignArguments {
   fs::path file;
   fs::path out;
   std::int64_t threads = 0;  // 0: all cores
@@ -39,15 +38,10 @@ struct Options {
   bool quiet = false;
 };
 
-int threads_of(const Options& options) {
-  if (options.threads > 0) return static_cast<int>(options.threads);
-  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-}
-
 // A campaign, its runs and what their folders say.
-class Session {
+class CampaignRun {
  public:
-  explicit Session(const Options& options)
+  explicit CampaignRun(const CampaignArguments& options)
       : options_(options),
         campaign_(read_campaign(options.file)),
         out_(options.out.empty() ? fs::path("out") / campaign_.name : options.out),
@@ -71,16 +65,16 @@ class Session {
     ResultsTable table(jobs_);
     for (std::size_t i = 0; i < jobs_.size(); ++i) table.set(i, records_[i]);
     auto written = Clock::now();
-    const PoolReport pool = run_jobs(jobs_, {threads_of(options_), campaign_.frames, options_.quiet,
-                                             [&](std::size_t job, const JobOutcome& outcome) {
-                                               note(job, outcome);
-                                               table.set(job, records_[job]);
-                                               const std::chrono::duration<double> since =
-                                                   Clock::now() - written;
-                                               if (since.count() < kTablePeriod) return;
-                                               write_whole(results(), table.text());
-                                               written = Clock::now();
-                                             }});
+    const PoolReport pool =
+        run_jobs(jobs_, {thread_count(options_.threads), campaign_.frames, options_.quiet,
+                         [&](std::size_t job, const JobOutcome& outcome) {
+                           note(job, outcome);
+                           table.set(job, records_[job]);
+                           const std::chrono::duration<double> since = Clock::now() - written;
+                           if (since.count() < kTablePeriod) return;
+                           write_whole(results(), table.text());
+                           written = Clock::now();
+                         }});
     return report(pool.interrupted);
   }
 
@@ -89,7 +83,7 @@ class Session {
     const std::span<const Job> jobs = task_jobs(jobs_, campaign_.chunk, task);
     for (const Job& job : jobs) record_of(job);
     const PoolReport pool =
-        run_jobs(jobs, {threads_of(options_), campaign_.frames, options_.quiet, {}});
+        run_jobs(jobs, {thread_count(options_.threads), campaign_.frames, options_.quiet, {}});
     for (std::size_t i = 0; i < jobs.size(); ++i) {
       const JobOutcome& outcome = pool.outcomes[i];
       std::printf("%s: %s%s%s\n", job_name(jobs[i]).c_str(),
@@ -195,14 +189,14 @@ class Session {
     return options_.status || count(JobStatus::finished) == jobs_.size() ? kFine : kRunFailed;
   }
 
-  const Options& options_;
+  const CampaignArguments& options_;
   Campaign campaign_;
   fs::path out_;
   std::vector<Job> jobs_;
   std::vector<RunRecord> records_;
 };
 
-int run(const Options& options) {
+int run(const CampaignArguments& options) {
   const std::vector<std::string> engines{"local", "slurm"};
   if (std::ranges::find(engines, options.engine) == engines.end()) {
     throw InputError("--engine " + options.engine,
@@ -210,7 +204,7 @@ int run(const Options& options) {
   }
   const bool on_cluster = options.engine == "slurm";
   if (options.wait && !on_cluster) throw InputError("--wait", "needs --engine slurm");
-  Session session(options);
+  CampaignRun session(options);
   if (options.dry_run) return session.dry_run();
   if (options.status) return session.status();
   if (options.task) return session.run_task(*options.task);
@@ -222,15 +216,13 @@ int run(const Options& options) {
 Command add_campaign(CLI::App& program) {
   CLI::App* command =
       program.add_subcommand("campaign", "run a scene many times, with parameters and seeds");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CampaignArguments>();
   command->add_option("file", options->file, "campaign file")
       ->type_name("CAMPAIGN.json")
       ->required();
   command->add_option("--out", options->out, "folder of the results [out/<campaign name>]")
       ->type_name("DIR");
-  command->add_option("--threads", options->threads, "runs at the same time [number of cores]")
-      ->type_name("N")
-      ->check(CLI::Range(std::int64_t{1}, kMostThreads).description(""));
+  add_threads_option(*command, options->threads);
   command->add_option("--engine", options->engine, "local, or slurm: an array job [local]")
       ->type_name("ENGINE");
   command->add_flag("--wait", options->wait, "with slurm: return when all runs have ended");

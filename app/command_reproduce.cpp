@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
-#include <thread>
 
 #include "app/campaign/job_pool.h"
 #include "app/commands.h"
@@ -11,6 +10,7 @@
 #include "app/nearest_name.h"
 #include "app/paper/paper_experiments.h"
 #include "app/report/provenance.h"
+#include "app/threads_option.h"
 #include "core/errors.h"
 
 namespace quicksand {
@@ -20,14 +20,13 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kMostRealizations = 1000;
-constexpr int kMostThreads = 1024;
 
-struct Options {
+struct ReproduceArguments {
   std::vector<std::string> figures;
   std::optional<int> realizations;
   std::optional<double> width, height;
   fs::path out = "out/paper";
-  int threads = 0;  // 0: all cores
+  std::int64_t threads = 0;  // 0: all cores
   bool quick = false;
   bool dry_run = false;
   bool quiet = false;
@@ -44,7 +43,7 @@ std::vector<std::string> figure_names() {
   return names;
 }
 
-std::vector<Chosen> chosen(const Options& options) {
+std::vector<Chosen> chosen(const ReproduceArguments& options) {
   const std::vector<std::string> names = figure_names();
   for (const std::string& word : options.figures)
     if (std::ranges::find(names, word) == names.end())
@@ -59,7 +58,7 @@ std::vector<Chosen> chosen(const Options& options) {
   return all;
 }
 
-PaperScale scale_of(const Options& options) {
+PaperScale scale_of(const ReproduceArguments& options) {
   PaperScale scale = options.quick ? quick_scale() : PaperScale{};
   const auto checked = [](const char* name, double value, double least, double most,
                           const char* unit) {
@@ -77,7 +76,7 @@ PaperScale scale_of(const Options& options) {
   return scale;
 }
 
-std::string command_of(const Options& options) {
+std::string command_of(const ReproduceArguments& options) {
   std::vector<std::string> words{"quicksand", "reproduce"};
   words.insert(words.end(), options.figures.begin(), options.figures.end());
   if (options.quick) words.emplace_back("--quick");
@@ -131,7 +130,7 @@ Section section_on_runs(const PaperJobs& jobs, const PoolReport& pool,
   return section;
 }
 
-Report report_of(const Options& options, const PaperJobs& jobs, const PoolReport& pool,
+Report report_of(const ReproduceArguments& options, const PaperJobs& jobs, const PoolReport& pool,
                  const std::vector<Chosen>& all) {
   const PaperResults results(jobs.jobs());
   const PaperScale& scale = jobs.scale();
@@ -168,7 +167,7 @@ Report report_of(const Options& options, const PaperJobs& jobs, const PoolReport
   return report;
 }
 
-int reproduce(const Options& options) {
+int reproduce(const ReproduceArguments& options) {
   std::vector<Chosen> all = chosen(options);
   PaperJobs jobs(scale_of(options), options.out);
   for (Chosen& c : all) c.experiment->plan(jobs);
@@ -177,11 +176,10 @@ int reproduce(const Options& options) {
     std::printf("%zu runs would go to %s\n", jobs.jobs().size(), (options.out / "runs").c_str());
     return kFine;
   }
-  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  const int threads = options.threads == 0 ? cores : std::clamp(options.threads, 1, kMostThreads);
   make_writable({options.out});
   const PoolReport pool =
-      run_jobs(jobs.jobs(), {.threads = threads, .frames = false, .quiet = options.quiet});
+      run_jobs(jobs.jobs(),
+               {.threads = thread_count(options.threads), .frames = false, .quiet = options.quiet});
   const Report report = report_of(options, jobs, pool, all);
   for (const std::string& problem : write_report(report, options.out))
     std::fprintf(stderr, "quicksand: %s\n", problem.c_str());
@@ -200,7 +198,7 @@ int reproduce(const Options& options) {
 Command add_reproduce(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "reproduce", "the paper's experiments, with a report that sets its numbers beside ours");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ReproduceArguments>();
   std::string names;
   for (const std::string& name : figure_names()) names += (names.empty() ? "" : ", ") + name;
   command->add_option("figures", options->figures, "all if none is given; one or more of: " + names)
@@ -213,8 +211,7 @@ Command add_reproduce(CLI::App& program) {
       ->type_name("H");
   command->add_option("--out", options->out, "folder of runs and report [out/paper]")
       ->type_name("DIR");
-  command->add_option("--threads", options->threads, "runs at the same time [all cores]")
-      ->type_name("N");
+  add_threads_option(*command, options->threads);
   command->add_flag("--quick", options->quick, "a small box and two realizations, in minutes");
   command->add_flag("--dry-run", options->dry_run, "list the runs");
   command->add_flag("--quiet", options->quiet, "no progress");

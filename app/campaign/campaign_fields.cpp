@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/json/name_field.h"
 #include "app/scene/scene_shapes.h"
 
 namespace quicksand {
@@ -55,7 +56,7 @@ void describe_slurm(Fields& f, SlurmOptions& slurm) {
 void describe_campaign(Fields& f, Campaign& c) {
   std::string schema;  // for editors; means nothing to the program
   f.text({"$schema", "path of this schema, for editors"}, schema);
-  f.text({"name", "short name, used for the output folder; the file's name if absent"}, c.name);
+  describe_name(f, c.name);
   f.text({"description", "what the campaign is for"}, c.description);
   f.json({"scene", "base scene: a path relative to this file, or the scene itself",
           Presence::required},
@@ -75,10 +76,6 @@ void describe_campaign(Fields& f, Campaign& c) {
             c.chunk);
   f.object({"slurm", "what sbatch is told with --engine slurm"},
            [&](Fields& g) { describe_slurm(g, c.slurm); });
-  if (f.reading() &&
-      (c.name.size() > 100 || c.name.find('/') != std::string::npos || c.name.starts_with('.'))) {
-    f.refuse("name", "names the output folder: at most 100 letters, no \"/\", no \".\" first");
-  }
 }
 
 }  // namespace quicksand

@@ -26,14 +26,6 @@ constexpr ImGuiWindowFlags kPart =
     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoBackground;
 
-struct Context {
-  Context() : context(ImGui::CreateContext()) { ImGui::SetCurrentContext(context); }
-  ~Context() { ImGui::DestroyContext(context); }
-  Context(const Context&) = delete;
-  Context& operator=(const Context&) = delete;
-  ImGuiContext* context;
-};
-
 double checked_scale(double scale) {
   if (scale >= 0.5 && scale <= 4) return scale;
   throw InputError("scale", "the scale of the panel must be from 0.5 to 4");
@@ -83,6 +75,14 @@ void give(const GuiInput& input, ImGuiIO& io) {
 }  // namespace
 
 struct Gui::Impl {
+  struct Context {
+    Context() : context(ImGui::CreateContext()) { ImGui::SetCurrentContext(context); }
+    ~Context() { ImGui::DestroyContext(context); }
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
+    ImGuiContext* context;
+  };
+
   explicit Impl(double s) : scale(checked_scale(s)), widgets(static_cast<float>(scale)) {}
 
   void lay_out(PanelFrame& frame, const GuiInput& input);
@@ -280,7 +280,6 @@ bool Gui::takes_text() const { return impl_->context.context->IO.WantTextInput; 
 int Gui::width() const { return impl_->width; }
 int Gui::height() const { return impl_->height; }
 double Gui::scale() const { return impl_->scale; }
-PixelRect Gui::view_rect() const { return impl_->view_rect; }
 
 std::optional<Camera> Gui::view_camera() const {
   if (!impl_->picture.shows()) return std::nullopt;

@@ -44,8 +44,6 @@ class Gui {
   int width() const;
   int height() const;
   double scale() const;
-  // Where the packing is drawn [px].
-  PixelRect view_rect() const;
   // From places of the world to pixels of the whole picture. None before a scene is loaded.
   std::optional<Camera> view_camera() const;
 

@@ -87,9 +87,9 @@ RunGroup PaperJobs::pushes(const RunGroup& samples, double force_over_cohesion,
       &samples, laws, {{"phases[0].force_over_cohesion", force_over_cohesion}});
 }
 
-std::vector<RunGroup> PaperJobs::push_curve(const RunGroup& samples) {
-  std::vector<RunGroup> curve;
-  for (const double force : scale_.push_forces) curve.push_back(pushes(samples, force));
+PushCurve PaperJobs::push_curve(const RunGroup& samples) {
+  PushCurve curve{scale_.push_forces, {}};
+  for (const double force : curve.forces) curve.pushes.push_back(pushes(samples, force));
   return curve;
 }
 

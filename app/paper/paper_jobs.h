@@ -34,6 +34,12 @@ struct RunGroup {
   ParameterValues laws;           // changes that hold for all that follows, such as friction
 };
 
+// The same samples, pushed with one force after the other.
+struct PushCurve {
+  std::vector<double> forces;    // (k) [F_c]
+  std::vector<RunGroup> pushes;  // (k)
+};
+
 class PaperJobs {
  public:
   // Results will be in `out`/runs. Reads the scenes; throws InputError.
@@ -48,8 +54,8 @@ class PaperJobs {
                    const ParameterValues& set = {});
   RunGroup pushes(const RunGroup& samples, double force_over_cohesion, const std::string& tag = {},
                   const ParameterValues& laws = {});
-  // With each of the scale's forces (forces).
-  std::vector<RunGroup> push_curve(const RunGroup& samples);
+  // With each of the scale's forces.
+  PushCurve push_curve(const RunGroup& samples);
   RunGroup pulls(const RunGroup& pushes, double first_force_over_cohesion);
   RunGroup pistons(const RunGroup& samples);
   // `top`: about where the packing ends [d].

@@ -11,10 +11,9 @@ class PullOut : public PaperExperiment {
  public:
   void plan(PaperJobs& jobs) override {
     all_ = jobs.scale().realizations;
-    forces_ = jobs.scale().push_forces;
-    pushes_ = jobs.push_curve(jobs.samples());
-    for (std::size_t k = 0; k < forces_.size(); ++k)
-      pulls_.push_back(jobs.pulls(pushes_[k], forces_[k]));
+    curve_ = jobs.push_curve(jobs.samples());
+    for (std::size_t k = 0; k < curve_.forces.size(); ++k)
+      pulls_.push_back(jobs.pulls(curve_.pushes[k], curve_.forces[k]));
     cohesion_ = *jobs.jobs()[pulls_[0].runs[0]].scenario.grain_law.cohesion_force;
   }
 
@@ -22,7 +21,7 @@ class PullOut : public PaperExperiment {
               Findings& findings) const override {
     Curve pull{.name = "pull-out force (left)"};
     Curve weight = curve_over(results, "weight above the intruder's height, over the total (right)",
-                              forces_, pushes_, "weight_above_level");
+                              curve_.forces, curve_.pushes, "weight_above_level");
     weight.second_axis = true;
     Table table{.caption =
                     "Pull-out after all bonds were restored: the middle of the interval that "
@@ -33,23 +32,23 @@ class PullOut : public PaperExperiment {
                             {"weight above, by height", true},
                             {"weight above, by column", true}}};
     std::optional<Measured> largest;
-    for (std::size_t k = 0; k < forces_.size(); ++k) {
+    for (std::size_t k = 0; k < curve_.forces.size(); ++k) {
       const std::vector<double> forces = pull_forces(results, pulls_[k]);
       const auto mean = mean_over(forces);
       std::vector<double> ratios = forces;
-      for (double& ratio : ratios) ratio /= forces_[k];
+      for (double& ratio : ratios) ratio /= curve_.forces[k];
       const auto ratio = mean_over(ratios);
       if (ratio && (!largest || ratio->value > largest->value)) largest = ratio;
       if (mean) {
-        pull.x.push_back(forces_[k]);
+        pull.x.push_back(curve_.forces[k]);
         pull.y.push_back(mean->value);
         pull.y_error.push_back(mean->standard_error.value_or(0));
       }
-      table.rows.push_back({{.text = number_text(forces_[k])},
+      table.rows.push_back({{.text = number_text(curve_.forces[k])},
                             cell_of(mean, all_),
                             cell_of(ratio, all_),
-                            cell_of(results.mean(pushes_[k], "weight_above_level"), all_),
-                            cell_of(results.mean(pushes_[k], "weight_above_column"), all_)});
+                            cell_of(results.mean(curve_.pushes[k], "weight_above_level"), all_),
+                            cell_of(results.mean(curve_.pushes[k], "weight_above_column"), all_)});
     }
     section.blocks.emplace_back(std::move(table));
     note(findings, "penetration.pull_out_over_push", largest);
@@ -61,7 +60,7 @@ class PullOut : public PaperExperiment {
               .y = {.label = "pull-out force", .unit = "F_c", .low = 0},
               .y2 = Axis{.label = "weight above / total weight", .low = 0, .high = 1},
               .curves = {std::move(pull), std::move(weight)},
-              .legend = Legend::below};
+              .legend = LegendPlace::below};
     section.blocks.emplace_back(Figure{std::move(plot),
                                        "Left axis: the force that takes the intruder "
                                        "out; right axis: the share of the grains' "
@@ -93,8 +92,8 @@ class PullOut : public PaperExperiment {
                     .note = "straight line through the means; n counts forces"};
   }
 
-  std::vector<double> forces_;
-  std::vector<RunGroup> pushes_, pulls_;
+  PushCurve curve_;
+  std::vector<RunGroup> pulls_;
   double cohesion_ = 1;  // [F_g]
   int all_ = 0;
 };

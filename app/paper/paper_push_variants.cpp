@@ -48,11 +48,10 @@ class Density : public PaperExperiment {
  public:
   void plan(PaperJobs& jobs) override {
     all_ = jobs.scale().realizations;
-    forces_ = jobs.scale().push_forces;
     height_ = jobs.scale().height;
     // The lower rolling friction makes the denser sample; it stays during the push.
     samples_ = {jobs.samples(), jobs.samples("rolling_0.02", {{"contact.rolling_friction", 0.02}})};
-    for (const RunGroup& sample : samples_) pushes_.push_back(jobs.push_curve(sample));
+    for (const RunGroup& sample : samples_) curves_.push_back(jobs.push_curve(sample));
   }
 
   void report(const PaperResults& results, const std::filesystem::path&, Section& section,
@@ -66,15 +65,17 @@ class Density : public PaperExperiment {
               .title = "Depth of the intruder in samples of two densities",
               .x = {.label = "push force", .unit = "F_c", .logarithmic = true},
               .y = {.label = "depth", .unit = "d", .low = 0},
-              .legend = Legend::bottom_right};
+              .legend = LegendPlace::bottom_right};
     std::vector<Row> rows;
     for (std::size_t s = 0; s < samples_.size(); ++s) {
       const auto density = results.mean(samples_[s], "volume_fraction");
       const std::string name =
           std::string(names[s]) + ", volume fraction " + cell_of(density, all_).text;
-      plot.curves.push_back(curve_over(results, name, forces_, pushes_[s], "depth"));
-      for (std::size_t k = 0; k < forces_.size(); ++k)
-        rows.push_back({name + ", " + number_text(forces_[k]) + " F_c", pushes_[s][k]});
+      plot.curves.push_back(
+          curve_over(results, name, curves_[s].forces, curves_[s].pushes, "depth"));
+      for (std::size_t k = 0; k < curves_[s].forces.size(); ++k)
+        rows.push_back(
+            {name + ", " + number_text(curves_[s].forces[k]) + " F_c", curves_[s].pushes[k]});
     }
     const double half = height_ / 2;
     const auto loose = force_for(plot.curves[0], half), dense = force_for(plot.curves[1], half);
@@ -87,9 +88,8 @@ class Density : public PaperExperiment {
   }
 
  private:
-  std::vector<double> forces_;
   std::vector<RunGroup> samples_;
-  std::vector<std::vector<RunGroup>> pushes_;
+  std::vector<PushCurve> curves_;  // of each
   double height_ = 0;
   int all_ = 0;
 };

@@ -17,8 +17,7 @@ class Velocity : public PaperExperiment {
   void plan(PaperJobs& jobs) override {
     all_ = jobs.scale().realizations;
     height_ = jobs.scale().height;
-    forces_ = jobs.scale().push_forces;
-    pushes_ = jobs.push_curve(jobs.samples());
+    curve_ = jobs.push_curve(jobs.samples());
   }
 
   void report(const PaperResults& results, const std::filesystem::path&, Section& section,
@@ -28,14 +27,14 @@ class Velocity : public PaperExperiment {
     Table table{
         .caption = "Mean velocity of the intruder between 15 % and 60 % of the box's height.",
         .columns = {{"push force [F_c]", true}, {"velocity [√(gd)]", true}}};
-    for (std::size_t k = 0; k < forces_.size(); ++k) {
+    for (std::size_t k = 0; k < curve_.forces.size(); ++k) {
       std::vector<double> speeds;
-      for (const RunResults* run : results.runs(pushes_[k]))
+      for (const RunResults* run : results.runs(curve_.pushes[k]))
         if (const auto speed = mean_speed(*run)) speeds.push_back(*speed);
       const auto mean = mean_over(speeds);
-      table.rows.push_back({{.text = number_text(forces_[k])}, cell_of(mean, all_)});
+      table.rows.push_back({{.text = number_text(curve_.forces[k])}, cell_of(mean, all_)});
       if (!mean) continue;
-      curve.x.push_back(forces_[k]);
+      curve.x.push_back(curve_.forces[k]);
       curve.y.push_back(mean->value);
       curve.y_error.push_back(mean->standard_error.value_or(0));
       squares.push_back(mean->value * mean->value);
@@ -45,7 +44,7 @@ class Velocity : public PaperExperiment {
               .title = "Velocity of the driven intruder",
               .x = {.label = "push force", .unit = "F_c"},
               .y = {.label = "mean velocity", .unit = "√(g d)", .low = 0},
-              .legend = Legend::bottom_right};
+              .legend = LegendPlace::bottom_right};
     const auto line = fit_line(curve.x, squares);
     plot.curves.push_back(curve);
     if (line && line->slope > 0) {
@@ -103,8 +102,7 @@ class Velocity : public PaperExperiment {
         .note = "with the threshold of the fit of v^2, which favours 1/2; n counts forces"};
   }
 
-  std::vector<double> forces_;
-  std::vector<RunGroup> pushes_;
+  PushCurve curve_;
   double height_ = 0;
   int all_ = 0;
 };

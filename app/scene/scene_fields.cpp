@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/json/name_field.h"
+
 namespace quicksand {
 
 namespace {
@@ -147,7 +149,7 @@ void describe_wall(Fields& f, Wall& wall) {
 void describe_scene(Fields& f, Scenario& s) {
   std::string schema;  // for editors; means nothing to the program
   f.text({"$schema", "path of this schema, for editors"}, schema);
-  f.text({"name", "short name, used for the output folder; the file's name if absent"}, s.name);
+  describe_name(f, s.name);
   f.text({"description", "what the scene shows"}, s.description);
   auto seed = static_cast<std::int64_t>(s.seed);
   f.integer({"seed", "of the random numbers"}, 0, kMaxSeed, seed);
@@ -181,9 +183,6 @@ void describe_scene(Fields& f, Scenario& s) {
   f.list({"phases", "the protocol: what happens, in order"}, kMaxPhases, s.phases,
          [&](Fields& g, Phase& phase) { describe_phase(g, phase, s); });
   if (f.reading()) {
-    if (s.name.size() > 100 || s.name.find('/') != std::string::npos || s.name.starts_with('.')) {
-      f.refuse("name", "names the output folder: at most 100 letters, no \"/\", no \".\" first");
-    }
     if (!s.start_from.empty() && !s.disks.empty()) {
       f.refuse("bodies", "are listed, but start_from brings the bodies already; give only one");
     }

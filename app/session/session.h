@@ -81,8 +81,6 @@ class Session {
   Row measure_now() const;
   // Time between samples from now on; that of the scene if absent [sqrt(d/g)].
   void sample_every(std::optional<double> every);
-  // Takes a sample now, unless the present moment was sampled already.
-  void sample() { course_->sample(); }
   // Receives each sample as it is taken. May be empty.
   Course::Sink on_sample;
 

@@ -1,6 +1,7 @@
 #include "app/session/session_file.h"
 
 #include "app/json/json_reader.h"
+#include "app/json/name_field.h"
 #include "app/session/command_table.h"
 #include "core/errors.h"
 
@@ -53,13 +54,9 @@ std::string SessionFile::where(std::size_t command) const {
 void describe_session_file(Fields& f, SessionFile& file, Json& commands) {
   std::string schema;  // for editors; means nothing to the program
   f.text({"$schema", "path of this schema, for editors"}, schema);
-  f.text({"name", "short name, used for the output folder; the file's name if absent"}, file.name);
+  describe_name(f, file.name);
   f.text({"description", "what the session shows"}, file.description);
   f.json({"commands", "what to do, in order", Presence::required}, kCommands, commands);
-  if (f.reading() && (file.name.size() > 100 || file.name.find('/') != std::string::npos ||
-                      file.name.starts_with('.'))) {
-    f.refuse("name", "names the output folder: at most 100 letters, no \"/\", no \".\" first");
-  }
 }
 
 SessionFile read_session_file(const std::filesystem::path& path) {

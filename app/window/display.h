@@ -24,7 +24,6 @@ class Display {
   virtual int height() const = 0;
   // The picture should have the size of the window; where it has not, what is missing stays dark.
   virtual void present(const Image& picture) = 0;
-  virtual void set_title(const std::string& title) = 0;
 };
 
 // Throws RenderError that says what is missing: the module, SDL, or a screen.

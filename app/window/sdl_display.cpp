@@ -110,8 +110,6 @@ class SdlDisplay : public Display {
     SDL_UpdateWindowSurface(window_);
   }
 
-  void set_title(const std::string& title) override { SDL_SetWindowTitle(window_, title.c_str()); }
-
  private:
   std::pair<int, int> size() const {
     int width = 0, height = 0;
