@@ -125,10 +125,13 @@ Plot error_plot(const Problem& problem) {
       .title = problem.reference->name + ", " + std::to_string(problem.reference->size) + " disks",
       .x = {.label = "velocity error, worst of a disk", .unit = "g dt", .logarithmic = true},
       .y = {.label = "CPU time", .unit = "ms", .logarithmic = true},
-      .legend = Legend::below};
+      .legend = LegendPlace::below};
   for (const char* method : kMethods) plot.curves.push_back(frontier(problem, method));
-  plot.references.push_back(
-      {.low = 1, .high = 1, .of_x = true, .role = quicksand::Reference::Role::guide});
+  plot.references.push_back({.name = "free fall",
+                             .low = 1,
+                             .high = 1,
+                             .of_x = true,
+                             .role = quicksand::Reference::Role::guide});
   return plot;
 }
 

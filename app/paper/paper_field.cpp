@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kCentimetre = 100, kKilopascal = 1e-3;
 
-class Field : public PaperExperiment {
+class FieldExperiment : public PaperExperiment {
  public:
   void plan(PaperJobs& jobs) override {
     runs_ = plan_strength(jobs);
@@ -37,7 +37,7 @@ class Field : public PaperExperiment {
               .title = "Shear strength in SI units, simulated and in the field",
               .x = {.label = "depth", .unit = "cm", .low = 0},
               .y = {.label = "shear strength", .unit = "kPa", .low = 0},
-              .legend = Legend::top_left};
+              .legend = LegendPlace::below};
     const PaperTargets targets = read_targets(shipped_targets());
     const double slope = *targets.at("field.perturbed.slope").low;          // [kPa/cm]
     const double strength = *targets.at("field.unperturbed.strength").low;  // [kPa]
@@ -82,6 +82,8 @@ class Field : public PaperExperiment {
 
 }  // namespace
 
-std::unique_ptr<PaperExperiment> make_field_experiment() { return std::make_unique<Field>(); }
+std::unique_ptr<PaperExperiment> make_field_experiment() {
+  return std::make_unique<FieldExperiment>();
+}
 
 }  // namespace quicksand

@@ -28,8 +28,7 @@ class Penetration : public PaperExperiment {
   void plan(PaperJobs& jobs) override {
     all_ = jobs.scale().realizations;
     height_ = jobs.scale().height;
-    forces_ = jobs.scale().push_forces;
-    pushes_ = jobs.push_curve(jobs.samples());
+    curve_ = jobs.push_curve(jobs.samples());
   }
 
   void report(const PaperResults& results, const std::filesystem::path& pictures, Section& section,
@@ -40,15 +39,15 @@ class Penetration : public PaperExperiment {
                     "passed; intact: farther from its way than six of its diameters.",
                 .columns = {{"push force [F_c]", true}}};
     for (const Shown& column : kShown) table.columns.push_back({column.title, true});
-    for (std::size_t k = 0; k < forces_.size(); ++k) {
-      std::vector<Cell> row{{.text = number_text(forces_[k])}};
+    for (std::size_t k = 0; k < curve_.forces.size(); ++k) {
+      std::vector<Cell> row{{.text = number_text(curve_.forces[k])}};
       for (const Shown& column : kShown)
-        row.push_back(cell_of(results.mean(pushes_[k], column.quantity), all_));
+        row.push_back(cell_of(results.mean(curve_.pushes[k], column.quantity), all_));
       table.rows.push_back(std::move(row));
     }
     section.blocks.emplace_back(std::move(table));
     add_plots(results, section);
-    for (std::size_t k = 0; k < forces_.size(); ++k) compare(results, k, findings);
+    for (std::size_t k = 0; k < curve_.forces.size(); ++k) compare(results, k, findings);
   }
 
  private:
@@ -57,10 +56,11 @@ class Penetration : public PaperExperiment {
     Gallery gallery{.caption =
                         "Final states, coloured by active bonds: with a third of the cohesion "
                         "force, with the cohesion force, and with a strong force."};
-    for (std::size_t k = 0; k < forces_.size(); ++k) {
-      if (forces_[k] != kWeak && forces_[k] != kEqual && forces_[k] != kStrong) continue;
-      const std::string caption = "push force " + number_text(forces_[k]) + " F_c";
-      if (auto picture = picture_of(results, pushes_[k], folder, caption))
+    for (std::size_t k = 0; k < curve_.forces.size(); ++k) {
+      if (curve_.forces[k] != kWeak && curve_.forces[k] != kEqual && curve_.forces[k] != kStrong)
+        continue;
+      const std::string caption = "push force " + number_text(curve_.forces[k]) + " F_c";
+      if (auto picture = picture_of(results, curve_.pushes[k], folder, caption))
         gallery.pictures.push_back(*picture);
     }
     if (!gallery.pictures.empty()) section.blocks.emplace_back(std::move(gallery));
@@ -79,12 +79,13 @@ class Penetration : public PaperExperiment {
                .title = "Bonds after the push",
                .x = {.label = "push force", .unit = "F_c", .logarithmic = true},
                .y = {.label = "share", .low = 0, .high = 1.02},
-               .legend = Legend::below};
-    bonds.curves = {
-        curve_over(results, "active of contacts", forces_, pushes_, "active_bond_fraction"),
-        curve_over(results, "remaining of initial", forces_, pushes_, "remaining_bond_fraction"),
-        paper_curve("paper: active of contacts", "active_of_contacts"),
-        paper_curve("paper: remaining of initial", "remaining_of_initial")};
+               .legend = LegendPlace::below};
+    bonds.curves = {curve_over(results, "active of contacts", curve_.forces, curve_.pushes,
+                               "active_bond_fraction"),
+                    curve_over(results, "remaining of initial", curve_.forces, curve_.pushes,
+                               "remaining_bond_fraction"),
+                    paper_curve("paper: active of contacts", "active_of_contacts"),
+                    paper_curve("paper: remaining of initial", "remaining_of_initial")};
     section.blocks.emplace_back(
         Figure{std::move(bonds),
                "Shares of bonds against the push force. The paper's strong force has no "
@@ -97,27 +98,27 @@ class Penetration : public PaperExperiment {
                                .low = height_,
                                .high = height_,
                                .role = Reference::Role::guide}},
-               .legend = Legend::bottom_right};
-    depth.curves = {curve_over(results, "depth", forces_, pushes_, "depth")};
+               .legend = LegendPlace::none};
+    depth.curves = {curve_over(results, "depth", curve_.forces, curve_.pushes, "depth")};
     section.blocks.emplace_back(
         Figure{std::move(depth), "Final depth of the intruder's lowest point."});
   }
 
   void compare(const PaperResults& results, std::size_t k, Findings& findings) const {
     const auto find = [&](const std::string& id, const char* quantity) {
-      note(findings, id, results.mean(pushes_[k], quantity));
+      note(findings, id, results.mean(curve_.pushes[k], quantity));
     };
-    if (forces_[k] == kWeak) {
+    if (curve_.forces[k] == kWeak) {
       find("penetration.0.33.active_of_contacts", "active_bond_fraction");
       find("penetration.0.33.remaining_of_initial", "remaining_bond_fraction");
-    } else if (forces_[k] == kEqual) {
+    } else if (curve_.forces[k] == kEqual) {
       find("penetration.1.0.active_of_contacts", "active_bond_fraction");
       find("penetration.1.0.remaining_of_initial", "remaining_bond_fraction");
       std::vector<double> shares;
-      for (const double depth : results.values(pushes_[k], "depth"))
+      for (const double depth : results.values(curve_.pushes[k], "depth"))
         shares.push_back(depth / height_);
       note(findings, "penetration.1.0.depth", mean_over(shares));
-    } else if (forces_[k] == kStrong) {
+    } else if (curve_.forces[k] == kStrong) {
       const std::string strong = "penetration.strong.";
       find(strong + "active_of_contacts", "active_bond_fraction");
       find(strong + "remaining_of_initial", "remaining_bond_fraction");
@@ -129,8 +130,7 @@ class Penetration : public PaperExperiment {
     }
   }
 
-  std::vector<double> forces_;
-  std::vector<RunGroup> pushes_;
+  PushCurve curve_;
   double height_ = 0;
   int all_ = 0;
 };

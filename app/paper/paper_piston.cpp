@@ -44,7 +44,7 @@ class Piston : public PaperExperiment {
               .x = {.label = "height of the piston", .unit = "d"},
               .y = {.label = "coordination number"},
               .y2 = Axis{.label = "active bonds of contacts", .low = 0, .high = 1},
-              .legend = Legend::below};
+              .legend = LegendPlace::below};
     for (const RunResults* run : results.runs(after_)) {
       const bool first = plot.curves.empty();
       Curve coordination{.name = first ? "coordination number (left)" : "",

@@ -56,7 +56,7 @@ class Samples : public PaperExperiment {
         .y = {.label = "coordination number"},
         .references = {{.name = "paper: volume fraction", .low = 0.40, .high = 0.43, .of_x = true},
                        {.name = "paper: coordination number", .low = 2.05, .high = 2.06}},
-        .legend = Legend::below};
+        .legend = LegendPlace::below};
     Curve points{.name = "depositions, numbered as in the table"};
     const std::vector<Setting> all = settings();
     for (std::size_t k = 0; k < all.size(); ++k) {

@@ -60,7 +60,14 @@ struct Annotation {
   std::string text{};
 };
 
-enum class Legend : std::uint8_t { top_right, top_left, bottom_right, bottom_left, below, none };
+enum class LegendPlace : std::uint8_t {
+  top_right,
+  top_left,
+  bottom_right,
+  bottom_left,
+  below,
+  none
+};
 
 struct Plot {
   std::string name{};  // of the files: a to z, 0 to 9 and underscores
@@ -70,7 +77,7 @@ struct Plot {
   std::vector<Curve> curves{};
   std::vector<Reference> references{};
   std::vector<Annotation> annotations{};
-  Legend legend = Legend::top_right;
+  LegendPlace legend = LegendPlace::top_right;
 };
 
 struct PlotFiles {

@@ -61,6 +61,16 @@ std::string range_of(const Axis& axis, const Extent& extent) {
                text(axis.high, number_text(to + margin)));
 }
 
+// Places 1, 2 and 5 of every decade around `extent`, as gnuplot lists them.
+std::string one_two_five(const Extent& extent) {
+  std::string list;
+  const int last = static_cast<int>(std::ceil(std::log10(extent.high)));
+  for (int decade = static_cast<int>(std::floor(std::log10(extent.low))); decade <= last; ++decade)
+    for (const char* digit : {"1", "2", "5"})
+      list += (list.empty() ? "" : ", ") + std::string(digit) + "e" + std::to_string(decade);
+  return list;
+}
+
 class Script {
  public:
   explicit Script(const Plot& plot) : plot_(plot), looks_(looks_of(plot.curves)) {
@@ -106,10 +116,11 @@ class Script {
     line("set bars small");
     const char* const places[] = {"inside top right", "inside top left", "inside bottom right",
                                   "inside bottom left", "below center horizontal"};
-    line(plot_.legend == Legend::none
+    line(plot_.legend == LegendPlace::none
              ? std::string("unset key")
              : std::string("set key ") + places[static_cast<int>(plot_.legend)] +
-                   " Left reverse samplen 3 spacing 1.2");
+                   " Left reverse samplen 3 spacing 1.2" +
+                   (plot_.legend == LegendPlace::below ? " height 1" : ""));
   }
 
   void axis(const std::string& name, const Axis& axis, const Extent& extent) {
@@ -119,6 +130,10 @@ class Script {
       constexpr double kManyDecades = 1e6;
       line("set logscale " + name);
       if (extent.high > kManyDecades * extent.low) line("unset m" + name + "tics");
+      // Over one or two decades powers of ten would name a place or two.
+      constexpr double kFewDecades = 100;
+      if (!extent.empty() && extent.high < kFewDecades * extent.low)
+        line("set " + name + "tics (" + one_two_five(extent) + ")");
     }
     constexpr double kFewDigits = 1e-3, kManyDigits = 1e4;
     const bool powers = axis.logarithmic &&

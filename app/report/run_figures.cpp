@@ -8,7 +8,7 @@ namespace quicksand {
 
 namespace {
 
-struct Course {
+struct PhaseCourse {
   const char* quantity;  // column of series.csv
   const char* name;      // in the legend
 };
@@ -19,7 +19,7 @@ struct TimePlot {
   const char* title;
   const char* label;
   const char* unit;
-  std::vector<Course> courses;
+  std::vector<PhaseCourse> courses;
   bool logarithmic = false;
   std::optional<double> low{}, high{};
   Curve::Kind kind = Curve::Kind::line;
@@ -82,7 +82,7 @@ bool has_values(const RunResults& run, const char* quantity) {
          std::ranges::any_of(run.column(quantity), [](double v) { return std::isfinite(v); });
 }
 
-std::vector<double> values_of(const RunResults& run, const Course& course, bool per_step) {
+std::vector<double> values_of(const RunResults& run, const PhaseCourse& course, bool per_step) {
   std::vector<double> values = run.column(course.quantity);
   if (!per_step) return values;
   const std::vector<double>& step = run.column("step");
@@ -125,9 +125,9 @@ std::vector<Figure> run_figures(std::span<const RunResults> runs) {
                     .low = described.low,
                     .high = described.high,
                     .logarithmic = described.logarithmic},
-              .legend = Legend::below};
+              .legend = LegendPlace::below};
     for (std::size_t r = 0; r < runs.size(); ++r) {
-      for (const Course& course : described.courses) {
+      for (const PhaseCourse& course : described.courses) {
         if (!single && &course != described.courses.data()) break;
         if (!has_values(runs[r], course.quantity)) continue;
         plot.curves.push_back({.name = single ? course.name : names[r],

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string kHostile = "<b>\"x\"_{}| 'q' \\ ~ & @ab ^ `date` $(date) %d F_c\n\\";
+const std::string kPlotHostile = "<b>\"x\"_{}| 'q' \\ ~ & @ab ^ `date` $(date) %d F_c\n\\";
 
 Plot small_plot() {
   Plot plot{.name = "small",
@@ -88,10 +88,10 @@ TEST_F(PlotTest, LeavesDataScriptAndBothPicturesWithTheSameBytesEachTime) {
 
 TEST_F(PlotTest, NoTextBreaksTheScript) {
   Plot plot = small_plot();
-  plot.title = kHostile;
-  plot.x.label = plot.y.unit = kHostile;
-  plot.curves[0].name = plot.references[0].name = kHostile;
-  plot.annotations.push_back({.x = 1, .y = 1, .text = kHostile});
+  plot.title = kPlotHostile;
+  plot.x.label = plot.y.unit = kPlotHostile;
+  plot.curves[0].name = plot.references[0].name = kPlotHostile;
+  plot.annotations.push_back({.x = 1, .y = 1, .text = kPlotHostile});
   const PlotFiles files = write_plot(plot, folder_.path());
   ASSERT_TRUE(files.drawn) << files.problem;
   // Drawn as written, but for the symbol.
@@ -135,6 +135,15 @@ TEST_F(PlotTest, WithoutValuesThereIsStillAPlotThatSaysSo) {
   const PlotFiles files = write_plot(plot, folder_.path());
   ASSERT_TRUE(files.drawn) << files.problem;
   EXPECT_NE(file("empty.svg").find("residual (no values)"), std::string::npos);
+}
+
+TEST_F(PlotTest, ALogarithmicAxisOfOneDecadeNamesMoreThanOnePlace) {
+  Plot plot{.name = "decade", .x = {.label = "push force", .logarithmic = true}};
+  plot.curves.push_back({.name = "depth", .x = {0.3, 1, 3}, .y = {1, 2, 3}});
+  ASSERT_TRUE(write_plot(plot, folder_.path()).drawn);
+  const std::string svg = file("decade.svg");
+  for (const char* place : {">0.5<", ">1<", ">2<"})
+    EXPECT_NE(svg.find(place), std::string::npos) << place;
 }
 
 TEST_F(PlotTest, AFailureIsReportedWithGnuplotsOwnWords) {
