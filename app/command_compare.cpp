@@ -11,12 +11,12 @@ namespace quicksand {
 
 namespace {
 
-struct Options {
+struct CompareArguments {
   std::filesystem::path ours, reference, difference;
   int tolerance = kSameLook;
 };
 
-int compare(const Options& options) {
+int compare(const CompareArguments& options) {
   const ImageComparison result = compare_images(options.ours, options.reference, options.tolerance);
   std::printf("%s\n", result.text.c_str());
   if (!options.difference.empty() && result.difference.picture.width > 0)
@@ -28,7 +28,7 @@ int compare(const Options& options) {
 
 Command add_compare(CLI::App& program) {
   CLI::App* command = program.add_subcommand("compare", "tell whether two pictures look the same");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CompareArguments>();
   command->add_option("picture", options->ours, "PNG file")->type_name("A.png")->required();
   command->add_option("reference", options->reference, "PNG file that it should look like")
       ->type_name("B.png")

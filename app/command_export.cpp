@@ -11,13 +11,13 @@ namespace quicksand {
 
 namespace {
 
-struct Options {
+struct ExportArguments {
   std::vector<std::filesystem::path> states;
   std::string format;
   std::filesystem::path out;
 };
 
-int export_states(const Options& options) {
+int export_states(const ExportArguments& options) {
   Exporter exporter(export_format(options.format), options.out, options.states.size());
   for (const auto& state : options.states) exporter.add(read_state(state).checkpoint.world);
   exporter.finish();
@@ -38,7 +38,7 @@ std::string words() {
 Command add_export(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "export", "write states in formats of ParaView, OVITO, spreadsheets and NumPy");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ExportArguments>();
   command->add_option("states", options->states, "checkpoints of runs, in the order of their times")
       ->type_name("STATE.cbor")
       ->required();

@@ -58,14 +58,14 @@ void list_quantities(const CLI::App&) {
 }
 
 void list_columns(const CLI::App&) {
-  const auto list = [](const Table& table) {
+  const auto list = [](const DataTable& table) {
     std::printf("%s: %s\n", std::string(table.name).c_str(), std::string(table.help).c_str());
-    for (const Column& column : table.columns) {
+    for (const DataColumn& column : table.columns) {
       print("  " + std::string(column.name) + (column.size == 2 ? " (x, y)" : ""), column.unit,
             column.help);
     }
   };
-  for (const Table& table : tables()) list(table);
+  for (const DataTable& table : tables()) list(table);
   list(state_table());
 }
 

@@ -13,7 +13,7 @@ namespace quicksand {
 
 namespace {
 
-struct Options {
+struct MeasureArguments {
   std::filesystem::path state;
   std::filesystem::path out;
   bool json = false;
@@ -25,7 +25,7 @@ void require(bool right, const std::string& option, double value, const std::str
   if (!right) throw InputError(option + " " + number_text(value), "must be a number " + range);
 }
 
-void check(const Options& options) {
+void check(const MeasureArguments& options) {
   const MeasureChoices& c = options.choices;
   constexpr double kFar = 1e6;
   require(options.slice >= 0.1 && options.slice <= kFar, "--slice", options.slice,
@@ -39,7 +39,7 @@ void check(const Options& options) {
 }
 
 // The regions must not overlap: which of both a grain is in would be our choice.
-void check_regions(const Options& options, const World& world) {
+void check_regions(const MeasureArguments& options, const World& world) {
   const int intruder = world.intruder();
   if (intruder < 0) return;
   const double radius = world.disks.radius[intruder];
@@ -50,7 +50,7 @@ void check_regions(const Options& options, const World& world) {
                        number_text(channel / (2 * radius)) + " diameters of the intruder");
 }
 
-int measure_and_report(const Options& options) {
+int measure_and_report(const MeasureArguments& options) {
   check(options);
   const StateFile state = read_state(options.state);
   check_regions(options, state.checkpoint.world);
@@ -66,7 +66,7 @@ int measure_and_report(const Options& options) {
 Command add_measure(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "measure", "measure the state of a run: regions, profile, angles, forces");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<MeasureArguments>();
   command->add_option("state", options->state, "checkpoint of a run")
       ->type_name("STATE.cbor")
       ->required();

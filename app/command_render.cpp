@@ -13,13 +13,13 @@ namespace quicksand {
 
 namespace {
 
-struct Options {
+struct RenderArguments {
   std::filesystem::path state;
   std::filesystem::path out;
   PictureOptions picture;
 };
 
-int render(const Options& options) {
+int render(const RenderArguments& options) {
   const View view = view_from(options.picture);
   const StateFile state = read_state(options.state);
   const std::string caption[] = {state.scenario.name, state.phase};
@@ -34,7 +34,7 @@ int render(const Options& options) {
 
 Command add_render(CLI::App& program) {
   CLI::App* command = program.add_subcommand("render", "draw the state of a run");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RenderArguments>();
   command->add_option("state", options->state, "checkpoint of a run")
       ->type_name("STATE.cbor")
       ->required();

@@ -11,12 +11,12 @@ namespace quicksand {
 
 namespace {
 
-struct Options {
+struct ReportArguments {
   std::vector<std::filesystem::path> folders;
   std::filesystem::path out;
 };
 
-int report(const Options& options) {
+int report(const ReportArguments& options) {
   std::vector<RunResults> runs;
   std::vector<std::string> words{"quicksand", "report"};
   double seconds = 0;
@@ -45,7 +45,7 @@ int report(const Options& options) {
 Command add_report(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "report", "a page about a finished run, or about several side by side");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ReportArguments>();
   command->add_option("runs", options->folders, "folders of runs")->type_name("DIR")->required();
   command
       ->add_option("--out", options->out,

@@ -16,7 +16,7 @@ namespace quicksand {
 
 namespace {
 
-struct Options {
+struct ResumeArguments {
   std::string folder;
   bool quiet = false;
   StrictOptions strict;
@@ -37,7 +37,7 @@ int tell_finished(const RunFolder& folder, const RunOptions& options) {
   return tell_distrust(distrust(end.protocol, measure(end.world).max_overlap, *options.strict));
 }
 
-int resume(const Options& asked) {
+int resume(const ResumeArguments& asked) {
   const RunFolder folder{asked.folder};
   require_run(folder);
   RunOptions options = read_options(folder.options());
@@ -68,7 +68,7 @@ int resume(const Options& asked) {
 Command add_resume(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "resume", "go on with a run that was killed, interrupted or out of disk space");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ResumeArguments>();
   command->add_option("folder", options->folder, "folder of the run")->type_name("DIR")->required();
   command->add_flag("--quiet", options->quiet, "print nothing but where the results are");
   add_strict_options(*command, options->strict);

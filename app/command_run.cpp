@@ -13,7 +13,7 @@ namespace quicksand {
 
 namespace {
 
-struct Options {
+struct RunArguments {
   SceneRequest scene;
   RunOptions run;
   PictureOptions picture;
@@ -23,7 +23,7 @@ struct Options {
   bool no_frames = false;
 };
 
-int run(Options& options) {
+int run(RunArguments& options) {
   if (options.every && !(*options.every > 0)) {
     throw InputError("--every " + number_text(*options.every), "must be a time above 0 sqrt(d/g)");
   }
@@ -46,7 +46,7 @@ int run(Options& options) {
 Command add_run(CLI::App& program) {
   CLI::App* command =
       program.add_subcommand("run", "run a scene: frames, numbers and a checkpoint");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RunArguments>();
   add_scene_options(*command, options->scene);
   command->add_option("--out", options->run.out, "folder of the results [out/<scene name>]")
       ->type_name("DIR");

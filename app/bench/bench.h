@@ -33,6 +33,9 @@ struct Options {
   double patience() const { return quick ? 1.5 : 30; }
 };
 
+// Gap errors are judged relative to a tenth of the range of a bond (see contact_problem.h).
+inline constexpr double kGapUnit = 0.1;  // of Residual::gap [d_c]
+
 // One measurement: a line of results.csv. What is not defined for it stays empty.
 struct Row {
   std::string part{};

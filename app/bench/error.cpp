@@ -184,7 +184,7 @@ Plot cost_plot(const std::vector<Found>& all, const std::string& observable, con
             .title = observable + " against the reference run",
             .x = {.label = "CPU time of the push, mean", .unit = "s", .logarithmic = true},
             .y = {.label = "mean deviation", .unit = "%"},
-            .legend = Legend::below};
+            .legend = LegendPlace::below};
   for (const char* rule : {"energy", "linearised", "geometric"}) {
     Curve curve{.name = std::string(rule) + " rule"};
     for (const Found& found : all) {

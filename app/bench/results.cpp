@@ -13,7 +13,7 @@ namespace quicksand::bench {
 
 namespace {
 
-struct Field {
+struct RowField {
   const char* name;
   Json (*get)(const Row&);
 };
@@ -27,29 +27,30 @@ Json maybe(const std::optional<T>& value) {
 
 // The columns of a row, for both files.
 constexpr std::array kFields{
-    Field{"part", [](const Row& r) { return Json(r.part); }},
-    Field{"case", [](const Row& r) { return Json(r.name); }},
-    Field{"what", [](const Row& r) { return Json(r.what); }},
-    Field{"method", [](const Row& r) { return text(r.method); }},
-    Field{"repeat", [](const Row& r) { return Json(r.repeat); }},
-    Field{"size", [](const Row& r) { return Json(r.size); }},
-    Field{"contacts", [](const Row& r) { return Json(r.contacts); }},
-    Field{"tolerance", [](const Row& r) { return positive(r.tolerance); }},
-    Field{"dt", [](const Row& r) { return positive(r.dt); }},
-    Field{"steps", [](const Row& r) { return Json(r.steps); }},
-    Field{"cpu_seconds", [](const Row& r) { return positive(r.seconds.cpu); }},
-    Field{"wall_seconds", [](const Row& r) { return positive(r.seconds.wall); }},
-    Field{"iterations", [](const Row& r) { return Json(r.iterations); }},
-    Field{"factorisations", [](const Row& r) { return Json(r.factorisations); }},
-    Field{"unconverged", [](const Row& r) { return Json(r.unconverged); }},
-    Field{"residual", [](const Row& r) { return Json(r.residual); }},
-    Field{"gap_error_d_c", [](const Row& r) { return Json(r.gap_error); }},
-    Field{"value", [](const Row& r) { return maybe(r.value); }},
-    Field{"error", [](const Row& r) { return maybe(r.error); }},
-    Field{"unit", [](const Row& r) { return r.value || r.error ? Json(r.unit) : Json(nullptr); }},
-    Field{"expected", [](const Row& r) { return text(r.expected); }},
-    Field{"found", [](const Row& r) { return text(r.found); }},
-    Field{"passed", [](const Row& r) { return maybe(r.passed); }}};
+    RowField{"part", [](const Row& r) { return Json(r.part); }},
+    RowField{"case", [](const Row& r) { return Json(r.name); }},
+    RowField{"what", [](const Row& r) { return Json(r.what); }},
+    RowField{"method", [](const Row& r) { return text(r.method); }},
+    RowField{"repeat", [](const Row& r) { return Json(r.repeat); }},
+    RowField{"size", [](const Row& r) { return Json(r.size); }},
+    RowField{"contacts", [](const Row& r) { return Json(r.contacts); }},
+    RowField{"tolerance", [](const Row& r) { return positive(r.tolerance); }},
+    RowField{"dt", [](const Row& r) { return positive(r.dt); }},
+    RowField{"steps", [](const Row& r) { return Json(r.steps); }},
+    RowField{"cpu_seconds", [](const Row& r) { return positive(r.seconds.cpu); }},
+    RowField{"wall_seconds", [](const Row& r) { return positive(r.seconds.wall); }},
+    RowField{"iterations", [](const Row& r) { return Json(r.iterations); }},
+    RowField{"factorisations", [](const Row& r) { return Json(r.factorisations); }},
+    RowField{"unconverged", [](const Row& r) { return Json(r.unconverged); }},
+    RowField{"residual", [](const Row& r) { return Json(r.residual); }},
+    RowField{"gap_error_d_c", [](const Row& r) { return Json(r.gap_error); }},
+    RowField{"value", [](const Row& r) { return maybe(r.value); }},
+    RowField{"error", [](const Row& r) { return maybe(r.error); }},
+    RowField{"unit",
+             [](const Row& r) { return r.value || r.error ? Json(r.unit) : Json(nullptr); }},
+    RowField{"expected", [](const Row& r) { return text(r.expected); }},
+    RowField{"found", [](const Row& r) { return text(r.found); }},
+    RowField{"passed", [](const Row& r) { return maybe(r.passed); }}};
 
 std::string csv_cell(const Json& value) {
   if (value.is_null()) return {};
@@ -61,11 +62,11 @@ std::string csv_cell(const Json& value) {
 
 std::string csv(std::span<const Row> rows) {
   std::string result;
-  for (const Field& field : kFields)
+  for (const RowField& field : kFields)
     result += (&field == kFields.data() ? "" : ",") + std::string(field.name);
   result += "\n";
   for (const Row& row : rows) {
-    for (const Field& field : kFields)
+    for (const RowField& field : kFields)
       result += (&field == kFields.data() ? "" : ",") + csv_cell(field.get(row));
     result += "\n";
   }
@@ -89,7 +90,7 @@ Json json(std::span<const Row> rows, const Options& options, const std::string& 
               {"rows", Json::array()}};
   for (const Row& row : rows) {
     Json entry = Json::object();
-    for (const Field& field : kFields) entry[field.name] = field.get(row);
+    for (const RowField& field : kFields) entry[field.name] = field.get(row);
     all["rows"].push_back(std::move(entry));
   }
   return all;

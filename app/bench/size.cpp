@@ -145,7 +145,7 @@ void report_size(std::span<const Row> rows, const Options&, Section& section) {
       .title = "Cost against size",
       .x = {.label = "disks", .logarithmic = true},
       .y = {.label = "CPU time of a step, deposit or picture", .unit = "s", .logarithmic = true},
-      .legend = Legend::below};
+      .legend = LegendPlace::below};
   BulletList exponents;
   for (const char* kind : kKinds) {
     Curve curve{.name = kind, .kind = Curve::Kind::line_points};

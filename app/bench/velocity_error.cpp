@@ -11,7 +11,6 @@ namespace {
 
 constexpr double kReferenceTolerance = 1e-12;
 constexpr int kReferenceFactorisations = 150;
-constexpr double kGapUnit = 0.1;  // of Residual::gap [d_c]
 
 // A row for a solution with this outcome.
 Row row_of(const StepProblem& step, const SolveReport& report, const ContactState& state,

@@ -4,13 +4,6 @@
 
 namespace quicksand::bench {
 
-namespace {
-
-// Gap errors are judged relative to a tenth of the range of a bond (see contact_problem.h).
-constexpr double kGapUnit = 0.1;  // [d_c]
-
-}  // namespace
-
 Window measure_window(Protocol& protocol, const WindowSettings& settings, const Options& options) {
   Window window;
   Row& run = window.run;

@@ -25,7 +25,7 @@ Exporter::Exporter(const ExportFormat& format, fs::path out, std::size_t states)
   single_ = std::make_unique<WholeFile>(out_);
 }
 
-std::string Exporter::file_name(const Table& table) const {
+std::string Exporter::file_name(const DataTable& table) const {
   std::string name(table.name);
   if (states_ > 1) {
     constexpr std::size_t kDigits = 4;

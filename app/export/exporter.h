@@ -25,7 +25,7 @@ class Exporter {
   void finish();
 
  private:
-  std::string file_name(const Table& table) const;
+  std::string file_name(const DataTable& table) const;
 
   const ExportFormat& format_;
   std::filesystem::path out_;

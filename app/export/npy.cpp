@@ -13,17 +13,17 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "numbers are stored little-endian");
 
-std::string dictionary(const Table& table, int rows) {
+std::string dictionary(const DataTable& table, int rows) {
   std::string text = "{'descr': [";
-  for (const Column& column : table.columns) {
+  for (const DataColumn& column : table.columns) {
     text += "('" + std::string(column.name) + "', '" +
-            (column.kind == Column::Kind::integer ? "<i8" : "<f8") + "'" +
+            (column.kind == DataColumn::Kind::integer ? "<i8" : "<f8") + "'" +
             (column.size == 1 ? "), " : ", (" + std::to_string(column.size) + ",)), ");
   }
   return text + "], 'fortran_order': False, 'shape': (" + std::to_string(rows) + ",), }";
 }
 
-std::string header(const Table& table, int rows) {
+std::string header(const DataTable& table, int rows) {
   constexpr std::size_t kAlignment = 64;
   std::string text("\x93NUMPY\x01\x00\x00\x00", 10);
   text += dictionary(table, rows);
@@ -36,13 +36,13 @@ std::string header(const Table& table, int rows) {
 
 }  // namespace
 
-void write_npy(std::ostream& out, const ExportedWorld& world, const Table& table) {
+void write_npy(std::ostream& out, const ExportedWorld& world, const DataTable& table) {
   const int rows = table.rows(world);
   out << header(table, rows);
   std::vector<std::uint64_t> words;
   for (int row = 0; row < rows; ++row) {
     words.clear();
-    for (const Column& column : table.columns)
+    for (const DataColumn& column : table.columns)
       for (int k = 0; k < column.size; ++k)
         words.push_back(word_of(column, column.get(world, row, k)));
     out.write(reinterpret_cast<const char*>(words.data()),

@@ -9,7 +9,7 @@ namespace quicksand {
 namespace {
 
 using E = ExportedWorld;
-using enum Column::Kind;
+using enum DataColumn::Kind;
 
 const Link& link(const E& e, int row) { return e.links[static_cast<std::size_t>(row)]; }
 
@@ -32,7 +32,7 @@ Vec2 present_normal(const E& e, int row) {
   return normal;
 }
 
-constexpr Column kDiskColumns[] = {
+constexpr DataColumn kDiskColumns[] = {
     {"disk", "1", "number of the disk, from 0", integer, 1,
      [](const E&, int row, int) -> double { return row; }},
     {kPosition, "d", "centre, inside periodic sides", real, 2,
@@ -75,7 +75,7 @@ constexpr Column kDiskColumns[] = {
      [](const E& e, int row, int) -> double { return e.counts.initial[row]; }},
 };
 
-constexpr Column kContactColumns[] = {
+constexpr DataColumn kContactColumns[] = {
     {"a", "1", "number of the disk that the normal comes from", integer, 1,
      [](const E& e, int row, int) -> double { return link(e, row).pair.a; }},
     {"b", "1", "number of the disk that the normal goes to; -1: a wall", integer, 1,
@@ -122,7 +122,7 @@ constexpr Column kContactColumns[] = {
      [](const E& e, int row, int) { return cohesion(e, row); }},
 };
 
-constexpr Column kWallColumns[] = {
+constexpr DataColumn kWallColumns[] = {
     {"wall", "1", "number of the wall, from 0", integer, 1,
      [](const E&, int row, int) -> double { return row; }},
     {"point", "d", "a point of its surface", real, 2,
@@ -139,7 +139,7 @@ constexpr Column kWallColumns[] = {
      [](const E& e, int row, int) { return static_cast<double>(wall(e, row).role); }},
 };
 
-constexpr Column kStateColumns[] = {
+constexpr DataColumn kStateColumns[] = {
     {"time", "sqrt(d/g)", "since the beginning", real, 1,
      [](const E& e, int, int) { return e.world.time; }},
     {"step", "1", "time steps since the beginning", integer, 1,
@@ -150,7 +150,7 @@ constexpr Column kStateColumns[] = {
      [](const E& e, int, int) { return e.world.box.sides == Sides::periodic ? 1.0 : 0.0; }},
 };
 
-constexpr Table kTables[] = {
+constexpr DataTable kTables[] = {
     {"disks", "grains and intruders", kDiskColumns, [](const E& e) { return e.world.disks.size(); },
      1, [](const E& e, int row, int) { return e.place(row); }},
     {"contacts", "pairs that touch, are bonded, or carried a force in the last step",
@@ -164,23 +164,23 @@ constexpr Table kTables[] = {
      [](const E& e, int row, int which) { return e.wall_end(row, which); }},
 };
 
-constexpr Table kStates{"states", "a row a state", kStateColumns, [](const E&) { return 1; },
-                        0,        nullptr};
+constexpr DataTable kStates{"states", "a row a state", kStateColumns, [](const E&) { return 1; },
+                            0,        nullptr};
 
 }  // namespace
 
-std::span<const Table> tables() { return kTables; }
+std::span<const DataTable> tables() { return kTables; }
 
-const Table& disk_table() { return kTables[0]; }
+const DataTable& disk_table() { return kTables[0]; }
 
-const Table& state_table() { return kStates; }
+const DataTable& state_table() { return kStates; }
 
-std::string component_name(const Column& column, int component) {
+std::string component_name(const DataColumn& column, int component) {
   const std::string name(column.name);
   return column.size == 1 ? name : name + (component == 0 ? "_x" : "_y");
 }
 
-void append_text(std::string& text, const Column& column, double value) {
+void append_text(std::string& text, const DataColumn& column, double value) {
   std::array<char, 32> digits{};
   char* const end = digits.data() + digits.size();
   const auto written = column.kind == integer
@@ -189,7 +189,7 @@ void append_text(std::string& text, const Column& column, double value) {
   text.append(digits.data(), written.ptr);
 }
 
-std::uint64_t word_of(const Column& column, double value) {
+std::uint64_t word_of(const DataColumn& column, double value) {
   return column.kind == integer ? static_cast<std::uint64_t>(static_cast<std::int64_t>(value))
                                 : std::bit_cast<std::uint64_t>(value);
 }

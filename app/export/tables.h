@@ -45,7 +45,7 @@ class ExportedWorld {
 };
 
 // A number, or a vector (x, y), of each row.
-struct Column {
+struct DataColumn {
   enum class Kind : std::uint8_t { real, integer };
 
   std::string_view name;
@@ -56,10 +56,10 @@ struct Column {
   double (*get)(const ExportedWorld& e, int row, int component);  // integers, too, below 2^53
 };
 
-struct Table {
+struct DataTable {
   std::string_view name;  // of its files, too
   std::string_view help;
-  std::span<const Column> columns;
+  std::span<const DataColumn> columns;
   int (*rows)(const ExportedWorld& e);
   int corners = 1;  // how a picture shows a row: 1 a point, 2 a line
   Vec2 (*corner)(const ExportedWorld& e, int row, int which);  // [d]
@@ -69,19 +69,19 @@ struct Table {
 inline constexpr std::string_view kPosition = "position";
 
 // The disks, the contacts, the walls.
-std::span<const Table> tables();
-const Table& disk_table();
+std::span<const DataTable> tables();
+const DataTable& disk_table();
 
 // What there is once in a state: its time, its box. Rows are no points of a picture.
-const Table& state_table();
+const DataTable& state_table();
 
 // "velocity_x" for a component of a vector, otherwise the column's name.
-std::string component_name(const Column& column, int component);
+std::string component_name(const DataColumn& column, int component);
 
 // Appends the shortest text that reads back as the same number.
-void append_text(std::string& text, const Column& column, double value);
+void append_text(std::string& text, const DataColumn& column, double value);
 
 // The eight bytes of a value as a number of its kind: a double or a 64-bit integer.
-std::uint64_t word_of(const Column& column, double value);
+std::uint64_t word_of(const DataColumn& column, double value);
 
 }  // namespace quicksand

@@ -14,9 +14,9 @@ namespace {
 
 // Writes <DataArray>; value(row, component) gives its words.
 template <class WordOf>
-void write_array(std::ostream& out, std::string_view name, Column::Kind kind, int rows, int size,
-                 const WordOf& value) {
-  out << "<DataArray type=\"" << (kind == Column::Kind::integer ? "Int64" : "Float64")
+void write_array(std::ostream& out, std::string_view name, DataColumn::Kind kind, int rows,
+                 int size, const WordOf& value) {
+  out << "<DataArray type=\"" << (kind == DataColumn::Kind::integer ? "Int64" : "Float64")
       << "\" Name=\"" << name << "\" NumberOfComponents=\"" << size << "\" format=\"binary\">";
   Base64 text(out);
   text.add(std::uint64_t{8} * static_cast<std::uint64_t>(rows) * static_cast<std::uint64_t>(size));
@@ -26,8 +26,8 @@ void write_array(std::ostream& out, std::string_view name, Column::Kind kind, in
   out << "</DataArray>\n";
 }
 
-void write_columns(std::ostream& out, const ExportedWorld& world, const Table& table) {
-  for (const Column& column : table.columns) {
+void write_columns(std::ostream& out, const ExportedWorld& world, const DataTable& table) {
+  for (const DataColumn& column : table.columns) {
     if (table.corners == 1 && column.name == kPosition) continue;  // they are the points
     const int size = column.size == 2 ? 3 : 1;
     write_array(out, column.name, column.kind, table.rows(world), size, [&](int row, int k) {
@@ -36,9 +36,9 @@ void write_columns(std::ostream& out, const ExportedWorld& world, const Table& t
   }
 }
 
-void write_points(std::ostream& out, const ExportedWorld& world, const Table& table) {
+void write_points(std::ostream& out, const ExportedWorld& world, const DataTable& table) {
   const int rows = table.rows(world) * table.corners;
-  write_array(out, "Points", Column::Kind::real, rows, 3, [&](int row, int k) {
+  write_array(out, "Points", DataColumn::Kind::real, rows, 3, [&](int row, int k) {
     if (k == 2) return std::uint64_t{0};
     return std::bit_cast<std::uint64_t>(
         table.corner(world, row / table.corners, row % table.corners)[k]);
@@ -47,16 +47,16 @@ void write_points(std::ostream& out, const ExportedWorld& world, const Table& ta
 
 // Each row is a cell of the points that are its own.
 void write_cells(std::ostream& out, int rows, int corners) {
-  write_array(out, "connectivity", Column::Kind::integer, rows * corners, 1,
+  write_array(out, "connectivity", DataColumn::Kind::integer, rows * corners, 1,
               [](int row, int) { return static_cast<std::uint64_t>(row); });
-  write_array(out, "offsets", Column::Kind::integer, rows, 1, [&](int row, int) {
+  write_array(out, "offsets", DataColumn::Kind::integer, rows, 1, [&](int row, int) {
     return static_cast<std::uint64_t>(row + 1) * static_cast<std::uint64_t>(corners);
   });
 }
 
 }  // namespace
 
-void write_vtk(std::ostream& out, const ExportedWorld& world, const Table& table) {
+void write_vtk(std::ostream& out, const ExportedWorld& world, const DataTable& table) {
   const int rows = table.rows(world);
   const bool points = table.corners == 1;
   out << "<?xml version=\"1.0\"?>\n"

@@ -17,17 +17,18 @@ std::string_view name_in_xyz(std::string_view name) {
   return name;
 }
 
-std::string properties(const Table& table) {
+std::string properties(const DataTable& table) {
   std::string text = "species:S:1";
-  for (const Column& column : table.columns) {
+  for (const DataColumn& column : table.columns) {
     text += ":" + std::string(name_in_xyz(column.name)) +
-            (column.kind == Column::Kind::integer ? ":I:" : ":R:") + (column.size == 2 ? "3" : "1");
+            (column.kind == DataColumn::Kind::integer ? ":I:" : ":R:") +
+            (column.size == 2 ? "3" : "1");
   }
   return text;
 }
 
 // The cell of the frame: what box and disks cover, 1 d deep.
-std::string description(const ExportedWorld& world, const Table& table) {
+std::string description(const ExportedWorld& world, const DataTable& table) {
   const Vec2 size = world.covered.high - world.covered.low;
   std::string text = "Lattice=\"" + number_text(size.x()) + " 0 0 0 " + number_text(size.y()) +
                      " 0 0 0 1\" Origin=\"" + number_text(world.covered.low.x()) + " " +
@@ -40,13 +41,13 @@ std::string description(const ExportedWorld& world, const Table& table) {
 
 }  // namespace
 
-void write_xyz(std::ostream& out, const ExportedWorld& world, const Table& table) {
+void write_xyz(std::ostream& out, const ExportedWorld& world, const DataTable& table) {
   const int rows = table.rows(world);
   out << rows << '\n' << description(world, table) << '\n';
   std::string line;
   for (int row = 0; row < rows; ++row) {
     line = world.world.disks.role[static_cast<std::size_t>(row)] == Role::intruder ? "I" : "Si";
-    for (const Column& column : table.columns) {
+    for (const DataColumn& column : table.columns) {
       for (int k = 0; k < column.size; ++k) {
         line += ' ';
         append_text(line, column, column.get(world, row, k));

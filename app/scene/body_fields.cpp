@@ -14,7 +14,7 @@ struct Repeat {
   Vec2 offset{1, 0};  // [d]
 };
 
-struct Entry {
+struct BodyEntry {
   Disk disk;
   Vec2 force{0, 0};   // [F_g]
   double torque = 0;  // [F_g d]
@@ -29,7 +29,7 @@ void describe_repeat(Fields& f, Repeat& repeat) {
            between(-kLongestOffset, kLongestOffset, "d"), repeat.offset);
 }
 
-void describe_entry(Fields& f, Entry& e) {
+void describe_entry(Fields& f, BodyEntry& e) {
   constexpr double kRadius = 0.5;
   f.vector({"position", "of the centre", Presence::required}, between(-1e7, 1e7, "d"),
            e.disk.position);
@@ -65,12 +65,12 @@ std::int64_t row_length(const std::vector<Disk>& disks, const std::vector<Vec3>&
 }
 
 // Rows are written as repeats, so that a scene of a million bodies stays a file that can be read.
-std::vector<Entry> entries_of(const std::vector<Disk>& disks, const std::vector<Vec3>& forces) {
+std::vector<BodyEntry> entries_of(const std::vector<Disk>& disks, const std::vector<Vec3>& forces) {
   constexpr std::int64_t kShortestRow = 3;
-  std::vector<Entry> entries;
+  std::vector<BodyEntry> entries;
   for (std::size_t i = 0; i < disks.size();) {
     const std::int64_t count = row_length(disks, forces, i);
-    Entry entry{disks[i], forces[i].head<2>(), forces[i].z(), std::nullopt};
+    BodyEntry entry{disks[i], forces[i].head<2>(), forces[i].z(), std::nullopt};
     if (count >= kShortestRow)
       entry.repeat = Repeat{count, disks[i + 1].position - disks[i].position};
     i += entry.repeat ? static_cast<std::size_t>(count) : 1;
@@ -84,13 +84,13 @@ std::vector<Entry> entries_of(const std::vector<Disk>& disks, const std::vector<
 void describe_bodies(Fields& f, std::vector<Disk>& disks, std::vector<Vec3>& forces) {
   std::vector<Vec3> all_forces = forces;
   all_forces.resize(disks.size(), Vec3(0, 0, 0));
-  std::vector<Entry> entries = entries_of(disks, all_forces);
+  std::vector<BodyEntry> entries = entries_of(disks, all_forces);
   f.list({"bodies", "listed bodies"}, static_cast<std::size_t>(kMaxBodies), entries,
          describe_entry);
   if (!f.reading()) return;
 
   std::int64_t total = 0;
-  for (const Entry& entry : entries) total += entry.repeat ? entry.repeat->count : 1;
+  for (const BodyEntry& entry : entries) total += entry.repeat ? entry.repeat->count : 1;
   if (total > kMaxBodies) {
     f.refuse("bodies", "are " + std::to_string(total) + " with their repeats, at most " +
                            std::to_string(kMaxBodies) + " are possible");
@@ -99,7 +99,7 @@ void describe_bodies(Fields& f, std::vector<Disk>& disks, std::vector<Vec3>& for
   forces.clear();
   disks.reserve(static_cast<std::size_t>(total));
   forces.reserve(static_cast<std::size_t>(total));
-  for (const Entry& entry : entries) {
+  for (const BodyEntry& entry : entries) {
     const Repeat repeat = entry.repeat.value_or(Repeat{});
     for (std::int64_t i = 0; i < repeat.count; ++i) {
       Disk disk = entry.disk;

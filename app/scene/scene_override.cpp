@@ -12,7 +12,7 @@ namespace quicksand {
 
 namespace {
 
-struct Part {
+struct PathPart {
   std::string name;       // of a key, or
   std::size_t index = 0;  // of a list entry if the name is empty
 };
@@ -28,8 +28,8 @@ std::size_t parse_index(std::string_view digits, const std::string& where) {
 }
 
 // name, or [index], each further name after a dot.
-std::vector<Part> parse_path(const std::string& path, const std::string& where) {
-  std::vector<Part> parts;
+std::vector<PathPart> parse_path(const std::string& path, const std::string& where) {
+  std::vector<PathPart> parts;
   std::size_t at = 0;
   while (at < path.size() || parts.empty()) {
     if (!parts.empty() && path[at] == '[') {
@@ -92,11 +92,11 @@ void apply_override(Json& scene, const Override& change) {
 }
 
 void set_value(Json& scene, const std::string& path, Json value, const std::string& where) {
-  const std::vector<Part> parts = parse_path(path, where);
+  const std::vector<PathPart> parts = parse_path(path, where);
   Json* place = &scene;
   std::string name = "the scene";
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const Part& part = parts[i];
+    const PathPart& part = parts[i];
     if (part.name.empty()) {
       place = &entry(*place, part.index, name, where);
       continue;
@@ -123,7 +123,7 @@ void set_value(Json& scene, const std::string& path, Json value, const std::stri
 
 Json value_at(const Json& scene, const std::string& path) {
   const Json* place = &scene;
-  for (const Part& part : parse_path(path, path)) {
+  for (const PathPart& part : parse_path(path, path)) {
     const bool listed = part.name.empty();
     if (listed ? !place->is_array() || part.index >= place->size()
                : !place->is_object() || !place->contains(part.name)) {

@@ -14,7 +14,7 @@ namespace quicksand {
 
 namespace {
 
-constexpr std::string_view kGroup = "Checks";
+constexpr std::string_view kCheckGroup = "Checks";
 
 struct Measure {
   std::string quantity;
@@ -131,18 +131,19 @@ struct ExpectImage {
 
 std::vector<SessionCommand> check_commands() {
   return {
-      define<Measure>({"measure", kGroup, "Tells quantities of the present moment.",
+      define<Measure>({"measure", kCheckGroup, "Tells quantities of the present moment.",
                        R"({"command": "measure", "quantity": "coordination"})"}),
-      define<Export>({"export", kGroup,
+      define<Export>({"export", kCheckGroup,
                       "Writes the present state for ParaView, OVITO, spreadsheets or NumPy.",
                       R"({"command": "export", "format": "vtk", "out": "half_way"})"}),
       define<ExpectQuantity>(
-          {"expect", kGroup, "Fails unless a quantity lies within bounds.",
+          {"expect", kCheckGroup, "Fails unless a quantity lies within bounds.",
            R"({"command": "expect", "quantity": "active_bond_fraction", "at_least": 0.9})"}),
-      define<ExpectHash>({"expect_hash", kGroup, "Fails unless the world is this one, bit by bit.",
+      define<ExpectHash>({"expect_hash", kCheckGroup,
+                          "Fails unless the world is this one, bit by bit.",
                           R"({"command": "expect_hash", "hash": "0123456789abcdef"})"}),
       define<ExpectImage>(
-          {"expect_image", kGroup,
+          {"expect_image", kCheckGroup,
            "Fails unless a picture looks like a reference; the differences are written beside it.",
            R"({"command": "expect_image", "image": "a.png", "reference": "reference/a.png"})"},
           false)};

@@ -8,7 +8,7 @@ namespace quicksand {
 
 namespace {
 
-constexpr std::string_view kGroup = "Phases";
+constexpr std::string_view kPhaseGroup = "Phases";
 
 // Stands for a scene where there is none yet: whatever depends on it is admissible.
 const Scenario& any_scene() {
@@ -55,27 +55,28 @@ struct Begin {
 std::vector<SessionCommand> phase_commands() {
   return {
       define<Begin<PushPhase>>(
-          {"push", kGroup,
+          {"push", kPhaseGroup,
            "Ends the present phase; with the next step an intruder is pushed into the packing.",
            R"({"command": "push", "force_over_cohesion": 1, "max_time": 2})"}),
       define<Begin<PullPhase>>(
-          {"pull", kGroup,
+          {"pull", kPhaseGroup,
            "Begins the search for the smallest upward force that takes the intruder out.",
            R"({"command": "pull", "first_force": 1000})"}),
       define<Begin<PistonPhase>>(
-          {"piston", kGroup, "Lays a piston on the packing and presses it down.",
+          {"piston", kPhaseGroup, "Lays a piston on the packing and presses it down.",
            R"({"command": "piston", "mass": 10, "force": 1e4, "max_time": 5})"}),
       define<Begin<ShearPhase>>(
-          {"shear", kGroup,
+          {"shear", kPhaseGroup,
            "Begins the search for the smallest horizontal forces that move grains.",
            R"({"command": "shear", "depths": [10], "first_force": 100, "grains_per_depth": 3})"}),
-      define<Begin<HealPhase>>({"heal", kGroup,
+      define<Begin<HealPhase>>({"heal", kPhaseGroup,
                                 "Restores bonds at existing contacts with the next step.",
                                 R"({"command": "heal"})"}),
-      define<Begin<SettlePhase>>({"settle", kGroup, "Nothing is added; ends at rest or at a time.",
+      define<Begin<SettlePhase>>({"settle", kPhaseGroup,
+                                  "Nothing is added; ends at rest or at a time.",
                                   R"({"command": "settle", "max_time": 3})"}),
-      define<Begin<DepositPhase>>(
-          {"deposit", kGroup, "Drops further grains.", R"({"command": "deposit", "grains": 50})"})};
+      define<Begin<DepositPhase>>({"deposit", kPhaseGroup, "Drops further grains.",
+                                   R"({"command": "deposit", "grains": 50})"})};
 }
 
 }  // namespace quicksand

@@ -14,8 +14,8 @@ namespace quicksand {
 
 namespace {
 
-constexpr std::string_view kGroup = "Pictures";
-constexpr std::string_view kThemes[] = {"light", "dark"};
+constexpr std::string_view kPictureGroup = "Pictures";
+constexpr std::string_view kThemeNames[] = {"light", "dark"};
 
 std::span<const std::string_view> colouring_names() {
   static const std::vector<std::string_view> names = [] {
@@ -42,7 +42,7 @@ struct ViewCommand {
   void seed(const Console& console) { view = console.session().view; }
   void describe(Fields& f) {
     f.choice({"colour", "what the grains' colours show"}, colouring_names(), view.colouring);
-    f.choice({"theme", "of pictures and panel"}, kThemes, view.theme);
+    f.choice({"theme", "of pictures and panel"}, kThemeNames, view.theme);
     f.flag({"bonds", "lines along the active bonds"}, view.bonds);
     f.flag({"forces", "lines along the contacts, as wide as their normal force"}, view.forces);
     f.flag({"broken_bonds", "bars across the bonds that broke"}, view.broken_bonds);
@@ -227,17 +227,18 @@ struct Record {
 
 std::vector<SessionCommand> picture_commands() {
   return {
-      define<ViewCommand>({"view", kGroup, "Changes how the packing is drawn.",
+      define<ViewCommand>({"view", kPictureGroup, "Changes how the packing is drawn.",
                            R"({"command": "view", "colour": "pressure", "theme": "dark"})"},
                           false),
-      define<CameraCommand>({"camera", kGroup, "Chooses what part of the world is shown.",
+      define<CameraCommand>({"camera", kPictureGroup, "Chooses what part of the world is shown.",
                              R"({"command": "camera", "follow": "intruder", "zoom": 3})"}),
-      define<Pick>({"pick", kGroup, "Chooses the body that the panel inspects, and tells about it.",
+      define<Pick>({"pick", kPictureGroup,
+                    "Chooses the body that the panel inspects, and tells about it.",
                     R"({"command": "pick", "at": [15, 10]})"}),
-      define<Snapshot>({"snapshot", kGroup, "Writes a picture.",
+      define<Snapshot>({"snapshot", kPictureGroup, "Writes a picture.",
                         R"({"command": "snapshot", "file": "half_way.png"})"},
                        false),
-      define<Record>({"record", kGroup, "Begins or ends writing frames and series.csv.",
+      define<Record>({"record", kPictureGroup, "Begins or ends writing frames and series.csv.",
                       R"({"command": "record", "on": true, "folder": "film", "every": 0.02})"})};
 }
 

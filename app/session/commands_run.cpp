@@ -8,7 +8,7 @@ namespace quicksand {
 
 namespace {
 
-constexpr std::string_view kGroup = "Run";
+constexpr std::string_view kRunGroup = "Run";
 constexpr std::int64_t kMostSteps = 1'000'000'000'000;
 
 // Throws if the simulation stopped because a step failed.
@@ -18,7 +18,7 @@ void require_success(const Session& session) {
                        session.protocol().failure());
 }
 
-struct Run {
+struct RunCommand {
   std::int64_t steps = 0;
   std::optional<double> time;
   bool phase_end = false;
@@ -105,22 +105,22 @@ struct Apply {
 }  // namespace
 
 std::vector<SessionCommand> run_commands() {
-  return {
-      define<Run>({"run", kGroup,
-                   "Computes until the first of its ends; without any, to the end of the scene.",
-                   R"({"command": "run", "time": 0.5})"}),
-      define<Start>(
-          {"start", kGroup, "Lets every frame of the panel compute.", R"({"command": "start"})"}),
-      define<Pace>(
-          {"pace", kGroup, "Sets how many steps a frame of the panel computes after start.",
-           R"({"command": "pace", "steps_per_frame": 10})"},
-          false),
-      define<Pause>({"pause", kGroup, "Ends what start began.", R"({"command": "pause"})"}),
-      define<Apply>(
-          {"apply", kGroup,
-           "Lets a force act on the centre of a body from now on, instead of the one that "
-           "acted, besides its weight.",
-           R"({"command": "apply", "body": 12, "force": [100, 0]})"})};
+  return {define<RunCommand>(
+              {"run", kRunGroup,
+               "Computes until the first of its ends; without any, to the end of the scene.",
+               R"({"command": "run", "time": 0.5})"}),
+          define<Start>({"start", kRunGroup, "Lets every frame of the panel compute.",
+                         R"({"command": "start"})"}),
+          define<Pace>(
+              {"pace", kRunGroup, "Sets how many steps a frame of the panel computes after start.",
+               R"({"command": "pace", "steps_per_frame": 10})"},
+              false),
+          define<Pause>({"pause", kRunGroup, "Ends what start began.", R"({"command": "pause"})"}),
+          define<Apply>(
+              {"apply", kRunGroup,
+               "Lets a force act on the centre of a body from now on, instead of the one that "
+               "acted, besides its weight.",
+               R"({"command": "apply", "body": 12, "force": [100, 0]})"})};
 }
 
 }  // namespace quicksand

@@ -11,7 +11,7 @@ namespace quicksand {
 
 namespace {
 
-constexpr std::string_view kGroup = "Scene";
+constexpr std::string_view kSceneGroup = "Scene";
 
 constexpr Shape kAnything{"a value", [](const Json&) { return true; },
                           [] { return Json::object(); }};
@@ -116,21 +116,21 @@ struct Restore {
 }  // namespace
 
 std::vector<SessionCommand> scene_commands() {
-  return {
-      define<Load>({"load", kGroup, "Starts a scene. The commands that follow act on it.",
-                    R"({"command": "load", "scene": "collapse", "set": {"box.width": 20}})"},
-                   false),
-      define<Set>({"set", kGroup,
-                   "Changes a value of the scene. Laws, gravity, drag, step, solver and phases "
-                   "change in the present run; box, bodies and seed from the next reset on.",
-                   R"({"command": "set", "path": "contact.cohesion_force", "value": 1e3})"}),
-      define<Reset>({"reset", kGroup, "Starts the scene again, with all its changes.",
-                     R"({"command": "reset"})"}),
-      define<Save>({"save", kGroup, "Writes the present state.",
-                    R"({"command": "save", "file": "before.cbor"})"}),
-      define<Restore>({"restore", kGroup, "Goes back to a state that was saved, with its scene.",
-                       R"({"command": "restore", "file": "before.cbor"})"},
-                      false)};
+  return {define<Load>({"load", kSceneGroup, "Starts a scene. The commands that follow act on it.",
+                        R"({"command": "load", "scene": "collapse", "set": {"box.width": 20}})"},
+                       false),
+          define<Set>({"set", kSceneGroup,
+                       "Changes a value of the scene. Laws, gravity, drag, step, solver and phases "
+                       "change in the present run; box, bodies and seed from the next reset on.",
+                       R"({"command": "set", "path": "contact.cohesion_force", "value": 1e3})"}),
+          define<Reset>({"reset", kSceneGroup, "Starts the scene again, with all its changes.",
+                         R"({"command": "reset"})"}),
+          define<Save>({"save", kSceneGroup, "Writes the present state.",
+                        R"({"command": "save", "file": "before.cbor"})"}),
+          define<Restore>(
+              {"restore", kSceneGroup, "Goes back to a state that was saved, with its scene.",
+               R"({"command": "restore", "file": "before.cbor"})"},
+              false)};
 }
 
 }  // namespace quicksand

@@ -5,7 +5,7 @@ namespace quicksand {
 
 namespace {
 
-constexpr std::string_view kGroup = "Session";
+constexpr std::string_view kSessionGroup = "Session";
 
 struct Print {
   std::string text;
@@ -38,13 +38,14 @@ struct Quit {
 }  // namespace
 
 std::vector<SessionCommand> session_commands_proper() {
-  return {define<Print>({"print", kGroup, "Says something in the course of the session.",
-                         R"({"command": "print", "text": "the packing stands"})"},
-                        false),
-          define<Include>({"include", kGroup, "Performs the commands of another file.",
-                           R"({"command": "include", "file": "prepare.json"})"},
-                          false),
-          define<Quit>({"quit", kGroup, "Ends the session.", R"({"command": "quit"})"}, false)};
+  return {
+      define<Print>({"print", kSessionGroup, "Says something in the course of the session.",
+                     R"({"command": "print", "text": "the packing stands"})"},
+                    false),
+      define<Include>({"include", kSessionGroup, "Performs the commands of another file.",
+                       R"({"command": "include", "file": "prepare.json"})"},
+                      false),
+      define<Quit>({"quit", kSessionGroup, "Ends the session.", R"({"command": "quit"})"}, false)};
 }
 
 }  // namespace quicksand

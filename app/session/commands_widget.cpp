@@ -9,7 +9,7 @@ namespace quicksand {
 
 namespace {
 
-constexpr std::string_view kGroup = "Panel";
+constexpr std::string_view kWidgetGroup = "Panel";
 constexpr double kLargest = kLargestPicture;
 
 Json given(const std::vector<Json>& commands) { return {{"gave", commands}}; }
@@ -161,27 +161,29 @@ struct Widgets {
 std::vector<SessionCommand> widget_commands() {
   return {
       define<Click>(
-          {"click", kGroup, "Clicks a widget, or a place of the picture, as the mouse does.",
+          {"click", kWidgetGroup, "Clicks a widget, or a place of the picture, as the mouse does.",
            R"({"command": "click", "at": "Controls/Step"})"},
           false),
-      define<SetWidget>({"set_widget", kGroup, "Gives a widget a value by clicking and typing.",
-                         R"({"command": "set_widget", "widget": "View/bonds", "value": true})"},
-                        false),
-      define<DragMouse>({"drag", kGroup, "Presses the mouse button, moves, and releases it.",
+      define<SetWidget>(
+          {"set_widget", kWidgetGroup, "Gives a widget a value by clicking and typing.",
+           R"({"command": "set_widget", "widget": "View/bonds", "value": true})"},
+          false),
+      define<DragMouse>({"drag", kWidgetGroup, "Presses the mouse button, moves, and releases it.",
                          R"({"command": "drag", "from": [800, 300], "to": [850, 300]})"},
                         false),
-      define<Wheel>({"wheel", kGroup, "Turns the mouse wheel.",
+      define<Wheel>({"wheel", kWidgetGroup, "Turns the mouse wheel.",
                      R"({"command": "wheel", "at": [800, 300], "notches": 2})"},
                     false),
-      define<Hover>({"hover", kGroup, "Leaves the mouse on a widget, so that its tooltip shows.",
-                     R"({"command": "hover", "widget": "Controls/Reset"})"},
-                    false),
-      define<PressKey>({"key", kGroup, "Presses a key.", R"({"command": "key", "key": "space"})"},
-                       false),
-      define<Frames>({"frames", kGroup, "Lets the panel live for some frames.",
+      define<Hover>(
+          {"hover", kWidgetGroup, "Leaves the mouse on a widget, so that its tooltip shows.",
+           R"({"command": "hover", "widget": "Controls/Reset"})"},
+          false),
+      define<PressKey>(
+          {"key", kWidgetGroup, "Presses a key.", R"({"command": "key", "key": "space"})"}, false),
+      define<Frames>({"frames", kWidgetGroup, "Lets the panel live for some frames.",
                       R"({"command": "frames", "count": 10})"},
                      false),
-      define<Widgets>({"widgets", kGroup,
+      define<Widgets>({"widgets", kWidgetGroup,
                        "Tells the widgets of the panel, with their values and rectangles (x, y, "
                        "width, height [px]).",
                        R"({"command": "widgets"})"},

@@ -45,7 +45,7 @@ TEST(Benchmark, CantileverLeavesATidyTable) {
 }
 
 // At the default tolerance some are not: that is for the report to say.
-TEST(Benchmark, HardCasesAreRightWhereTheToleranceIsTight) {
+TEST(Benchmark, SlowHardCasesAreRightWhereTheToleranceIsTight) {
   const TemporaryFolder folder;
   run_bench({"hard", "--quick", "--out", "results"}, folder.path());
   int tight = 0;

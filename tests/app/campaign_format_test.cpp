@@ -16,14 +16,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const kScene = R"({
+const char* const kCampaignFormatScene = R"({
   "gravity": {}, "box": {"width": 10, "height": 10}, "seed": 4,
   "contact": {"friction": 0.3, "cohesion_force": 100},
   "phases": [{"type": "deposit", "grains": 5},
              {"type": "push", "force_over_cohesion": 1, "max_time": 1}]
 })";
 
-const char* const kCampaign = R"({
+const char* const kCampaignFormatCampaign = R"({
   "scene": "scenes/base.json",
   "set": {"phases[0].grains": 7},
   "grid": {"contact.friction": [0.3, 0.6], "phases[1].force_over_cohesion": [0.33, 1, 3]},
@@ -33,9 +33,9 @@ const char* const kCampaign = R"({
 // A campaign file in a folder with its scene.
 class CampaignFile {
  public:
-  explicit CampaignFile(const std::string& text = kCampaign) {
+  explicit CampaignFile(const std::string& text = kCampaignFormatCampaign) {
     fs::create_directory(folder_.path() / "scenes");
-    folder_.write("scenes/base.json", kScene);
+    folder_.write("scenes/base.json", kCampaignFormatScene);
     file_ = folder_.write("force.json", text);
   }
   const fs::path& path() const { return file_; }
@@ -84,7 +84,8 @@ TEST(CampaignFormat, AListIsMultipliedWithTheGridAndShowsEveryParameter) {
 }
 
 TEST(CampaignFormat, TheSceneMayStandInTheCampaign) {
-  const CampaignFile file(std::string(R"({"scene": )") + kScene + R"(, "realizations": 3})");
+  const CampaignFile file(std::string(R"({"scene": )") + kCampaignFormatScene +
+                          R"(, "realizations": 3})");
   const std::vector<Job> jobs = file.jobs();
   ASSERT_EQ(jobs.size(), 3U);
   EXPECT_EQ(jobs[2].scenario.seed, 6U);
@@ -135,7 +136,7 @@ void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.change
 class CampaignMistake : public testing::TestWithParam<Mistake> {};
 
 TEST_P(CampaignMistake, IsRefusedWithFilePlaceRunAndRange) {
-  Json json = parse_json(kCampaign);
+  Json json = parse_json(kCampaignFormatCampaign);
   json.merge_patch(parse_json(GetParam().change));
   const CampaignFile file(json.dump());
   try {

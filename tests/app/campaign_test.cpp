@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Twenty grains fall into a narrow box and stick; then they are watched.
-const char* const kScene = R"({
+const char* const kCampaignScene = R"({
   "name": "small", "seed": 5, "gravity": {},
   "box": {"width": 6, "height": 8},
   "contact": {"friction": 0.3, "rolling_friction": 0.1, "cohesion_force": 100},
@@ -45,7 +45,7 @@ const char* const kFailing = R"({
 class CampaignTest : public ProgramFixture {
  protected:
   void SetUp() override {
-    folder_.write("small.json", kScene);
+    folder_.write("small.json", kCampaignScene);
     folder_.write("many.json", kCampaign);
   }
   Json summary(const std::string& run) const {
@@ -134,7 +134,7 @@ TEST_F(CampaignTest, AMistakeIsRefusedBeforeAnythingRuns) {
   EXPECT_FALSE(fs::exists(at("out")));
 }
 
-TEST_F(CampaignTest, AfterAKillFinishedRunsAreNotRepeated) {
+TEST_F(CampaignTest, SlowAfterAKillFinishedRunsAreNotRepeated) {
   write_long();
   ASSERT_EQ(quicksand({"campaign", "many.json", "--out", "whole"}).exit_code, 0);
   Program program({"campaign", "many.json", "--threads", "1"}, folder_.path());
@@ -169,7 +169,7 @@ TEST_F(CampaignTest, RunsOfAnEarlierFormatAreComputedAgain) {
   EXPECT_EQ(contents(at(state)), before);
 }
 
-TEST_F(CampaignTest, InterruptedRunsGoOnFromTheirStates) {
+TEST_F(CampaignTest, SlowInterruptedRunsGoOnFromTheirStates) {
   write_long();
   ASSERT_EQ(quicksand({"campaign", "many.json", "--out", "whole"}).exit_code, 0);
   Program program({"campaign", "many.json", "--threads", "2"}, folder_.path());

@@ -192,9 +192,9 @@ TEST_F(ExportTest, NpyFilesAreAMagicTextAHeaderAndTheRows) {
 TEST_F(ExportTest, VtkFilesNameEveryColumnOnceAndTheirTime) {
   run_scene();
   export_as("vtk", "vtk");
-  for (const Table& table : tables()) {
+  for (const DataTable& table : tables()) {
     const std::string text = contents(at("vtk/" + std::string(table.name) + ".vtp"));
-    for (const Column& column : table.columns) {
+    for (const DataColumn& column : table.columns) {
       if (table.corners == 1 && column.name == kPosition) continue;
       const std::string name = "Name=\"" + std::string(column.name) + "\"";
       EXPECT_NE(text.find(name), std::string::npos) << name;
@@ -284,8 +284,8 @@ TEST_F(ExportTest, RefusesWhatItCannotExport) {
 TEST_F(ExportTest, EveryColumnIsListedWithItsUnitAndMeaning) {
   const Outcome listed = quicksand({"list", "columns"});
   EXPECT_EQ(listed.exit_code, 0);
-  for (const Table& table : tables()) {
-    for (const Column& column : table.columns) {
+  for (const DataTable& table : tables()) {
+    for (const DataColumn& column : table.columns) {
       EXPECT_FALSE(column.unit.empty()) << column.name;
       EXPECT_FALSE(column.help.empty()) << column.name;
       EXPECT_NE(listed.out.find("  " + std::string(column.name) + " "), std::string::npos);

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Twenty grains fall into a narrow box, stick, and are pressed.
-const char* const kScene = R"({
+const char* const kProgramScene = R"({
   "name": "small", "seed": 5, "gravity": {},
   "box": {"width": 6, "height": 8},
   "contact": {"friction": 0.3, "rolling_friction": 0.1, "cohesion_force": 100},
@@ -31,7 +31,7 @@ const char* const kScene = R"({
 
 class ProgramTest : public ProgramFixture {
  protected:
-  void write_scene() const { folder_.write("small.json", kScene); }
+  void write_scene() const { folder_.write("small.json", kProgramScene); }
 };
 
 int rows(const std::string& csv) {
@@ -215,7 +215,7 @@ TEST_F(ProgramTest, UnusableOutputFoldersAreRefusedBeforeAnythingIsComputed) {
     EXPECT_EQ(run.exit_code, 2) << out;
     EXPECT_NE(run.err.find(out), std::string::npos) << run.err;
   }
-  EXPECT_EQ(contents(at("small.json")), kScene);
+  EXPECT_EQ(contents(at("small.json")), kProgramScene);
 }
 
 TEST_F(ProgramTest, DamagedCheckpointsAreRefused) {

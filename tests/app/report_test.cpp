@@ -12,10 +12,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string kHostile = "<script>\"x\"_{}|`*[a](b)&\n# x";
+const std::string kReportHostile = "<script>\"x\"_{}|`*[a](b)&\n# x";
 
 Plot line_plot(const std::string& name) {
-  Plot plot{.name = name, .title = kHostile, .x = {.label = "x"}, .y = {.label = "y"}};
+  Plot plot{.name = name, .title = kReportHostile, .x = {.label = "x"}, .y = {.label = "y"}};
   plot.curves.push_back({.name = "a", .kind = Curve::Kind::line, .x = {0, 1}, .y = {1, 2}});
   return plot;
 }
@@ -26,18 +26,20 @@ class ReportTest : public testing::Test {
   Report report() const {
     const fs::path picture = folder_.path() / "a picture.png";
     write_png(picture, Image(4, 3));
-    Report all{.title = kHostile, .intro = {kHostile}, .provenance = {{kHostile, kHostile}}};
+    Report all{.title = kReportHostile,
+               .intro = {kReportHostile},
+               .provenance = {{kReportHostile, kReportHostile}}};
     all.sections.push_back(
-        {.title = kHostile,
-         .blocks = {Paragraph{kHostile}, Remark{Remark::Kind::warning, kHostile},
-                    BulletList{{kHostile}}, Verbatim{"```\nx < y"},
-                    Table{kHostile,
-                          {{kHostile}, {"verdict"}},
-                          {{{kHostile}, {"inside", Cell::Mark::inside}},
-                           {{kHostile}, {"outside", Cell::Mark::outside}},
-                           {{kHostile}, {"not measured", Cell::Mark::undecided}}}},
-                    Figure{line_plot("line"), kHostile},
-                    Gallery{{{picture, kHostile}}, kHostile}}});
+        {.title = kReportHostile,
+         .blocks = {Paragraph{kReportHostile}, Remark{Remark::Kind::warning, kReportHostile},
+                    BulletList{{kReportHostile}}, Verbatim{"```\nx < y"},
+                    Table{kReportHostile,
+                          {{kReportHostile}, {"verdict"}},
+                          {{{kReportHostile}, {"inside", Cell::Mark::inside}},
+                           {{kReportHostile}, {"outside", Cell::Mark::outside}},
+                           {{kReportHostile}, {"not measured", Cell::Mark::undecided}}}},
+                    Figure{line_plot("line"), kReportHostile},
+                    Gallery{{{picture, kReportHostile}}, kReportHostile}}});
     return all;
   }
   std::string file(const std::string& name) const { return contents(folder_.path() / name); }

@@ -114,7 +114,7 @@ TEST_F(Reproduce, ATooSmallBoxIsRefused) {
   EXPECT_NE(outcome.err.find("from 12 to 1000"), std::string::npos) << outcome.err;
 }
 
-TEST_F(Reproduce, ReportsOnWhatRanAndRepeatsNothing) {
+TEST_F(Reproduce, SlowReportsOnWhatRanAndRepeatsNothing) {
   const std::string out = (folder_.path() / "paper").string();
   const std::vector<std::string> words{"piston", "--quick",        "--width", "12",      "--height",
                                        "20",     "--realizations", "1",       "--quiet", "--out",

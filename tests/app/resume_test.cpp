@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const kScene = R"({
+const char* const kResumeScene = R"({
   "name": "small", "seed": 5, "gravity": {},
   "box": {"width": 8, "height": 10},
   "contact": {"friction": 0.3, "rolling_friction": 0.1, "cohesion_force": 100},
@@ -51,7 +51,7 @@ std::map<std::string, std::string> files_of(const fs::path& folder) {
 
 class ResumeTest : public ProgramFixture {
  protected:
-  ResumeTest() { folder_.write("small.json", kScene); }
+  ResumeTest() { folder_.write("small.json", kResumeScene); }
 
   static std::vector<std::string> run_into(const std::string& folder) {
     return {"run",  "small.json", "--size",   "160x120", "--theme",

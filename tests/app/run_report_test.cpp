@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const kScene = R"({
+const char* const kRunReportScene = R"({
   "name": "small", "description": "Twenty <grains> are pressed.", "seed": 5, "gravity": {},
   "box": {"width": 6, "height": 8},
   "contact": {"friction": 0.3, "rolling_friction": 0.1, "cohesion_force": 100},
@@ -29,7 +29,7 @@ const char* const kScene = R"({
 class RunReportTest : public testing::Test {
  protected:
   void SetUp() override {
-    folder_.write("small.json", kScene);
+    folder_.write("small.json", kRunReportScene);
     run({"--size", "80x64", "--out", "soft"});
   }
   void run_hard() const { run({"--no-frames", "--out", "hard", "--set", "phases[1].force=900"}); }

@@ -13,7 +13,7 @@ namespace {
 
 using ::testing::TestWithParam;
 
-const char* const kScene = R"({
+const char* const kSceneReadingScene = R"({
   "gravity": {},
   "box": {"width": 10, "height": 10},
   "contact": {"friction": 0.3, "cohesion_force": 100},
@@ -36,7 +36,7 @@ std::string refusal(const std::string& text, const std::vector<std::string>& ove
   }
 }
 
-TEST(SceneReading, APlainSceneIsRead) { EXPECT_EQ(refusal(kScene), ""); }
+TEST(SceneReading, APlainSceneIsRead) { EXPECT_EQ(refusal(kSceneReadingScene), ""); }
 
 struct Mistake {
   const char* name;
@@ -50,7 +50,7 @@ void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.change
 class SceneMistake : public TestWithParam<Mistake> {};
 
 TEST_P(SceneMistake, IsRefusedWithPlaceRangeAndNearestName) {
-  const std::string message = refusal(kScene, {GetParam().change});
+  const std::string message = refusal(kSceneReadingScene, {GetParam().change});
   ASSERT_NE(message, "") << GetParam().change << " was accepted";
   for (const char* part : GetParam().answer) {
     EXPECT_NE(message.find(part), std::string::npos) << message << "\n  lacks: " << part;

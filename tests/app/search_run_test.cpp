@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Two disks side by side on the floor roll at a tenth of their weight; the intruder lies free.
-const char* const kScene = R"({
+const char* const kSearchRunScene = R"({
   "name": "searches", "seed": 2, "gravity": {},
   "box": {"width": 20, "height": 8},
   "contact": {"friction": 0.3, "rolling_friction": 0.1},
@@ -46,7 +46,7 @@ class SearchRun : public testing::Test {
 };
 
 TEST_F(SearchRun, LeavesTheCriticalForcesAsTableAndInTheSummary) {
-  const Outcome outcome = run(kScene);
+  const Outcome outcome = run(kSearchRunScene);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const std::string table = text("critical_forces.csv");
   EXPECT_TRUE(
@@ -88,7 +88,7 @@ TEST_F(SearchRun, LeavesTheSequenceOfAnAdiabaticDeposit) {
 }
 
 TEST_F(SearchRun, RemovesTheTablesOfAnEarlierRun) {
-  ASSERT_EQ(run(kScene).exit_code, 0);
+  ASSERT_EQ(run(kSearchRunScene).exit_code, 0);
   ASSERT_EQ(run(kAdiabatic).exit_code, 0);
   EXPECT_FALSE(has("critical_forces.csv"));
   EXPECT_TRUE(has("adiabatic.csv"));

@@ -83,7 +83,7 @@ double error(const ContactProblem& problem, double stiffest, Random& random,
   const std::size_t nc = problem.contacts.size();
   const std::vector<Mat3> stiffness = random_stiffness(nc, stiffest, random);
   std::vector<Vec3> impulse(nc), found;
-  for (Vec3& p : impulse) p = Vec3(random.uniform(), random.uniform(), random.uniform());
+  for (Vec3& p : impulse) p = Vec3{random.uniform(), random.uniform(), random.uniform()};
   matrix.attach(problem);
   matrix.factorise(stiffness);
   matrix.velocity_change(impulse, found);

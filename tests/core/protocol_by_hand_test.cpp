@@ -3,6 +3,7 @@
 
 #include "core/protocols.h"
 #include "tests/support/core/scenes.h"
+#include "tests/support/core/simulation.h"
 
 namespace quicksand {
 namespace {
@@ -21,10 +22,6 @@ Phase phase_of(decltype(Phase::kind) kind) {
 
 const Phase kDeposit = phase_of(DepositPhase{.grains = 12, .interval = 0.02});
 const Phase kSettle = phase_of(SettlePhase{.max_time = 5, .until_rest = false});
-
-void finish_phase(Protocol& protocol) {
-  while (protocol.advance() == Progress::running) continue;
-}
 
 TEST(PhaseByHand, EndsThePresentOneAndComesBeforeThoseThatFollow) {
   const Scenario scene = scene_of({kDeposit, kSettle, kSettle});

@@ -8,6 +8,7 @@
 #include "core/measures.h"
 #include "tests/support/core/methods.h"
 #include "tests/support/core/scenes.h"
+#include "tests/support/core/simulation.h"
 #include "tests/support/core/tolerance.h"
 
 namespace quicksand {
@@ -20,14 +21,6 @@ Scenario with_phases(Method method, std::vector<Phase> phases) {
   scene.solver.max_iterations = 5000;
   scene.phases = std::move(phases);
   return scene;
-}
-
-// Runs to the end of the present phase.
-Progress finish_phase(Protocol& protocol) {
-  for (;;) {
-    const Progress progress = protocol.advance();
-    if (progress != Progress::running) return progress;
-  }
 }
 
 struct Finished {

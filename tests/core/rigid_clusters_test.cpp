@@ -18,14 +18,14 @@ struct Clustered {
     const auto between = [&](double a, double b) { return a + (b - a) * random.uniform(); };
     for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
       frozen.push_back(random.uniform() < 0.5 ? 1 : 0);
-      impulse.emplace_back(between(0, 1), between(-1, 1), between(-1, 1));
+      impulse.push_back(Vec3{between(0, 1), between(-1, 1), between(-1, 1)});
     }
     clusters.join(problem, frozen);
     clusters.weigh(problem, impulse);
     for (int k = 0; k < clusters.size(); ++k)
       of_cluster.push_back(clusters.inverse_mass(k).isZero(0)
                                ? clusters.free_velocity(k)
-                               : Vec3(between(-1, 1), between(-1, 1), between(-1, 1)));
+                               : Vec3{between(-1, 1), between(-1, 1), between(-1, 1)});
     clusters.spread(of_cluster, velocity);
   }
   Vec3 relative(const ContactRow& row) const {

@@ -111,7 +111,7 @@ TEST_P(Solver, AWarmStartGivesTheSameVelocities) {
     ContactState state = zero_state(problem);
     // Wrong on purpose, even outside the cones.
     for (Vec3& p : state.impulse)
-      p = Vec3(random.uniform(), random.uniform() - 0.5, random.uniform() - 0.5);
+      p = Vec3{random.uniform(), random.uniform() - 0.5, random.uniform() - 0.5};
     EXPECT_TRUE(solve(problem, tight(GetParam()), state).converged);
     EXPECT_LE(distance_to_nearest(reference.solutions, state.velocity), tolerance::solved());
   }

@@ -11,8 +11,6 @@
 namespace quicksand {
 namespace {
 
-constexpr double kRange = 5e-5;  // d_c
-
 QUICKSAND_PER_SOLVER(BondedPair);
 QUICKSAND_PER_SOLVER(Chain);
 QUICKSAND_PER_SOLVER(Cantilever);

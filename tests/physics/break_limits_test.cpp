@@ -10,7 +10,6 @@
 namespace quicksand {
 namespace {
 
-constexpr double kRange = 5e-5;  // d_c
 constexpr double kCohesion = 1e4;
 
 QUICKSAND_PER_GLOBAL_SOLVER(SpinLimit);

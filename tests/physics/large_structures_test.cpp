@@ -9,8 +9,6 @@
 namespace quicksand {
 namespace {
 
-constexpr double kRange = 5e-5;  // d_c
-
 QUICKSAND_PER_GLOBAL_SOLVER(LongChain);
 QUICKSAND_PER_GLOBAL_SOLVER(LongCantilever);
 QUICKSAND_PER_GLOBAL_SOLVER(TallColumn);

@@ -13,13 +13,13 @@ namespace quicksand {
 namespace {
 
 constexpr int kGrains = 330, kFewGrains = 100;
-constexpr double kCohesion = 1e4;
+constexpr double kPaperCohesion = 1e4;
 
 Scenario paper_scene() {
   Scenario scene;
   scene.gravity = Vec2(0, -1);
   scene.box = {.width = 20, .height = 60, .sides = Sides::periodic, .floor = true};
-  scene.grain_law = paper_law(kCohesion);
+  scene.grain_law = paper_law(kPaperCohesion);
   return scene;
 }
 
@@ -74,7 +74,7 @@ TEST(ThousandSteps, OfRestConverge) {
 }
 
 TEST(ThousandSteps, SlowOfAPushConverge) {
-  Sequence run(with_phase({PushPhase{.force = kCohesion}, 1e-3}), deposit(kGrains, 20), 1000);
+  Sequence run(with_phase({PushPhase{.force = kPaperCohesion}, 1e-3}), deposit(kGrains, 20), 1000);
   run.expect_sound(1000);
   EXPECT_GT(run.protocol.world().bonds.broken, 100) << "the intruder ploughs";
 }
@@ -86,7 +86,7 @@ void collapse_under_a_piston(int grains, double width) {
   world.walls.push_back({.point = {0, top},
                          .normal = {0, -1},
                          .mass = 10 * width,
-                         .force = 0.6 * kCohesion * width,
+                         .force = 0.6 * kPaperCohesion * width,
                          .role = WallRole::piston});
   world.bonding = false;
   world.bonds.mark_initial();

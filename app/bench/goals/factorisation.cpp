@@ -57,7 +57,7 @@ Outcome factorisation(const Options& options) {
   std::vector<Vec3> impulse;
   for (Mat3& d : stiffness) {
     for (int k = 0; k < 3; ++k) d(k, k) = std::pow(1e6, random.uniform());
-    impulse.emplace_back(random.uniform(), random.uniform(), random.uniform());
+    impulse.push_back(Vec3{random.uniform(), random.uniform(), random.uniform()});
   }
   const Sparse matrix = assembled(problem, stiffness);
   Eigen::VectorXd momentum = Eigen::VectorXd::Zero(matrix.rows());

@@ -20,7 +20,7 @@ ContactProblem random_problem(const ProblemShape& shape, Random& random) {
     radius.push_back(r);
     problem.inverse_mass.push_back(fixed ? Vec3(0, 0, 0) : Vec3(1 / m, 1 / m, 1 / inertia));
     problem.free_velocity.push_back(fixed ? Vec3(0, 0, 0)
-                                          : Vec3(between(-1, 1), between(-1, 1), between(-1, 1)));
+                                          : Vec3{between(-1, 1), between(-1, 1), between(-1, 1)});
   }
   problem.force_scale = 1 / problem.dt;  // impulses are of order 1
   for (int c = 0; c < shape.contacts; ++c) {

@@ -6,6 +6,8 @@
 
 namespace quicksand {
 
+inline constexpr double kRange = 5e-5;  // how far the bonds of paper_law reach: d_c [d]
+
 // Nothing in it: no gravity, no walls, no friction.
 Scenario empty_scene(Method method);
 // Friction 0.3 and rolling friction 0.1, the paper's, and bonds if a cohesion is given.

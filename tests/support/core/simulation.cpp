@@ -27,6 +27,13 @@ Vec2 contact_force(const World& world, Pair pair) {
   return {0, 0};
 }
 
+Progress finish_phase(Protocol& protocol) {
+  for (;;) {
+    const Progress progress = protocol.advance();
+    if (progress != Progress::running) return progress;
+  }
+}
+
 Vec2 contact_force_on(const World& world, int body) {
   Vec2 sum(0, 0);
   for (const Contact& contact : world.contacts) {

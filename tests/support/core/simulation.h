@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "core/protocols.h"
 #include "core/step.h"
 #include "core/world.h"
 
@@ -27,6 +28,9 @@ class Simulation {
  private:
   std::unique_ptr<Stepper> stepper_ = std::make_unique<Stepper>();  // so that it can be moved
 };
+
+// Runs to the end of the present phase; says how it ended.
+Progress finish_phase(Protocol& protocol);
 
 // Sum of the contact forces that act on a body in the last step [F_g].
 Vec2 contact_force_on(const World& world, int body);
