@@ -62,7 +62,7 @@ namespace {
 std::vector<double> ticks_that_fit(const Range& range, double width, const Font& font) {
   constexpr int kMost = 5, kLeast = 3;  // of which at least two are in the range
   for (int most = kMost; most > kLeast; --most) {
-    const std::vector<double> ticks = nice_ticks(range, most);
+    std::vector<double> ticks = nice_ticks(range, most);
     const double spacing =
         ticks.size() < 2 ? width : (ticks[1] - ticks[0]) / (range.high - range.low) * width;
     const bool fit = std::ranges::all_of(ticks, [&](double value) {

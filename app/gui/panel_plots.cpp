@@ -29,9 +29,9 @@ void show_plots(PanelFrame& frame) {
   ImGui::PushFont(w.fonts().small);
   w.caption("Over time [√(d/g)], with the last value.");
   ImGui::PopFont();
-  static const std::vector<Row> kNone;
+  static const std::vector<Row> empty;
   const bool loaded = frame.session.loaded();
-  const std::vector<Row>& history = loaded ? frame.session.history() : kNone;
+  const std::vector<Row>& history = loaded ? frame.session.history() : empty;
   const char* none = loaded ? "no samples yet" : "no scene";
 
   Curve bonds = curve_of(history, [](const Row& r) -> std::optional<double> {

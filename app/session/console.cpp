@@ -35,7 +35,7 @@ fs::path Console::output(const std::string& name, const std::string& place) cons
                                 "\" must name a file in the output folder: no absolute path, "
                                 "no way out of it");
   }
-  const fs::path path = folders_.out / relative;
+  fs::path path = folders_.out / relative;
   std::error_code error;
   fs::create_directories(path.parent_path(), error);
   if (error) throw InputError(path.parent_path().string(), "cannot be made: " + error.message());
