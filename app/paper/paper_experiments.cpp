@@ -1,6 +1,5 @@
 #include "app/paper/paper_experiments.h"
 
-#include "app/report/report_text.h"
 #include "app/run/film.h"
 #include "app/run/state_file.h"
 #include "core/errors.h"
@@ -33,7 +32,7 @@ std::optional<Gallery::Picture> picture_of(const PaperResults& results, const Ru
   try {
     const StateFile state = read_state(runs.front()->folder().state());
     const View view{.width = kWidth, .height = kHeight, .detail = false};
-    const std::string text[] = {picture_text(caption)};
+    const std::string text[] = {caption};
     std::filesystem::create_directories(folder);
     const std::filesystem::path file = folder / (group.name + ".png");
     write_png(file, Renderer().draw(state.checkpoint.world, view_of(state.scenario, view), text));

@@ -59,7 +59,8 @@ class Penetration : public PaperExperiment {
     for (std::size_t k = 0; k < curve_.forces.size(); ++k) {
       if (curve_.forces[k] != kWeak && curve_.forces[k] != kEqual && curve_.forces[k] != kStrong)
         continue;
-      const std::string caption = "push force " + number_text(curve_.forces[k]) + " F_c";
+      const std::string caption =
+          "push force: " + number_text(curve_.forces[k]) + " × cohesion force";
       if (auto picture = picture_of(results, curve_.pushes[k], folder, caption))
         gallery.pictures.push_back(*picture);
     }

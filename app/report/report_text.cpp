@@ -6,7 +6,6 @@
 #include <cstddef>
 
 #include "app/json/json_text.h"
-#include "render/font.h"
 
 namespace quicksand {
 
@@ -143,16 +142,6 @@ std::string gnuplot_text(std::string_view text) {
         script.append("{/:Italic ").append(letter).append("}_{").append(index).append("}");
       });
   return "'" + script + "'";
-}
-
-std::string picture_text(std::string_view text) {
-  std::string line;
-  for_pieces(
-      clean(text), [&](std::string_view piece) { line += piece; },
-      [&](std::string_view letter, std::string_view index) {
-        line += italic(letter) + subscript(index);
-      });
-  return line;
 }
 
 std::string csv_text(std::string_view text) { return '"' + doubled(clean(text), '"') + '"'; }

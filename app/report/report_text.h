@@ -22,9 +22,6 @@ std::string markdown_text(std::string_view text);
 // A gnuplot string in quotes, in its enhanced mode; an ampersand becomes a plus sign.
 std::string gnuplot_text(std::string_view text);
 
-// A line that the renderer draws.
-std::string picture_text(std::string_view text);
-
 // A field of a CSV file in quotes.
 std::string csv_text(std::string_view text);
 

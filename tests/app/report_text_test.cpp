@@ -5,7 +5,6 @@
 
 #include "app/report/provenance.h"
 #include "app/report/typeset_number.h"
-#include "render/font.h"
 
 namespace quicksand::test {
 namespace {
@@ -41,7 +40,6 @@ TEST(ReportText, ALetterWithAShortIndexIsASymbol) {
   EXPECT_EQ(html_text("intruder_y a_long_name F_c_2"), "intruder_y a_long_name F_c_2");
   EXPECT_EQ(gnuplot_text("F_c"), "'{/:Italic F}_{c}'");
   EXPECT_EQ(html_attribute("F_c"), "F_c");
-  EXPECT_EQ(picture_text("push 3 F_c"), "push 3 " + italic("F") + subscript("c"));
 }
 
 TEST(ReportText, FileNamesAreSafe) {
