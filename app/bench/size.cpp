@@ -115,6 +115,7 @@ std::vector<Task> size_tasks(const Options& options) {
       options.quick ? std::vector<std::int64_t>{1000, 2150, 4640, 10000}
                     : std::vector<std::int64_t>{1000, 3162, 10000, 31623, 100000};
   std::vector<Task> tasks;
+  tasks.reserve(sizes.size());
   for (const std::int64_t size : sizes)
     tasks.push_back(
         {format("%lld disks", static_cast<long long>(size)),
