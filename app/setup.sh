@@ -27,7 +27,7 @@ install_packages() {
 }
 
 # build_in FOLDER TARGET [cmake options]: configures once, then builds what has changed. Several sources are
-# compiled as one: 2.5 times as fast from nothing. A build of one's own (`cmake -B`) compiles each alone.
+# compiled as one, in half the time from nothing. A build of one's own (`cmake -B`) compiles each alone.
 build_in() {
   local folder="$1" target="$2"
   shift 2

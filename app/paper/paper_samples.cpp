@@ -1,4 +1,5 @@
 // Which deposition gives which density and coordination number.
+#include <algorithm>
 #include <cmath>
 
 #include "app/paper/paper_experiments.h"
@@ -57,6 +58,7 @@ class Samples : public PaperExperiment {
         .references = {{.name = "paper: volume fraction", .low = 0.40, .high = 0.43, .of_x = true},
                        {.name = "paper: coordination number", .low = 2.05, .high = 2.06}},
         .legend = LegendPlace::below};
+    std::vector<Cluster> clusters;
     Curve points{.name = "depositions, numbered as in the table"};
     const std::vector<Setting> all = settings();
     for (std::size_t k = 0; k < all.size(); ++k) {
@@ -71,8 +73,10 @@ class Samples : public PaperExperiment {
       points.y.push_back(coordination->value);
       points.x_error.push_back(density->standard_error.value_or(0));
       points.y_error.push_back(coordination->standard_error.value_or(0));
-      number_point(plot.annotations, density->value, coordination->value, std::to_string(k + 1));
+      add_point(clusters, density->value, coordination->value, points.x_error.back(),
+                std::to_string(k + 1));
     }
+    for (const Cluster& cluster : clusters) plot.annotations.push_back(label_of(cluster));
     plot.curves.push_back(std::move(points));
     section.blocks.emplace_back(std::move(table));
     section.blocks.emplace_back(
@@ -92,16 +96,32 @@ class Samples : public PaperExperiment {
   }
 
  private:
-  // Beside its point; points that lie together share a label: "1, 3, 5".
-  static void number_point(std::vector<Annotation>& labels, double x, double y,
-                           const std::string& number) {
+  // Points that lie together and share a label, "1, 3, 5".
+  struct Cluster {
+    double x = 0, y = 0;  // of the first
+    double right = 0;     // end of the bars
+    std::string numbers;
+    bool alone = true;
+  };
+
+  static void add_point(std::vector<Cluster>& clusters, double x, double y, double error,
+                        const std::string& number) {
     constexpr double kNearX = 0.03, kNearY = 0.08;
-    for (Annotation& label : labels) {
-      if (std::abs(label.x - x) > kNearX || std::abs(label.y - kNearY - y) > kNearY) continue;
-      label.text += ", " + number;
+    for (Cluster& cluster : clusters) {
+      if (std::abs(cluster.x - x) > kNearX || std::abs(cluster.y - y) > kNearY) continue;
+      cluster.right = std::max(cluster.right, x + error);
+      cluster.numbers += ", " + number;
+      cluster.alone = false;
       return;
     }
-    labels.push_back({x, y + kNearY, number});
+    clusters.push_back({x, y, x + error, number});
+  }
+
+  // Above a point; right of several, where their bars end.
+  static Annotation label_of(const Cluster& cluster) {
+    constexpr double kAbove = 0.08, kBeside = 0.015;
+    if (cluster.alone) return {cluster.x, cluster.y + kAbove, cluster.numbers};
+    return {cluster.right + kBeside, cluster.y, cluster.numbers};
   }
 
   std::vector<RunGroup> groups_;

@@ -60,7 +60,7 @@ std::vector<Curve> strength_curves(const PaperStrength& strength, const std::str
       return (strength.against_depth->intercept + strength.against_depth->slope * depth) * y_scale;
     };
     // Enough points for a logarithmic axis, on which the line is bent.
-    constexpr int kPoints = 40;
+    constexpr int kPoints = 400;
     Curve fit{.kind = Curve::Kind::line, .role = Curve::Role::fit};
     for (int k = 0; k <= kPoints; ++k) {
       const double depth = strength.depth.back() * k / kPoints;

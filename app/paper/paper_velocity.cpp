@@ -57,7 +57,7 @@ class Velocity : public PaperExperiment {
       note_exponent(findings, curve, threshold);
     }
     section.blocks.emplace_back(Figure{
-        std::move(plot), "The line is v² = k (F - F_0), fitted to the squares of the velocities."});
+        std::move(plot), "The line is v² = k (F − F_0), fitted to the squares of the velocities."});
   }
 
  private:
@@ -75,7 +75,7 @@ class Velocity : public PaperExperiment {
 
   static Curve law(double slope, double threshold, double largest) {
     constexpr int kPoints = 60;
-    Curve curve{.name = "v² = k (F - F_0)", .kind = Curve::Kind::line, .role = Curve::Role::fit};
+    Curve curve{.name = "v² = k (F − F_0)", .kind = Curve::Kind::line, .role = Curve::Role::fit};
     const double start = std::max(0.0, threshold);
     for (int k = 0; k <= kPoints; ++k) {
       const double share = static_cast<double>(k) / kPoints;

@@ -70,6 +70,15 @@ TEST_F(WindowTest, WithoutAScreenItSaysSo) {
   EXPECT_NE(outcome.err.find("DISPLAY"), std::string::npos) << outcome.err;
 }
 
+TEST_F(WindowTest, WithoutItsModuleItSaysWhatToInstall) {
+  const fs::path alone = folder_.path() / "quicksand";
+  fs::copy_file(QUICKSAND_PROGRAM, alone);
+  ASSERT_EQ(setenv("DISPLAY", ":0", 1), 0);
+  const ProgramEnd end = run_external({alone.string(), "window", "collapse"}, folder_.path());
+  EXPECT_EQ(end.code, 2);
+  EXPECT_NE(end.problem.find("libsdl2-dev"), std::string::npos) << end.problem;
+}
+
 TEST(Journal, KeepsStepsTogetherAndOnlyTheLastForceBetweenThem) {
   Journal journal;
   journal.add({{"command", "start"}});
