@@ -27,6 +27,19 @@ void velocity_from_impulses(const ContactProblem& problem, const std::vector<Vec
   }
 }
 
+double fastest_at_contacts(const ContactProblem& problem, const std::vector<Vec3>& change) {
+  double squared = 0;
+  for (const ContactRow& row : problem.contacts) {
+    const auto at_contact = [&](const Vec3& v, const Vec2& spin) {
+      const Vec2 in_frame(row.normal.dot(v.head<2>()), perpendicular(row.normal).dot(v.head<2>()));
+      return (in_frame + v.z() * spin).squaredNorm();
+    };
+    squared = std::max(
+        {squared, at_contact(change[row.a], row.spin_a), at_contact(change[row.b], row.spin_b)});
+  }
+  return std::sqrt(squared);
+}
+
 Residual residual(const ContactProblem& problem, ContactState& state) {
   velocity_from_impulses(problem, state.impulse, state.velocity);
   Residual worst;

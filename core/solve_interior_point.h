@@ -19,6 +19,7 @@
 
 #include "core/contact_matrix.h"
 #include "core/interior_point_cone.h"
+#include "core/newton_on_modes.h"
 #include "core/solver.h"
 
 namespace quicksand {
@@ -38,10 +39,12 @@ class InteriorPoint {
   // Heads for products tau; returns the step that reaches the boundary.
   double find_direction(const ContactProblem& problem, double tau, bool correct);
   double find_step(const ContactProblem& problem, double product, double least_product);
-  double fastest_change(const ContactProblem& problem) const;  // of a body at a contact [sqrt(g d)]
+  bool finish(const ContactProblem& problem, const SolverSettings& settings, ContactState& state,
+              SolveReport& report);
   double mean_product(double alpha) const;  // after a step of alpha along the direction
 
   ContactMatrix matrix_;
+  NewtonOnModes newton_;
   double proximal_ = 0;              // over each contact's Delassus diagonal [1]
   std::array<double, 3> product_{};  // their sum after a step of alpha, by powers of alpha
   std::size_t pairs_ = 0;

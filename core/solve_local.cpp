@@ -15,9 +15,6 @@ constexpr int kMaxRounds = 12;
 // admissible residual.
 constexpr double kShareInside = 1e-3;
 constexpr double kMarginInside = 10;
-// The start is taken as it is if its distance from acceptance is this; a solution costs little where all
-// sticks, and is exact there.
-constexpr double kAsItIs = 1e-5;
 // Share of contacts that must be frozen or open for locality to be tried.
 constexpr double kLeastQuiet = 0.8;
 // Factorisations of the whole problem whose work locality may spend. Where nearly all moves, the rounds
@@ -193,9 +190,9 @@ SolveReport LocalSolver::solve(const ContactProblem& problem, const SolverSettin
                                ContactState& state) {
   SolveReport report;
   report.residual = residual(problem, state);
-  report.converged = settings.accepts(report.residual);
+  report.converged = settings.distance(report.residual) <= SolverSettings::kAsItIs;
   // Without rolling friction no contact holds rigidly.
-  if (problem.components < 3 || settings.distance(report.residual) <= kAsItIs) return report;
+  if (report.converged || problem.components < 3) return report;
   const double admissible = settings.tolerance * problem.force_scale * problem.dt;
   start_impulse_ = state.impulse;
   const Residual start = report.residual;

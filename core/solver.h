@@ -85,6 +85,10 @@ struct SolverSettings {
 
   bool operator==(const SolverSettings&) const = default;
 
+  // A start is taken as it is where its distance from acceptance is this. One that is just acceptable is
+  // not: what is wrong with its velocities would be handed on from step to step.
+  static constexpr double kAsItIs = 1e-5;
+
   // At most 1 where a solution is accepted: both the residual and the gap error count. The interior
   // point goes on for a few iterations, as far as they help, until velocities have settled too.
   double distance(const Residual& r) const { return std::max(r.natural / tolerance, r.gap); }

@@ -22,11 +22,8 @@ void report_hard(std::span<const Row> rows, const Options&, Section& section) {
       "%d of %zu answers are right. Every case runs at the program's defaults (method auto, "
       "tolerance 1e-6, dt = 1e-2; spinning pairs 1e-3) unless its name says otherwise. What is "
       "expected is a closed form: the balance of forces or moments at the contact law's limits, "
-      "and "
-      "momentum. How far off is in the unit of the bound that the answer must keep. Residuals are "
-      "relative to the strongest force of a problem: what is weak beside it may be wrong by much "
-      "at the "
-      "default tolerance, and some cases are run at a smaller one as well, which their name says.",
+      "and momentum. How far off is in the unit of the bound that the answer must keep. Some cases "
+      "are run at a smaller tolerance as well, which their name says.",
       static_cast<int>(passed), rows.size())});
   Table table{
       .columns = {

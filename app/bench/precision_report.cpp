@@ -148,12 +148,10 @@ void report_precision(std::span<const Row> rows, const Options&, Section& sectio
       "of sweeps, looked at as it passes the residuals, until its patience is used up."});
   section.blocks.emplace_back(Paragraph{
       "There are two references for each problem. The first is auto at a tolerance of 1e-12 from "
-      "the "
-      "inherited impulses. The second is auto from twice the cohesion impulses, then a Newton "
-      "method "
-      "of its own on the modes of the contacts (open, stick, slide, roll), which solves the "
-      "equations that are linear once the modes are known, without a central path. The one of "
-      "smaller residual is taken, and no error below their distance is reported."});
+      "the inherited impulses. The second is auto from twice the cohesion impulses, so by the "
+      "interior point from afar, and then up to 40 iterations of Newton's method on the modes of "
+      "the contacts (open, stick, slide, roll). The one of smaller residual is taken, and no error "
+      "below their distance is reported."});
   section.blocks.emplace_back(reference_table(problems));
   section.blocks.emplace_back(time_table(problems));
   for (const Problem& problem : problems) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/bench/contact_modes.h"
+#include "core/newton_on_modes.h"
 #include "core/residual.h"
 
 namespace quicksand::bench {
@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kReferenceTolerance = 1e-12;
 constexpr int kReferenceFactorisations = 150;
+constexpr int kReferenceIterations = 40;
 
 // A row for a solution with this outcome.
 Row row_of(const StepProblem& step, const SolveReport& report, const ContactState& state,
@@ -44,7 +45,9 @@ Reference solve_tightly(const StepProblem& step) {
   ContactState second{.velocity = {}, .impulse = step.no_force};
   for (Vec3& p : second.impulse) p *= 2;
   solve(step.problem, tight, second);
-  refine_by_modes(step.problem, second);
+  ContactMatrix matrix;
+  matrix.attach(step.problem);
+  NewtonOnModes().solve(step.problem, tight, kReferenceIterations, matrix, second);
   Reference reference;
   reference.doubt = velocity_distance(step.problem, first.velocity, second.velocity);
   const Residual of_first = residual(step.problem, first);
