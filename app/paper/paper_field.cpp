@@ -73,6 +73,12 @@ class FieldExperiment : public PaperExperiment {
     if (!loose.depth.empty())
       findings["field.unperturbed.strength"] = {
           .value = loose.mean() * stress, .n = loose.grains, .note = "n counts grains"};
+    if (const auto constant = loose.constant_down_to())
+      findings["field.unperturbed.constant_to_depth"] = {
+          .value = *constant * depth,
+          .n = loose.grains,
+          .note = "down to there all agree within two standard errors; the deepest measured is " +
+                  typeset(loose.depth.back() * depth) + " cm; n counts grains"};
   }
 
  private:

@@ -3,6 +3,7 @@
 
 #include "app/json/json_reader.h"
 #include "app/paper/paper_experiments.h"
+#include "app/paper/push_speed.h"
 
 namespace quicksand {
 
@@ -34,14 +35,26 @@ Table push_table(const PaperResults& results, const std::string& caption,
   return table;
 }
 
-// Force at which a curve first reaches a height, between its points linear in the logarithm of the force.
-std::optional<double> force_for(const Curve& curve, double height) {
+// Force at which a curve first reaches a value, between its points linear in the logarithm of the force.
+std::optional<double> force_for(const Curve& curve, double value) {
   for (std::size_t k = 1; k < curve.x.size(); ++k) {
     const double low = curve.y[k - 1], high = curve.y[k];
-    if (low > height || high < height || low == high) continue;
-    return curve.x[k - 1] * std::pow(curve.x[k] / curve.x[k - 1], (height - low) / (high - low));
+    if (low > value || high < value || low == high) continue;
+    return curve.x[k - 1] * std::pow(curve.x[k] / curve.x[k - 1], (value - low) / (high - low));
   }
   return std::nullopt;
+}
+
+// By how much a force must be larger for `denser` to reach what `usual` reaches: the ratio of forces in the
+// middle of the values that both curves have; absent if there are none.
+std::optional<double> force_ratio(const Curve& usual, const Curve& denser) {
+  if (usual.y.empty() || denser.y.empty()) return std::nullopt;
+  const auto [least, most] = std::ranges::minmax(usual.y);
+  const auto [denser_least, denser_most] = std::ranges::minmax(denser.y);
+  const double middle = (std::max(least, denser_least) + std::min(most, denser_most)) / 2;
+  const auto of_usual = force_for(usual, middle), of_denser = force_for(denser, middle);
+  if (!of_usual || !of_denser) return std::nullopt;
+  return *of_denser / *of_usual;
 }
 
 class Density : public PaperExperiment {
@@ -77,17 +90,25 @@ class Density : public PaperExperiment {
         rows.push_back(
             {name + ", " + number_text(curves_[s].forces[k]) + " F_c", curves_[s].pushes[k]});
     }
-    const double half = height_ / 2;
-    const auto loose = force_for(plot.curves[0], half), dense = force_for(plot.curves[1], half);
-    if (loose && dense)
+    const Curve &usual = plot.curves[0], &denser = plot.curves[1];
+    if (const auto ratio = force_ratio(usual, denser)) {
+      findings["penetration.density_shift"] = {.value = *ratio, .n = 2, .note = "n counts samples"};
+    } else if (const auto by_speed = force_ratio(speeds(results, 0), speeds(results, 1))) {
       findings["penetration.density_shift"] = {
-          .value = *dense / *loose, .n = 2, .note = "at half the box's height; n counts samples"};
+          .value = *by_speed,
+          .n = 2,
+          .note = "for the same mean velocity, as no depth is reached in both; n counts samples"};
+    }
     section.blocks.emplace_back(
         push_table(results, "Pushes of both samples, after everything rests.", rows, all_));
     section.blocks.emplace_back(Figure{std::move(plot), "Final depth against the push force."});
   }
 
  private:
+  Curve speeds(const PaperResults& results, std::size_t sample) const {
+    return ploughing_speeds(results, {}, curves_[sample], height_);
+  }
+
   std::vector<RunGroup> samples_;
   std::vector<PushCurve> curves_;  // of each
   double height_ = 0;

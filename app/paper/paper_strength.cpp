@@ -1,5 +1,7 @@
 #include "app/paper/paper_strength.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 
@@ -8,6 +10,21 @@ namespace quicksand {
 double PaperStrength::mean() const {
   return std::accumulate(strength.begin(), strength.end(), 0.0) /
          static_cast<double>(strength.size());
+}
+
+std::optional<double> PaperStrength::constant_down_to() const {
+  if (depth.size() < 2 || std::ranges::any_of(error, [](double e) { return e <= 0; })) return {};
+  double deepest = 0, sum = 0, weights = 0;
+  for (std::size_t k = 0; k < depth.size(); ++k) {
+    const double weight = 1 / (error[k] * error[k]);
+    sum += weight * strength[k];
+    weights += weight;
+    const double mean = sum / weights;
+    for (std::size_t i = 0; i <= k; ++i)
+      if (std::abs(strength[i] - mean) > 2 * error[i]) return deepest;
+    deepest = depth[k];
+  }
+  return deepest;
 }
 
 PaperStrength paper_strength(const PaperResults& results, const RunGroup& shears) {

@@ -20,6 +20,10 @@ struct PaperStrength {
   std::optional<Line> against_weight;  // slope: the effective friction coefficient [1]
 
   double mean() const;  // over depths [F_g]; needs one
+
+  // Greatest depth down to which all strengths agree with their weighted mean within two standard errors;
+  // absent unless there are two depths, each with an error. [d]
+  std::optional<double> constant_down_to() const;
 };
 
 // Of the shear runs of a group; empty vectors if none has finished.

@@ -3,14 +3,13 @@
 
 #include "app/json/json_reader.h"
 #include "app/paper/paper_experiments.h"
+#include "app/paper/push_speed.h"
+#include "app/scene/si_scale.h"
 #include "core/linear_fit.h"
 
 namespace quicksand {
 
 namespace {
-
-// The part of the box's height over which the mean velocity is taken: past the start, before the ground.
-constexpr double kFrom = 0.15, kTo = 0.6;
 
 class Velocity : public PaperExperiment {
  public:
@@ -18,27 +17,20 @@ class Velocity : public PaperExperiment {
     all_ = jobs.scale().realizations;
     height_ = jobs.scale().height;
     curve_ = jobs.push_curve(jobs.samples());
+    push_ = jobs.jobs()[curve_.pushes.front().runs.front()].scenario;
   }
 
   void report(const PaperResults& results, const std::filesystem::path&, Section& section,
               Findings& findings) const override {
-    Curve curve{.name = "mean velocity"};
+    const Curve curve = ploughing_speeds(results, "mean velocity", curve_, height_);
     std::vector<double> squares;
+    for (const double speed : curve.y) squares.push_back(speed * speed);
     Table table{
         .caption = "Mean velocity of the intruder between 15 % and 60 % of the box's height.",
         .columns = {{"push force [F_c]", true}, {"velocity [√(gd)]", true}}};
-    for (std::size_t k = 0; k < curve_.forces.size(); ++k) {
-      std::vector<double> speeds;
-      for (const RunResults* run : results.runs(curve_.pushes[k]))
-        if (const auto speed = mean_speed(*run)) speeds.push_back(*speed);
-      const auto mean = mean_over(speeds);
-      table.rows.push_back({{.text = number_text(curve_.forces[k])}, cell_of(mean, all_)});
-      if (!mean) continue;
-      curve.x.push_back(curve_.forces[k]);
-      curve.y.push_back(mean->value);
-      curve.y_error.push_back(mean->standard_error.value_or(0));
-      squares.push_back(mean->value * mean->value);
-    }
+    for (std::size_t k = 0; k < curve_.forces.size(); ++k)
+      table.rows.push_back({{.text = number_text(curve_.forces[k])},
+                            cell_of(ploughing_speed(results, curve_.pushes[k], height_), all_)});
     section.blocks.emplace_back(std::move(table));
     Plot plot{.name = "velocity",
               .title = "Velocity of the driven intruder",
@@ -54,6 +46,8 @@ class Velocity : public PaperExperiment {
           .value = threshold,
           .n = static_cast<int>(curve.x.size()),
           .note = "where the straight line of v^2 against the force is zero; n counts forces"};
+      findings["field.crust_pressure"] =
+          crust_pressure(threshold, static_cast<int>(curve.x.size()));
       note_exponent(findings, curve, threshold);
     }
     section.blocks.emplace_back(Figure{
@@ -61,16 +55,17 @@ class Velocity : public PaperExperiment {
   }
 
  private:
-  // Absent if the intruder did not come that deep.
-  std::optional<double> mean_speed(const RunResults& run) const {
-    const std::vector<double>&times = run.column("time"), &depths = run.column("depth");
-    std::optional<std::size_t> first, last;
-    for (std::size_t k = 0; k < times.size(); ++k) {
-      if (!first && depths[k] >= kFrom * height_) first = k;
-      if (!last && depths[k] >= kTo * height_) last = k;
-    }
-    if (!first || !last || times[*last] <= times[*first]) return std::nullopt;
-    return (depths[*last] - depths[*first]) / (times[*last] - times[*first]);
+  // The threshold as a pressure on what the intruder covers, its diameter times one of a grain, in SI.
+  Measured crust_pressure(double threshold, int forces) const {
+    const SiScale si = si_scale(*push_.physical);
+    const double force = threshold * *push_.grain_law.cohesion_force * si.force;
+    const double area = std::get<PushPhase>(push_.phases[0].kind).diameter * si.length * si.length;
+    constexpr double kKilopascal = 1e-3;
+    return {.value = force / area * kKilopascal,
+            .n = forces,
+            .note =
+                "the force at which v^2 is zero over the intruder's diameter times a grain's; "
+                "n counts forces"};
   }
 
   static Curve law(double slope, double threshold, double largest) {
@@ -103,6 +98,7 @@ class Velocity : public PaperExperiment {
   }
 
   PushCurve curve_;
+  Scenario push_;
   double height_ = 0;
   int all_ = 0;
 };

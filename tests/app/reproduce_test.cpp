@@ -3,6 +3,7 @@
 
 #include "app/paper/paper_experiments.h"
 #include "app/paper/paper_strength.h"
+#include "app/paper/push_speed.h"
 #include "app/scene/scenario_json.h"
 #include "core/errors.h"
 #include "core/whole_file.h"
@@ -100,6 +101,41 @@ TEST_F(Reproduce, StrengthIsPooledOverTheGrainsOfAllRuns) {
   EXPECT_NEAR(strength.against_depth->slope, 2, 1e-12);
   EXPECT_NEAR(strength.against_depth->intercept, 10, 1e-12);
   EXPECT_NEAR(strength.against_weight->slope, 0.4, 1e-12);
+}
+
+TEST(PaperStrength, IsConstantDownToWhereAStrengthLeavesTheMean) {
+  PaperStrength strength{
+      .depth = {1, 2, 3, 4}, .strength = {5, 5.1, 4.9, 7}, .error = {0.1, 0.1, 0.1, 0.1}};
+  EXPECT_EQ(strength.constant_down_to(), 3.0);
+  strength.strength = {5, 5.1, 4.9, 5};
+  EXPECT_EQ(strength.constant_down_to(), 4.0);
+  strength.strength = {5, 6, 5, 5};
+  EXPECT_EQ(strength.constant_down_to(), 1.0);
+  strength.error[2] = 0;
+  EXPECT_EQ(strength.constant_down_to(), std::nullopt);
+}
+
+// Depths are given every 0.1; the box is 10 high, and speeds are taken from 1.5 to 6.
+TEST_F(Reproduce, TheSpeedOfAPushIsTakenPastTheStartAndBeforeTheGround) {
+  PaperJobs jobs(small(), folder_.path());
+  const RunGroup push = jobs.pushes(jobs.samples(), 1);
+  const auto leave = [&](const Job& job, double to) {
+    std::string series = "time,step,phase,depth\n";
+    for (int k = 0; k <= 100; ++k) {
+      const double depth = std::min(to, k < 10 ? 0.15 * k : 1.5 + 3 * 0.1 * (k - 10));
+      series += std::to_string(0.1 * k) + ",0,push," + std::to_string(depth) + "\n";
+    }
+    std::filesystem::create_directories(job.folder.path);
+    write_whole(job.folder.scene(), to_text(job.scenario));
+    write_whole(job.folder.series(), series);
+    write_whole(job.folder.summary(), Json{{"finished", true}, {"version", "0"}}.dump());
+  };
+  leave(jobs.jobs()[push.runs[0]], 9);
+  leave(jobs.jobs()[push.runs[1]], 5);
+  const PaperResults results(jobs.jobs());
+  EXPECT_NEAR(ploughing_speed(*results.run(push.runs[0]), 10).value(), 3, 1e-9);
+  EXPECT_EQ(ploughing_speed(*results.run(push.runs[1]), 10), std::nullopt) << "it stopped before";
+  EXPECT_EQ(ploughing_speed(results, push, 10)->n, 1);
 }
 
 TEST_F(Reproduce, AnUnknownFigureIsRefusedWithTheNearest) {
