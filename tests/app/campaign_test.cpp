@@ -51,10 +51,10 @@ class CampaignTest : public ProgramFixture {
   Json summary(const std::string& run) const {
     return parse_json(contents(at("out/many/runs/" + run + "/summary.json")));
   }
-  // A campaign of three runs that take some tenths of a second each.
+  // A campaign of three runs that take about a second each.
   void write_long() const {
     folder_.write("many.json", R"({"scene": "small.json", "realizations": 3,
-                                   "set": {"phases[1].max_time": 60}})");
+                                   "set": {"phases[1].max_time": 180}})");
   }
 };
 
