@@ -75,6 +75,7 @@ struct Part {
   std::vector<Task> (*tasks)(const Options& options);
   // Fills the section's blocks from the rows of the part.
   void (*report)(std::span<const Row> rows, const Options& options, Section& section);
+  bool by_default = true;  // whether it runs where no part is named
 };
 // In the order of the report.
 std::span<const Part> parts();
@@ -100,5 +101,7 @@ std::vector<Task> term_tasks(const Options& options);
 void report_terms(std::span<const Row> rows, const Options& options, Section& section);
 std::vector<Task> goal_tasks(const Options& options);
 void report_goals(std::span<const Row> rows, const Options& options, Section& section);
+std::vector<Task> peer_tasks(const Options& options);
+void report_peers(std::span<const Row> rows, const Options& options, Section& section);
 
 }  // namespace quicksand::bench

@@ -22,7 +22,9 @@ std::span<const Part> parts() {
       Part{"terms", "Cost of the model's terms", "what a scene saves by not naming a term",
            term_tasks, report_terms},
       Part{"goals", "Goals", "the solver's speed against its goals at full size", goal_tasks,
-           report_goals}};
+           report_goals},
+      Part{"peers", "Other programs", "the same scenes in Box2D, Yade and Siconos, where installed",
+           peer_tasks, report_peers, false}};
   return all;
 }
 
