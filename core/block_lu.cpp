@@ -128,6 +128,12 @@ void BlockLu::clear() {
   std::ranges::fill(upper_, Mat3::Zero());
 }
 
+double BlockLu::operations() const {
+  constexpr double kProduct = 45, kSubtracted = 54, kInverse = 90;  // of 3x3 blocks
+  return n_ * kInverse + static_cast<double>(row_.size()) * (kProduct + kSubtracted) +
+         static_cast<double>(target_.size()) * 2 * kSubtracted;
+}
+
 void BlockLu::factorise() {
   negative_ = false;
   const int* target = target_.data();

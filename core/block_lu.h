@@ -44,6 +44,8 @@ class BlockLu {
 
   // Blocks in L, without the diagonal.
   std::size_t fill() const { return row_.size(); }
+  // Multiplications and additions of factorise(), those of its 3x3 inverses included.
+  double operations() const;
 
  private:
   void order(const std::vector<Edge>& edges);

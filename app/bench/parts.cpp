@@ -23,6 +23,9 @@ std::span<const Part> parts() {
            term_tasks, report_terms},
       Part{"goals", "Goals", "the solver's speed against its goals at full size", goal_tasks,
            report_goals},
+      Part{"kernels", "Distance from the machine's limits",
+           "operations and bytes a second of a step's kernels against peak and stream",
+           kernel_tasks, report_kernels},
       Part{"peers", "Other programs", "the same scenes in Box2D, Yade and Siconos, where installed",
            peer_tasks, report_peers, false}};
   return all;

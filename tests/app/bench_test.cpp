@@ -85,6 +85,23 @@ TEST(Benchmark, ComparisonMarksWhatTakesMoreThanHalfAsLongAgain) {
             std::string::npos);
 }
 
+TEST(Benchmark, KernelsAreSetAgainstPeakAndStream) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      run_bench({"kernels", "--quick", "--repeats", "1", "--out", "results"}, folder.path());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  int limits = 0, kernels = 0;
+  const Json results = results_in(folder);
+  for (const Json& row : results["rows"]) {
+    EXPECT_GT(row["value"].get<double>(), 0) << row.dump();
+    ++(row["size"] == 0 ? limits : kernels);
+  }
+  EXPECT_EQ(limits, 3);
+  EXPECT_EQ(kernels, 4);
+  EXPECT_NE(contents(folder.path() / "results/report.md").find("block LU, factorise"),
+            std::string::npos);
+}
+
 TEST(Benchmark, WrongUsageExitsWithTwoAndOffersTheNearestName) {
   const TemporaryFolder folder;
   const Outcome unknown = run_bench({"cantilver"}, folder.path());
@@ -103,8 +120,9 @@ TEST(Benchmark, ListsItsPartsAndGoals) {
   const TemporaryFolder folder;
   const Outcome outcome = run_bench({"--list"}, folder.path());
   EXPECT_EQ(outcome.exit_code, 0);
-  for (const char* name : {"precision", "hard", "error", "size", "terms", "goals", "intact", "rest",
-                           "deposition", "ploughing", "piston", "chain", "growth", "factors"})
+  for (const char* name :
+       {"precision", "hard", "error", "size", "terms", "goals", "kernels", "peers", "intact",
+        "rest", "deposition", "ploughing", "piston", "chain", "growth", "factors"})
     EXPECT_NE(outcome.out.find(name), std::string::npos) << name;
 }
 

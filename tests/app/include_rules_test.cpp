@@ -76,6 +76,8 @@ TEST(Includes, JsonStaysInTheProgramAndTheCheckpoint) {
 
 TEST(Includes, TheCommandLineLibraryStaysInTheProgram) { expect_only({"CLI/"}, {"app/"}); }
 
+TEST(Includes, OtherProgramsStayInTheirDrivers) { expect_only({"box2d/"}, {"tests/bench/peers/"}); }
+
 TEST(Includes, ThePanelLibraryStaysInThePanel) { expect_only({"imgui"}, {"app/gui/"}); }
 
 TEST(Includes, OsmesaAndGlStayInTheirFiles) {

@@ -170,5 +170,18 @@ TEST(BlockLu, ATreeHasHardlyAnyFill) {
   EXPECT_LE(lu.fill(), 100U);
 }
 
+// A tree has no product of two rows of a column: a block product and a subtraction an edge, besides the
+// inverses. In a triangle there is one such product, two subtractions.
+TEST(BlockLu, OperationsGrowWithTheFill) {
+  const auto operations = [](const Graph& graph) {
+    BlockLu lu;
+    lu.analyse(graph.n, graph.edges);
+    return lu.operations();
+  };
+  EXPECT_EQ(operations({"single", 1, {}}), 90);
+  EXPECT_EQ(operations(star(9)), 9 * 90 + 8 * 99);
+  EXPECT_EQ(operations(complete(3)), 3 * 90 + 3 * 99 + 108);
+}
+
 }  // namespace
 }  // namespace quicksand

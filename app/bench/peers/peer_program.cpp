@@ -1,6 +1,7 @@
 #include "app/bench/peers/peer_program.h"
 
 #include <array>
+#include <csignal>
 
 #include "app/assets.h"
 #include "core/errors.h"
@@ -11,7 +12,8 @@ namespace quicksand::bench {
 
 namespace {
 
-constexpr int kNotInstalled = 127, kOutOfTime = 124;  // the latter is what `timeout` ends with
+constexpr int kNotInstalled = 127;
+constexpr int kOutOfTime = 128 + SIGXCPU;
 
 std::filesystem::path drivers() {
   return std::filesystem::absolute(assets_folder()).parent_path() / "tests/bench/peers";
@@ -44,12 +46,12 @@ std::span<const Peer> peers() {
   return all;
 }
 
-PeerAnswer ask(const Peer& peer, std::string_view setting, const PeerScene& scene, double limit,
+PeerAnswer ask(const Peer& peer, std::string_view setting, const PeerScene& scene, int limit,
                const std::filesystem::path& folder) {
   const std::filesystem::path input = folder / "scene.json", output = folder / "answer.json";
   write_whole(input, driver_input(scene).dump());
   std::filesystem::remove(output);
-  std::vector<std::string> words{"timeout", format("%g", limit)};
+  std::vector<std::string> words{"prlimit", format("--cpu=%d", limit)};
   for (const std::string& word : peer.command()) words.push_back(word);
   words.insert(words.end(), {input, output, std::string(setting)});
   const Stopwatch watch;

@@ -41,8 +41,8 @@ struct PeerAnswer {
   PeerState state{};
 };
 
-// Runs the driver in `folder`, for at most `limit` seconds.
-PeerAnswer ask(const Peer& peer, std::string_view setting, const PeerScene& scene, double limit,
+// Runs the driver in `folder`, for at most `limit` seconds of the CPU.
+PeerAnswer ask(const Peer& peer, std::string_view setting, const PeerScene& scene, int limit,
                const std::filesystem::path& folder);
 
 }  // namespace quicksand::bench
