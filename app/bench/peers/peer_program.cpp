@@ -51,7 +51,7 @@ PeerAnswer ask(const Peer& peer, std::string_view setting, const PeerScene& scen
   const std::filesystem::path input = folder / "scene.json", output = folder / "answer.json";
   write_whole(input, driver_input(scene).dump());
   std::filesystem::remove(output);
-  std::vector<std::string> words{"prlimit", format("--cpu=%d", limit)};
+  std::vector<std::string> words{"prlimit", format("--cpu=%d:%d", limit, limit + 1)};
   for (const std::string& word : peer.command()) words.push_back(word);
   words.insert(words.end(), {input, output, std::string(setting)});
   const Stopwatch watch;

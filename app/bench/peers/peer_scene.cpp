@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "app/bench/hard_course.h"
 #include "core/neighbors.h"
@@ -111,8 +112,8 @@ PeerScene pile(int n) {
 PeerScene poured(int columns, int rows) {
   PeerScene one{.unit = "d", .scene = bare_scene(true)};
   one.name = format("heap of %d", columns * rows);
-  one.expected = "no overlap: disks are rigid";
-  one.time = 5;
+  one.expected = "settles, and rigid disks do not overlap";
+  one.time = 10;
   one.scene.box = {.width = 1.3 * columns, .height = 1.3 * rows, .sides = Sides::walls};
   one.scene.grain_law.friction = 0.3;
   Random random{1};
@@ -121,7 +122,8 @@ PeerScene poured(int columns, int rows) {
                                             0.6 + 1.2 * (k / columns)},
                                .radius = 0.45 + 0.1 * random.uniform()});
   one.judge = [](const PeerScene& heap, const PeerState& state) -> Verdict {
-    constexpr double kRigid = 0.01;  // [d]
+    constexpr double kRigid = 0.01,
+                     kSettled = 0.7;  // overlap [d], volume fraction up to the top [1]
     Scenario at_end = heap.scene;
     double energy = 0, height = 0, mass = 0;
     for (std::size_t i = 0; i < state.position.size(); ++i) {
@@ -133,14 +135,17 @@ PeerScene poured(int columns, int rows) {
       height += m * disk.position.y();
       mass += m;
     }
-    energy /= static_cast<double>(state.position.size());
     const World world = make_world(at_end);
     double overlap = 0;
     for (const Pair& pair : pairs_within(world, 0)) overlap = std::max(overlap, -world.gap(pair));
-    return {.right = overlap <= kRigid,
-            .off = overlap,
-            .found = format("overlap %.1e d, kinetic energy %.1e F_g d a disk, centre at %.3f d",
-                            overlap, energy, height / mass)};
+    // Of a layer with this centre; a grain of mass 1 has an area of pi/4.
+    const double fraction =
+        std::numbers::pi / 4 * mass / (2 * height / mass * heap.scene.box.width);
+    return {
+        .right = overlap <= kRigid && fraction >= kSettled,
+        .off = overlap,
+        .found = format("overlap %.1e d, volume fraction %.3f, kinetic energy %.1e F_g d a disk",
+                        overlap, fraction, energy / static_cast<double>(state.position.size()))};
   };
   return one;
 }

@@ -3,6 +3,8 @@
 // Box2D wants bodies of 0.1 to 10 m under about 10 m/s^2. It solves a step's velocities by a number of
 // Gauss-Seidel sweeps that the user chooses, and leaves overlaps of 5 mm (b2_linearSlop) as they are.
 //
+// It computes in single precision, and 2.4.1 calls itself 2.4.0.
+//
 // defaults: a disk is 1 m, 60 steps a second, 8 and 3 sweeps, as its manual says; bonds are its weld
 //   joints, taken away where force or torque pass what the bond bears, again as its manual says.
 // tuned: a disk is 10 m, so that the 5 mm count less; steps and sweeps with which chains hold; bonds are
@@ -11,12 +13,10 @@
 #include <box2d/box2d.h>
 
 #include <cmath>
-#include <cstdio>
-#include <ctime>
 #include <fstream>
-#include <map>
 #include <vector>
 
+#include "app/bench/stopwatch.h"
 #include "app/json/json_text.h"
 
 namespace {
@@ -25,7 +25,7 @@ using quicksand::Json;
 
 struct Setting {
   float metres = 1;  // of d
-  double dt = 0;     // [s] where in_seconds, else [sqrt(d/g)]
+  double dt = 0;     // [sqrt(d/g)]
   int velocity_sweeps = 8, position_sweeps = 3;
   bool welded = true;
   double ramp = 0;  // [sqrt(d/g)]
@@ -180,11 +180,12 @@ int main(int count, char** words) {
   Scene scene(input, setting);
   const double end = setting.ramp + input.at("time").get<double>();
   const auto steps = static_cast<int>(std::lround(end / setting.dt));
-  const std::clock_t begin = std::clock();
+  const quicksand::bench::Stopwatch watch;
   for (int k = 1; k <= steps; ++k)
     scene.advance(setting.ramp > 0 ? std::min(1.0, k * setting.dt / setting.ramp) : 1);
+  const double seconds = watch.elapsed().cpu;
   Json answer = scene.state();
-  answer["cpu_seconds"] = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  answer["cpu_seconds"] = seconds;
   answer["version"] = std::to_string(b2_version.major) + "." + std::to_string(b2_version.minor) +
                       "." + std::to_string(b2_version.revision);
   answer["dt"] = setting.dt;

@@ -8,6 +8,7 @@ without. The shebang is that of Debian's Python, for which the package is.
 defaults: 1000 sweeps of Gauss-Seidel at most, to 1e-4, dt = 1e-2; theta = 1, implicit Euler, as ours.
 tuned: 100 000 sweeps, to 1e-8, and contacts count as closed from a gap of 1e-3 d on: by default, those that
     rounding has opened a little are free for a step, and what stands sinks.
+Overlaps are those that a contact begins with, what a disk moves in a step: nothing takes them back.
 """
 import json
 import os
