@@ -7,6 +7,8 @@
 
 namespace quicksand::bench {
 
+inline constexpr double kRange = 5e-5;  // of bonds, d_c [d]
+
 struct HardCase {
   std::string name;
   std::function<Row()> run;

@@ -10,7 +10,6 @@ namespace quicksand::bench {
 
 namespace {
 
-constexpr double kRange = 5e-5;    // d_c [d]
 constexpr double kDefault = 1e-6;  // tolerance [1]
 
 // A disk on a plane that descends to +x.

@@ -8,8 +8,6 @@ namespace quicksand::bench {
 
 namespace {
 
-constexpr double kRange = 5e-5;  // d_c [d]
-
 // n bonded disks in a row from a fixed one, disk 0.
 Scenario bonded_row(int n, const Vec2& direction, double cohesion) {
   Scenario scene = bare_scene(true);
