@@ -5,11 +5,12 @@ those of Law2_ScGeom6D_CohFrictPhys_CohesionMoment, the law that has tensile str
 
 defaults: springs as soft as the rule of thumb allows (the largest force overlaps by 1 % of a radius);
     rolling friction by the law's own bound, which is mu_r times the spring's force, not mu_r (R_n + F_c);
-    Cundall's damping of 0.2, also of gravity; gravity at once.
+    Cundall's damping of 0.2; gravity at once.
 tuned: springs that reach F_c just where a bond of ours breaks, at d_c (without bonds, 100 times as stiff
-    as by default); no bound on bending, as the law has none that fits; a damping of 0.7, but not of
-    gravity, which rises without a jump over ten periods of a chain of all disks, as a load that comes at
-    once swings to twice its value.
+    as by default); no bound on bending, as the law has none that fits; gravity rises without a jump over
+    ten periods of a chain of all disks, as a load that comes at once swings to twice its value; where
+    there are bonds a damping of 0.7 (of all forces: where gravity is left out of it, a chain of 1.01 F_c
+    holds).
 Both take half the time step of utils.PWaveTimeStep, as the tutorials do.
 """
 import json
@@ -72,7 +73,7 @@ for wall in scene["walls"]:
         utils.box([x - thick * nx, y - thick * ny, 0], extents, fixed=True)))
 
 gravity = Vector3(*scene["gravity"], 0)
-newton = NewtonIntegrator(gravity=Vector3.Zero if ramp else gravity, damping=0.7 if tuned else 0.2, dampGravity=not tuned)
+newton = NewtonIntegrator(gravity=Vector3.Zero if ramp else gravity, damping=0.7 if tuned and bonded else 0.2)
 O.engines = [ForceResetter(),
              InsertionSortCollider([Bo1_Sphere_Aabb(aabbEnlargeFactor=1.01), Bo1_Box_Aabb()],
                                    verletDist=0.1 * radius),
