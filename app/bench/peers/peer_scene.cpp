@@ -117,10 +117,11 @@ PeerScene poured(int columns, int rows) {
   one.scene.box = {.width = 1.3 * columns, .height = 1.3 * rows, .sides = Sides::walls};
   one.scene.grain_law.friction = 0.3;
   Random random{1};
-  for (int k = 0; k < columns * rows; ++k)
-    one.scene.disks.push_back({.position = {0.65 + 1.3 * (k % columns) + 0.1 * random.uniform(),
-                                            0.6 + 1.2 * (k / columns)},
-                               .radius = 0.45 + 0.1 * random.uniform()});
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column)
+      one.scene.disks.push_back(
+          {.position = {0.65 + 1.3 * column + 0.1 * random.uniform(), 0.6 + 1.2 * row},
+           .radius = 0.45 + 0.1 * random.uniform()});
   one.judge = [](const PeerScene& heap, const PeerState& state) -> Verdict {
     constexpr double kRigid = 0.01,
                      kSettled = 0.7;  // overlap [d], volume fraction up to the top [1]
