@@ -9,7 +9,7 @@ namespace quicksand {
 
 namespace {
 
-constexpr double kProximal = 1e-8;  // eps
+constexpr double kModesProximal = 1e-8;  // eps
 // No further factorisation where velocities changed by less than this share of the tolerance.
 constexpr double kSettled = 1e-2;
 
@@ -22,8 +22,8 @@ void NewtonOnModes::read_bounded(double p, double u, double w, double limit, dou
   const double q = p - u / w;
   if (std::abs(q) <= limit * q_n) {
     mode = Mode::held;
-    change[component] = -u / (kProximal * w);
-    stiffness(component, component) = 1 / (kProximal * w);
+    change[component] = -u / (kModesProximal * w);
+    stiffness(component, component) = 1 / (kModesProximal * w);
     return;
   }
   mode = q > 0 ? Mode::at_upper_bound : Mode::at_lower_bound;
@@ -50,8 +50,8 @@ bool NewtonOnModes::read_modes(const ContactProblem& problem, const ContactState
     const double q_n = p.x() - u.x() / w.x();
     if (q_n > 0) {
       modes.normal = Mode::held;
-      change_[c] = {-u.x() / (kProximal * w.x()), 0, 0};
-      stiffness_[c](0, 0) = 1 / (kProximal * w.x());
+      change_[c] = {-u.x() / (kModesProximal * w.x()), 0, 0};
+      stiffness_[c](0, 0) = 1 / (kModesProximal * w.x());
       if (problem.components >= 2)
         read_bounded(p.y(), u.y(), w.y(), row.friction, q_n, p.x(), 1, modes.slide, change_[c],
                      stiffness_[c]);

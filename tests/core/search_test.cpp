@@ -18,12 +18,12 @@ QUICKSAND_PER_SOLVER(Pull);
 QUICKSAND_PER_SOLVER(Shear);
 
 // What is left when all phases are done.
-struct Finished {
+struct SearchEnd {
   World world;
   std::vector<CriticalForce> forces;
 };
 
-Finished finished(const Scenario& scene) {
+SearchEnd searched(const Scenario& scene) {
   Protocol protocol(scene, make_world(scene));
   Progress progress = Progress::running;
   while (progress != Progress::finished && progress != Progress::failed)
@@ -49,7 +49,7 @@ Scenario free_intruder(Method method) {
 }
 
 TEST_P(Pull, AFreeIntruderIsTakenOutByItsWeight) {
-  const Finished run = finished(free_intruder(GetParam()));
+  const SearchEnd run = searched(free_intruder(GetParam()));
   ASSERT_EQ(run.forces.size(), 1U);
   const CriticalForce& found = run.forces[0];
   expect_around(found, 2, 0.02);
@@ -62,7 +62,7 @@ TEST_P(Pull, ABondedIntruderIsTakenOutByItsWeightAndTheCohesionForce) {
   Scenario scene = hanging_chain(GetParam(), 0, 50);
   scene.disks.push_back({.position = {0, 1}, .role = Role::intruder});
   scene.phases = {{PullPhase{.trials = {.first_force = 1}, .distance = 3}, 1e-2}};
-  const Finished run = finished(scene);
+  const SearchEnd run = searched(scene);
   ASSERT_EQ(run.forces.size(), 1U);
   expect_around(run.forces[0], 51, 0.02);
 }
@@ -72,7 +72,7 @@ TEST_P(Pull, EndsWithTheBodiesAndBondsThatItBeganWithAndALaterClock) {
   scene.disks.push_back({.position = {0, 1}, .role = Role::intruder});
   scene.phases = {{PullPhase{.trials = {.first_force = 40}, .distance = 3}, 1e-2}};
   const World before = make_world(scene);
-  World after = finished(scene).world;
+  World after = searched(scene).world;
   EXPECT_GT(after.time, 1);
   EXPECT_GT(after.step, 100);
   after.time = before.time;
@@ -85,7 +85,7 @@ TEST_P(Pull, AHeldTrialEndsAtRestLongBeforeItsTime) {
   Scenario scene = hanging_chain(GetParam(), 0, 50);
   scene.disks.push_back({.position = {0, 1}, .role = Role::intruder});
   scene.phases = {{PullPhase{.trials = {.first_force = 40, .tolerance = 0.5, .max_time = 1000}}}};
-  const Finished run = finished(scene);
+  const SearchEnd run = searched(scene);
   EXPECT_EQ(run.forces.at(0).trials, 2);
   EXPECT_LT(run.world.time, 5);
 }
@@ -94,7 +94,7 @@ TEST_P(Pull, ATrialThatEndsByItsTimeIsHeldAndCounted) {
   Scenario scene = free_intruder(GetParam());
   std::get<PullPhase>(scene.phases[0].kind) = {
       .trials = {.first_force = 4, .tolerance = 0.5, .max_time = 0.1}, .distance = 1};
-  const Finished run = finished(scene);
+  const SearchEnd run = searched(scene);
   const CriticalForce& found = run.forces.at(0);
   EXPECT_GT(found.force_low, 4) << "2 m g for 0.1 sqrt(d/g) do not lift it by 1 d";
   EXPECT_GT(found.undecided, 0);
@@ -103,7 +103,7 @@ TEST_P(Pull, ATrialThatEndsByItsTimeIsHeldAndCounted) {
 TEST_P(Pull, AnIntruderThatIsHeldForGoodIsReportedWithoutAnUpperForce) {
   Scenario scene = free_intruder(GetParam());
   scene.disks[0].fixed = true;
-  const CriticalForce found = finished(scene).forces.at(0);
+  const CriticalForce found = searched(scene).forces.at(0);
   EXPECT_FALSE(found.force_high);
   EXPECT_GT(found.force_low, 1e5);
 }
@@ -133,7 +133,7 @@ Scenario bonded_grain(Method method, double cohesion) {
 }
 
 TEST_P(Shear, AGrainHeldByOneBondMovesAtTheCohesionForce) {
-  const Finished run = finished(bonded_grain(GetParam(), 70));
+  const SearchEnd run = searched(bonded_grain(GetParam(), 70));
   ASSERT_EQ(run.forces.size(), 1U) << "the other disk is fixed";
   const CriticalForce& found = run.forces[0];
   expect_around(found, 70, 0.05);
@@ -142,7 +142,7 @@ TEST_P(Shear, AGrainHeldByOneBondMovesAtTheCohesionForce) {
   EXPECT_EQ(found.depth, 0.5);
 }
 
-Scenario disk_on_floor(Method method, const ContactLaw& law) {
+Scenario lying_disk(Method method, const ContactLaw& law) {
   Scenario scene = column(method, 1, law);
   ShearPhase shear{.depths = {0.5}, .distance = 2};
   shear.trials.first_force = 1;
@@ -152,23 +152,22 @@ Scenario disk_on_floor(Method method, const ContactLaw& law) {
 }
 
 TEST_P(Shear, AHeavyRollerRollsAtTheRollingFriction) {
-  const Finished run = finished(disk_on_floor(GetParam(), paper_law()));
+  const SearchEnd run = searched(lying_disk(GetParam(), paper_law()));
   expect_around(run.forces.at(0), 0.1, 0.05);
 }
 
 TEST_P(Shear, ADiskThatCannotRollSlidesAtTheFriction) {
-  const Finished run =
-      finished(disk_on_floor(GetParam(), {.friction = 0.3, .rolling_friction = 1}));
+  const SearchEnd run = searched(lying_disk(GetParam(), {.friction = 0.3, .rolling_friction = 1}));
   expect_around(run.forces.at(0), 0.3, 0.05);
 }
 
 TEST_P(Shear, DisplacementsArePastThePeriodicSides) {
-  Scenario scene = disk_on_floor(GetParam(), paper_law());
+  Scenario scene = lying_disk(GetParam(), paper_law());
   scene.box = {.width = 4, .height = 4, .sides = Sides::periodic, .floor = true};
   auto& shear = std::get<ShearPhase>(scene.phases[0].kind);
   shear.distance = 10;
   shear.trials.max_time = 1000;
-  const CriticalForce found = finished(scene).forces.at(0);
+  const CriticalForce found = searched(scene).forces.at(0);
   expect_around(found, 0.1, 0.05);
   EXPECT_EQ(found.undecided, 0);
 }
@@ -190,7 +189,7 @@ TEST_P(Shear, GrainsAreDrawnWithoutRepetitionByTheSeed) {
     Scenario scene = row_of_disks(GetParam());
     scene.seed = seed;
     std::vector<int> bodies;
-    for (const CriticalForce& found : finished(scene).forces) {
+    for (const CriticalForce& found : searched(scene).forces) {
       bodies.push_back(found.body);
       EXPECT_EQ(found.depth, 3.5) << "there is no movable grain at 1 d";
       EXPECT_EQ(found.weight_above, 1) << "of the fixed one";
@@ -204,7 +203,7 @@ TEST_P(Shear, GrainsAreDrawnWithoutRepetitionByTheSeed) {
 TEST_P(Shear, WhereGrainsAreFewAllAreTaken) {
   Scenario scene = row_of_disks(GetParam());
   std::get<ShearPhase>(scene.phases[0].kind).grains_per_depth = 50;
-  EXPECT_EQ(finished(scene).forces.size(), 5U);
+  EXPECT_EQ(searched(scene).forces.size(), 5U);
 }
 
 TEST_P(Shear, ProgressRisesToItsEnd) {
