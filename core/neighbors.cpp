@@ -22,7 +22,8 @@ class CellGrid {
   CellGrid(const World& world, double cell_size) : world_(world) {
     const int nd = world.disks.size();
     periodic_ = world.box.sides == Sides::periodic;
-    columns_ = periodic_ ? std::max(1, static_cast<int>(world.box.width / cell_size)) : 0;
+    const double columns = std::clamp(world.box.width / cell_size, 1.0, 1e9);
+    columns_ = periodic_ ? static_cast<int>(columns) : 0;
     size_x_ = periodic_ ? world.box.width / columns_ : cell_size;
     size_y_ = cell_size;
     const auto buckets = std::bit_ceil(2 * static_cast<std::size_t>(nd) + 16);
@@ -50,6 +51,11 @@ class CellGrid {
     const Cell c = cell_[i];
     int first = c.x - nx, last = c.x + nx;
     if (periodic_ && last - first + 1 >= columns_) first = 0, last = columns_ - 1;
+    // Far larger than the others, it reaches more cells than there are disks.
+    if ((last - first + 1.0) * (2.0 * ny + 1) > static_cast<double>(cell_.size())) {
+      for (int j = 0; j < static_cast<int>(cell_.size()); ++j) visit(j);
+      return;
+    }
     for (int y = c.y - ny; y <= c.y + ny; ++y) {
       for (int x = first; x <= last; ++x) {
         const Cell at{periodic_ ? (x % columns_ + columns_) % columns_ : x, y};
@@ -85,7 +91,7 @@ class CellGrid {
 
 }  // namespace
 
-std::vector<Pair> pairs_within(const World& world, double distance) {
+std::vector<Pair> pairs_within(const World& world, double distance, std::size_t enough) {
   const Disks& disks = world.disks;
   const int nd = disks.size();
   std::vector<Pair> pairs;
@@ -98,15 +104,17 @@ std::vector<Pair> pairs_within(const World& world, double distance) {
   const double ordinary = 1.5 * sorted[static_cast<std::size_t>(nd / 2)];
   const double largest = std::ranges::max(disks.radius);
   const auto is_large = [&](int i) { return disks.radius[i] > ordinary; };
-  const CellGrid grid(world, 2 * ordinary + distance);
+  const double apart = std::max(0.0, distance);
+  const CellGrid grid(world, 2 * ordinary + apart);
   for (int i = 0; i < nd; ++i) {
-    const double reach = disks.radius[i] + (is_large(i) ? largest : ordinary) + distance;
+    const double reach = disks.radius[i] + (is_large(i) ? largest : ordinary) + apart;
     grid.visit_near(i, reach, [&](int j) {
       const bool mine = is_large(i) == is_large(j) ? i < j : is_large(i);
       if (mine && world.gap({i, j}) <= distance) pairs.push_back({std::min(i, j), std::max(i, j)});
     });
+    if (pairs.size() >= enough) break;
   }
-  for (int i = 0; i < nd; ++i)
+  for (int i = 0; i < nd && pairs.size() < enough; ++i)
     for (int k = 0; k < static_cast<int>(world.walls.size()); ++k)
       if (world.gap({i, kWallBase + k}) <= distance) pairs.push_back({i, kWallBase + k});
   std::ranges::sort(pairs);

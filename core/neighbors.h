@@ -9,8 +9,10 @@
 
 namespace quicksand {
 
-// All pairs (disk-disk and disk-wall) whose gap is at most `distance` [d], sorted.
-std::vector<Pair> pairs_within(const World& world, double distance);
+// All pairs (disk-disk and disk-wall) whose gap is at most `distance` [d], sorted. Who is content with `enough`
+// of them gets these and no more than a body has besides.
+std::vector<Pair> pairs_within(const World& world, double distance,
+                               std::size_t enough = static_cast<std::size_t>(-1));
 
 // A list of all pairs with gaps up to a skin, rebuilt when bodies have moved too far for it.
 class NeighborList {

@@ -57,9 +57,9 @@ void check_overlaps(const Scenario& scenario) {
   Scenario unbonded = scenario;
   unbonded.initial_bonds = InitialBonds::none;
   const World world = make_world(unbonded);
-  for (const Pair& pair : pairs_within(world, 0)) {
+  // One is enough: of bodies that all lie in one place there are too many pairs to list.
+  for (const Pair& pair : pairs_within(world, -kOverlapTolerance, 1)) {
     const double gap = world.gap(pair);
-    if (gap >= -kOverlapTolerance) continue;
     const std::string other =
         is_wall(pair.b) ? "wall " + std::to_string(pair.b - kWallBase) : place(pair.b);
     throw InputError(place(pair.a), "overlaps " + other + " by " + number(-gap) +

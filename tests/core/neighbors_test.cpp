@@ -131,5 +131,16 @@ TEST(NeighborSearch, TheListNoticesAnotherWorld) {
   EXPECT_EQ(list.pairs(large, 0.01), (std::vector<Pair>{{0, 1}}));
 }
 
+// The cells fit the small ones; to look into all that the large one covers would take years.
+TEST(NeighborSearch, OfADiskTenBillionTimesLargerThanTheOthersAreFound) {
+  World world;
+  world.box = {.width = 0, .sides = Sides::open};
+  for (int k = 0; k < 3; ++k) world.disks.add({.position = {k, 0}, .radius = 5e-7});
+  world.disks.add({.position = {0, 5000.5}, .radius = 5000});
+  EXPECT_EQ(pairs_within(world, 0.51), brute_force(world, 0.51));
+  world.box = {.width = 1e5, .sides = Sides::periodic};
+  EXPECT_EQ(pairs_within(world, 0.51), brute_force(world, 0.51));
+}
+
 }  // namespace
 }  // namespace quicksand

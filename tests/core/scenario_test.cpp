@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/errors.h"
+#include "tests/support/bounded_memory.h"
 #include "tests/support/core/methods.h"
 #include "tests/support/core/scenes.h"
 
@@ -34,6 +35,14 @@ TEST(Validation, RefusesOverlappingBodiesAndSaysByHowMuch) {
   EXPECT_TRUE(starts_with(text, "bodies[1] overlaps bodies[2] by 0.25")) << text;
   scene.disks[2].position.y() += 0.25 - 1e-10;  // rounding
   EXPECT_EQ(verdict(scene), "valid");
+}
+
+// Their pairs would take 2 GB.
+TEST(Validation, RefusesManyBodiesInOnePlaceInLittleMemory) {
+  Scenario scene = empty_scene(Method::automatic);
+  scene.disks.assign(20000, {.position = {3, 3}});
+  const test::BoundedMemory bound(500'000'000);
+  EXPECT_THROW(validate(scene), InputError);
 }
 
 TEST(Validation, RefusesOverlapThroughThePeriodicSides) {
