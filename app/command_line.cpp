@@ -11,6 +11,7 @@
 #include "app/exit_code.h"
 #include "app/nearest_name.h"
 #include "core/errors.h"
+#include "core/memory.h"
 #include "render/render_error.h"
 
 namespace quicksand {
@@ -78,13 +79,19 @@ int run_command_line(int argc, const char* const* argv) {
   try {
     const auto called =
         std::ranges::find_if(commands, [](const Command& c) { return c.app->parsed(); });
-    return called->run();
+    const int code = called->run();
+    // What a full disk has swallowed must not pass for a result.
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+      return complain("the standard output cannot be written; is the disk full?", kRunFailed);
+    return code;
   } catch (const InputError& error) {
     return complain(error.where() + ": " + error.what(), kBadInput);
   } catch (const RenderError& error) {
     return complain(
         std::string("no pictures: ") + error.what() + "; `run --no-frames` does without",
         kBadInput);
+  } catch (const NotEnoughMemory& error) {
+    return complain(error.what(), kRunFailed);
   } catch (const std::bad_alloc&) {
     return complain("there is not enough memory for this", kRunFailed);
   } catch (const std::exception& error) {

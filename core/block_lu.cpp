@@ -4,6 +4,9 @@
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
+#include <string>
+
+#include "core/memory.h"
 
 namespace quicksand {
 
@@ -109,6 +112,7 @@ void BlockLu::find_structure(const std::vector<Edge>& edges) {
     const auto last = row_.begin() + start_[of_column + 1];
     return static_cast<int>(std::lower_bound(first, last, row) - row_.begin());
   };
+  make_room();
   target_.clear();
   for (int k = 0; k < n_; ++k)
     for (int q = start_[k]; q < start_[k + 1]; ++q)
@@ -120,6 +124,28 @@ void BlockLu::find_structure(const std::vector<Edge>& edges) {
     edge_slot_[e] = slot(std::max(p, q), std::min(p, q));
     edge_flipped_[e] = p > q ? 1 : 0;
   }
+}
+
+// In two dimensions the products grow as n^1.5: a dense packing of a million bodies has ten thousand a body.
+void BlockLu::make_room() {
+  std::size_t products = 0;
+  for (std::size_t k = 0; k + 1 < start_.size(); ++k) {
+    const auto rows = static_cast<std::size_t>(start_[k + 1] - start_[k]);
+    products += rows * (rows - 1) / 2;
+  }
+  const auto bytes = [](const auto& held, std::size_t needed) {
+    const std::size_t more = needed > held.capacity() ? needed - held.capacity() : 0;
+    return static_cast<double>(more) * sizeof(held[0]);
+  };
+  const std::string problem = memory_problem(bytes(target_, products) + bytes(lower_, row_.size()) +
+                                             bytes(upper_, row_.size()));
+  if (!problem.empty()) {
+    const int bodies = n_;
+    n_ = -1;  // nothing is known of this graph
+    throw NotEnoughMemory("to factorise the contacts of " + std::to_string(bodies) + " bodies " +
+                          problem + "; solver.method=gauss_seidel does without");
+  }
+  if (products > target_.capacity()) target_.reserve(products + products / 4);
 }
 
 void BlockLu::clear() {

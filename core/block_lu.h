@@ -24,7 +24,7 @@ struct Edge {
 class BlockLu {
  public:
   // Orders n block rows coupled by `edges`; repeated edges are allowed. Does nothing if the graph is
-  // the same as before.
+  // the same as before. Throws NotEnoughMemory if there is none for the factors.
   void analyse(int n, const std::vector<Edge>& edges);
 
   // The matrix, to be filled before factorise(): block (i, i), and for edge e the blocks (i, j) and
@@ -50,6 +50,7 @@ class BlockLu {
  private:
   void order(const std::vector<Edge>& edges);
   void find_structure(const std::vector<Edge>& edges);
+  void make_room();
 
   int n_ = -1;
   bool negative_ = false;

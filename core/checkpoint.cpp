@@ -8,8 +8,10 @@
 #include <system_error>
 
 #include "core/checkpoint_archive.h"
+#include "core/checkpoint_cbor.h"
 #include "core/checkpoint_check.h"
 #include "core/checkpoint_search.h"
+#include "core/memory.h"
 #include "core/whole_file.h"
 
 namespace quicksand {
@@ -24,6 +26,9 @@ static_assert(std::endian::native == std::endian::little, "arrays are stored lit
 constexpr const char* kFormat = "quicksand checkpoint";
 constexpr int kVersion = 4;
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{4} << 30U;  // [bytes]
+// Memory that reading takes: the bytes are there as they are, as JSON and as a world.
+constexpr double kBytesPerByte = 4;
+constexpr double kBytesPerItem = 64;
 
 template <class Archive, class Law>
 void describe_law(Archive& archive, Law& law) {
@@ -254,6 +259,24 @@ std::span<const std::uint8_t> sealed_content(std::span<const std::uint8_t> bytes
   return content;
 }
 
+void require_memory(double bytes, const std::filesystem::path& path) {
+  const std::string problem = memory_problem(bytes);
+  if (!problem.empty()) throw NotEnoughMemory(path.string() + ": reading it " + problem);
+}
+
+std::vector<std::uint8_t> read_bytes_of(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (error) throw InputError(path.string(), "cannot be read: " + error.message());
+  if (size > kLargestFile) throw InputError(path.string(), "is larger than 4 GiB");
+  require_memory(kBytesPerByte * static_cast<double>(size), path);
+  std::ifstream file(path, std::ios::binary);
+  std::vector<std::uint8_t> bytes(size);
+  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+  if (!file) throw InputError(path.string(), "cannot be read");
+  return bytes;
+}
+
 }  // namespace
 
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
@@ -266,16 +289,11 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& check
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& path) {
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error) throw InputError(path.string(), "cannot be read: " + error.message());
-  if (size > kLargestFile) throw InputError(path.string(), "is larger than 4 GiB");
-  std::ifstream file(path, std::ios::binary);
-  std::vector<std::uint8_t> bytes(size);
-  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-  if (!file) throw InputError(path.string(), "cannot be read");
+  const std::vector<std::uint8_t> bytes = read_bytes_of(path);
   try {
-    const Json json = Json::from_cbor(sealed_content(bytes));
+    const auto content = sealed_content(bytes);
+    require_memory(kBytesPerItem * static_cast<double>(count_cbor_items(content)), path);
+    const Json json = Json::from_cbor(content);
     require(json.is_object() && json.value("format", "") == kFormat, "this is no checkpoint");
     const int version = json.at("version").get<int>();
     if (version != kVersion)
@@ -296,6 +314,8 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
     return checkpoint;
   } catch (const OtherVersion&) {
     throw;
+  } catch (const NotEnoughMemory&) {
+    throw;  // it is whole all the same, and must not be taken for damaged
   } catch (const std::exception& problem) {
     throw InputError(path.string(),
                      std::string("is not a whole checkpoint of quicksand: ") + problem.what());

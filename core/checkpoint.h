@@ -29,7 +29,8 @@ class OtherVersion : public InputError {
   using InputError::InputError;
 };
 
-// Throws InputError if the file is missing, truncated or damaged, OtherVersion if it is of another version.
+// Throws InputError if the file is missing, truncated or damaged, OtherVersion if it is of another version,
+// NotEnoughMemory if there is too little to read it.
 Checkpoint read_checkpoint(const std::filesystem::path& path);
 
 }  // namespace quicksand

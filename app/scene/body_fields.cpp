@@ -1,5 +1,6 @@
 // Explicitly listed bodies, as fields of a scene file. An entry may stand for a row of bodies.
 #include "app/scene/scene_fields.h"
+#include "core/memory.h"
 
 namespace quicksand {
 
@@ -8,6 +9,8 @@ namespace {
 constexpr std::string_view kRoles[] = {"grain", "intruder"};
 
 constexpr double kLongestOffset = 1e6;  // [d]
+// Memory that a listed body takes until its overlaps are checked. [bytes]
+constexpr double kBytesToList = 500;
 
 struct Repeat {
   std::int64_t count = 1;
@@ -94,6 +97,11 @@ void describe_bodies(Fields& f, std::vector<Disk>& disks, std::vector<Vec3>& for
   if (total > kMaxBodies) {
     f.refuse("bodies", "are " + std::to_string(total) + " with their repeats, at most " +
                            std::to_string(kMaxBodies) + " are possible");
+  }
+  const std::string problem = memory_problem(kBytesToList * static_cast<double>(total));
+  if (!problem.empty()) {
+    f.refuse("bodies",
+             "are " + std::to_string(total) + " with their repeats; listing them " + problem);
   }
   disks.clear();
   forces.clear();

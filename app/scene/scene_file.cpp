@@ -7,8 +7,10 @@
 #include "app/nearest_name.h"
 #include "app/scene/scenario_json.h"
 #include "app/scene/scene_override.h"
+#include "app/scene/scene_size.h"
 #include "core/checkpoint.h"
 #include "core/errors.h"
+#include "core/memory.h"
 
 namespace quicksand {
 
@@ -59,6 +61,15 @@ void require_intruder(const Scenario& scenario, const World& state) {
   }
 }
 
+// For the bodies of the scene besides those that are there already.
+void require_memory(const Scenario& scenario, int present) {
+  const std::int64_t bodies = size_of(scenario).bodies() + present;
+  const std::string problem = memory_problem(bytes_to_compute(bodies));
+  if (problem.empty()) return;
+  throw InputError(scenario.name,
+                   "to compute about " + std::to_string(bodies) + " bodies " + problem);
+}
+
 }  // namespace
 
 std::string read_scene_text(const fs::path& file) {
@@ -98,9 +109,13 @@ Scenario read_scene(const SceneRequest& request) {
 }
 
 World start_world(const Scenario& scenario) {
+  if (scenario.start_from.empty()) {
+    require_memory(scenario, 0);
+    return make_world(scenario);
+  }
   World world = make_world(scenario);
-  if (scenario.start_from.empty()) return world;
   World state = read_checkpoint(scenario.start_from).world;
+  require_memory(scenario, state.disks.size());
   require_same_box(scenario, state);
   require_intruder(scenario, state);
   world.disks = std::move(state.disks);

@@ -6,6 +6,7 @@
 
 #include "app/run/sample_times.h"
 #include "app/scene/scenario_json.h"
+#include "app/scene/scene_size.h"
 #include "app/scene/si_scale.h"
 
 namespace quicksand {
@@ -149,17 +150,14 @@ std::string phases_text(const Scenario& s) {
 }
 
 std::string bodies_text(const Scenario& s) {
-  std::int64_t deposited = 0;
-  std::int64_t intruders = 0;
-  for (const Phase& phase : s.phases) {
-    if (const auto* p = std::get_if<DepositPhase>(&phase.kind))
-      deposited += estimated_grains(s, *p);
-    if (std::holds_alternative<PushPhase>(phase.kind)) ++intruders;
-  }
-  std::string text = std::to_string(s.disks.size()) + " listed";
+  const SceneSize size = size_of(s);
+  std::string text = std::to_string(size.listed) + " listed";
   if (!s.start_from.empty()) text = "those of " + s.start_from;
-  if (deposited > 0) text += ", about " + std::to_string(deposited) + " deposited";
-  if (intruders > 0) text += ", " + std::to_string(intruders) + " pushed in";
+  if (size.deposited > 0) text += ", about " + std::to_string(size.deposited) + " deposited";
+  if (size.pushed_in > 0) text += ", " + std::to_string(size.pushed_in) + " pushed in";
+  constexpr double kGigabyte = 1e9;
+  const double memory = bytes_to_compute(size.bodies()) / kGigabyte;
+  if (memory >= 1) text += "; at least " + number(memory) + " GB of memory to compute";
   return text;
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/session/command_table.h"
 #include "core/errors.h"
+#include "core/memory.h"
 #include "render/render_error.h"
 
 namespace quicksand {
@@ -31,6 +32,8 @@ Answer answer_to(Console& console, const Json& command, const std::string& place
     answer.problem = error.what();
   } catch (const RenderError& error) {
     answer.problem = std::string("no pictures: ") + error.what();
+  } catch (const NotEnoughMemory& error) {
+    answer.problem = error.what();
   } catch (const std::bad_alloc&) {
     answer.problem = "there is not enough memory for this";
   }

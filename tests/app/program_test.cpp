@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <thread>
 
 #include "app/json/json_text.h"
@@ -240,6 +241,12 @@ TEST_F(ProgramTest, ListsWhatThereIs) {
   EXPECT_EQ(scenes.out.find("cannot be read"), std::string::npos) << scenes.out;
   EXPECT_NE(quicksand({"list", "colours"}).out.find("active_bonds"), std::string::npos);
   EXPECT_NE(quicksand({"list", "quantities"}).out.find("volume_fraction"), std::string::npos);
+}
+
+TEST_F(ProgramTest, WhatAFullDiskSwallowsIsNoResult) {
+  const std::string list = std::string(QUICKSAND_PROGRAM) + " list schema";
+  EXPECT_EQ(std::system((list + " > /dev/null").c_str()), 0);
+  EXPECT_EQ(WEXITSTATUS(std::system((list + " > /dev/full 2> /dev/null").c_str())), 1);
 }
 
 }  // namespace

@@ -6,7 +6,9 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "core/memory.h"
 #include "core/random.h"
+#include "tests/support/bounded_memory.h"
 #include "tests/support/core/tolerance.h"
 
 namespace quicksand {
@@ -181,6 +183,27 @@ TEST(BlockLu, OperationsGrowWithTheFill) {
   EXPECT_EQ(operations({"single", 1, {}}), 90);
   EXPECT_EQ(operations(star(9)), 9 * 90 + 8 * 99);
   EXPECT_EQ(operations(complete(3)), 3 * 90 + 3 * 99 + 108);
+}
+
+// 1500 bodies that all touch each other: 500 million products.
+TEST(BlockLu, RefusesWhatItHasNoMemoryForBeforeItTakesIt) {
+  if (!test::kMemoryCanBeBounded) GTEST_SKIP() << "not under the address sanitizer";
+  const Graph graph = complete(1500);
+  BlockLu lu;
+  const test::BoundedMemory bound(800'000'000);
+  // Once more: the first failure leaves nothing that could be taken for an analysed graph.
+  for (int k = 0; k < 2; ++k) {
+    try {
+      lu.analyse(graph.n, graph.edges);
+      FAIL() << "was analysed";
+    } catch (const NotEnoughMemory& error) {
+      EXPECT_NE(
+          std::string(error.what())
+              .find("to factorise the contacts of 1500 bodies takes at least 2.4 GB of memory"),
+          std::string::npos)
+          << error.what();
+    }
+  }
 }
 
 }  // namespace

@@ -6,7 +6,9 @@
 #include <string_view>
 
 #include "core/errors.h"
+#include "core/memory.h"
 #include "core/random.h"
+#include "tests/support/bounded_memory.h"
 #include "tests/support/core/checkpoint_files.h"
 #include "tests/support/core/methods.h"
 #include "tests/support/core/scenes.h"
@@ -143,6 +145,30 @@ TEST_F(CheckpointFile, WithAnyBitFlippedIsRefused) {
 TEST_F(CheckpointFile, WithBytesAddedIsRefused) {
   bytes_.push_back(0);
   EXPECT_EQ(outcome(bytes_), "");
+}
+
+// The parser recurses: a megabyte of brackets would overflow the stack.
+TEST_F(CheckpointFile, NestedWithoutEndIsRefused) {
+  constexpr std::uint8_t kListOfOne = 0x81, kText = 0x7F, kBinary = 0x5F, kObject = 0xA1;
+  for (const std::uint8_t opening : {kListOfOne, kText, kBinary, kObject})
+    EXPECT_EQ(outcome(with_fitting_checksum(Bytes(1'000'000, opening))), "") << int{opening};
+}
+
+TEST_F(CheckpointFile, OfMoreItemsThanMemoryHoldsIsRefusedBeforeTheyAreRead) {
+  if (!test::kMemoryCanBeBounded) GTEST_SKIP() << "not under the address sanitizer";
+  Bytes items(10'000'000, 0);  // a list of zeros, each 16 times as large when it is read
+  items[0] = 0x9A, items[1] = 0, items[2] = 0x98, items[3] = 0x96, items[4] = 0x72;
+  write_bytes(path_, with_fitting_checksum(items));
+  const test::BoundedMemory bound(400'000'000);
+  // No InputError: a run that goes on must not take it for damaged.
+  try {
+    read_checkpoint(path_);
+    FAIL() << "was read";
+  } catch (const NotEnoughMemory& error) {
+    EXPECT_NE(std::string_view(error.what()).find("takes at least 0.6 GB of memory"),
+              std::string::npos)
+        << error.what();
+  }
 }
 
 TEST_F(CheckpointFile, OfAnotherKindIsRefused) {

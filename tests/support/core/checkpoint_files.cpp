@@ -18,9 +18,14 @@ Bytes with_version(Bytes bytes, std::uint8_t version) {
   const auto key = std::search(bytes.begin(), bytes.end(), kKey.begin(), kKey.end());
   if (key == bytes.end()) throw std::runtime_error("no version in this checkpoint");
   key[kKey.size()] = version;  // small numbers are one byte in CBOR
-  // FNV-1a of all but the seal, low byte first.
+  return with_fitting_checksum(std::move(bytes));
+}
+
+Bytes with_fitting_checksum(Bytes bytes) {
+  // FNV-1a of all but the seal: the head of a string of eight bytes, then the hash, low byte first.
   std::uint64_t hash = 0xCBF29CE484222325ULL;
   for (std::size_t k = 0; k + 9 < bytes.size(); ++k) hash = (hash ^ bytes[k]) * 0x100000001B3ULL;
+  bytes[bytes.size() - 9] = 0x48;
   for (std::size_t k = 0; k < 8; ++k)
     bytes[bytes.size() - 8 + k] = static_cast<std::uint8_t>(hash >> (8 * k));
   return bytes;
