@@ -1,12 +1,44 @@
 #!/usr/bin/env bash
-# Feeds every reader with damaged files for so many seconds: `tests/robustness/fuzz.sh 600 [SEED]`.
-# Inputs that crash, hang, take too much memory or fail in another way than an input error are saved in
-# out/fuzz; exit code 1 then.
+# Searches for inputs that a reader neither reads nor refuses: `tests/robustness/fuzz.sh SECONDS [READER...]`
+# gives each reader so many seconds (600) of libFuzzer under the address and undefined-behaviour sanitizers,
+# one a core. What crashes, hangs, takes too much memory or fails otherwise than by an input error is saved in
+# out/fuzz/findings/READER; exit code 1 then. Mended, it belongs into cases/READER, which the tests read.
+# The next search goes on from the inputs that this one has collected in out/fuzz/READER.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 source "$root/app/setup.sh"
-build_in "$root/build" quicksand_fuzz -DCMAKE_BUILD_TYPE=Release
-mkdir -p "$root/out/fuzz"
+seconds=${1:-600}
+[ $# -gt 0 ] && shift
+readers=("$@")
+[ ${#readers[@]} -gt 0 ] || readers=(scene campaign session line options checkpoint)
+
+command -v clang++ >/dev/null || install_packages ci
+build_in "$root/build-fuzz" fuzzers -DQUICKSAND_FUZZ=ON -DCMAKE_CXX_COMPILER=clang++ \
+  -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1"
+binaries="$root/build-fuzz/tests/robustness"
+out="$root/out/fuzz"
+rm -rf "$out/findings"
+mkdir -p "$out"
 # A disk would take most of the time.
 [ -w /dev/shm ] && export TMPDIR=/dev/shm
-"$root/build/tests/robustness/quicksand_fuzz" --seconds "${1:-600}" --seed "${2:-$$}" --save "$root/out/fuzz"
+"$binaries/fuzz_seeds" "$out"
+
+# search READER: ends at the first finding.
+search() {
+  local reader="$1" log="$out/$1.log" outcome="no finding"
+  local cases="$root/tests/robustness/cases/$reader"
+  mkdir -p "$out/findings/$reader" "$cases"
+  "$binaries/fuzz_$reader" "$out/$reader" "$cases" -dict="$out/$reader.dict" \
+    -artifact_prefix="$out/findings/$reader/" -max_total_time="$seconds" -max_len=32768 \
+    -timeout=20 -rss_limit_mb=3072 -malloc_limit_mb=1024 -print_final_stats=1 >"$log" 2>&1 ||
+    outcome="FINDING, see $log"
+  rmdir "$out/findings/$reader" "$cases" 2>/dev/null || true
+  printf '%-10s %9s executions, %5s edges, %4s MB at most: %s\n' "$reader" \
+    "$(awk '/number_of_executed_units/ { print $2 }' "$log")" \
+    "$(grep -o ' cov: [0-9]*' "$log" | awk 'END { print $2 }')" \
+    "$(awk '/peak_rss_mb/ { print $2 }' "$log")" "$outcome"
+}
+export -f search
+export out root binaries seconds
+printf '%s\n' "${readers[@]}" | xargs -P "$(nproc)" -I{} bash -c 'search {}'
+[ -z "$(find "$out/findings" -type f)" ]
