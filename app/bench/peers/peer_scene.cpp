@@ -85,7 +85,7 @@ PeerScene beam_of(int n) {
   one.expected = "yields as a rigid rod about the first contact, and no bond breaks";
   one.unit = "relative";
   one.judge = [=](const PeerScene& beam, const PeerState& state) -> Verdict {
-    constexpr double kNear = 0.2;
+    constexpr double kNear = 0.1;
     const double angle = turned(weight_moment, kMoment, inertia, state.ramp, beam.time);
     const double drop = beam.scene.disks.back().position.y() - state.position.back().y();
     const double right = (n - 0.5) * std::sin(angle), off = std::abs(drop / right - 1);

@@ -168,7 +168,7 @@ void report_peers(std::span<const Row> rows, const Options&, Section& section) {
       "less "
       "than 0.1 d; for heaps, overlaps by less than 0.01 d and has come down to a volume fraction "
       "of "
-      "0.7; for beams that yield, turns to 20 %. Seconds are of the CPU, one "
+      "0.7; for beams that yield, turns to 10 %. Seconds are of the CPU, one "
       "thread, in the time steps alone, and include those in which a driver lets gravity rise. A "
       "program without a law of bonds that break is "
       "not judged where there are bonds."});
