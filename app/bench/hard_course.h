@@ -7,7 +7,8 @@
 
 namespace quicksand::bench {
 
-inline constexpr double kRange = 5e-5;  // of bonds, d_c [d]
+inline constexpr double kRange = 5e-5;    // of bonds, d_c [d]
+inline constexpr double kDefault = 1e-6;  // tolerance [1]
 
 struct HardCase {
   std::string name;

@@ -10,8 +10,6 @@ namespace quicksand::bench {
 
 namespace {
 
-constexpr double kDefault = 1e-6;  // tolerance [1]
-
 // A disk on a plane that descends to +x.
 Scenario slope(double tangent, const ContactLaw& law) {
   Scenario scene = bare_scene(true);

@@ -166,7 +166,7 @@ Row crystal(double friction, bool sealed) {
 }  // namespace
 
 std::vector<HardCase> structure_cases(const Options& options) {
-  constexpr double kDefault = 1e-6, kDt = 1e-2;
+  constexpr double kDt = 1e-2;
   std::vector<HardCase> all;
   for (const int n : {100, 1000, 10000}) {
     if (n > 1000 && options.quick) continue;
