@@ -321,7 +321,7 @@ TEST(Slurm, TasksAreGivenAsRanges) {
 }
 
 // Against a real Slurm, where there is one; otherwise the script says what is missing.
-TEST_F(CampaignTest, ARealSlurmGivesTheSameTable) {
+TEST_F(CampaignTest, SlowARealSlurmGivesTheSameTable) {
   ASSERT_EQ(quicksand({"campaign", "many.json", "--out", "local"}).exit_code, 0);
   folder_.write("many.json",
                 R"({"scene": "small.json", "grid": {"contact.friction": [0.3, 0.6]},

@@ -86,7 +86,7 @@ class ResumeTest : public ProgramFixture {
   void cut(const std::string& name, std::size_t length) const { fs::resize_file(at(name), length); }
 };
 
-TEST_F(ResumeTest, KilledAtEightRandomMomentsTheFilesAreThoseOfAnUnbrokenRun) {
+TEST_F(ResumeTest, SlowKilledAtEightRandomMomentsTheFilesAreThoseOfAnUnbrokenRun) {
   const auto begin = std::chrono::steady_clock::now();
   run_unbroken();
   const auto whole = std::chrono::steady_clock::now() - begin;
