@@ -16,13 +16,13 @@ class Walk {
     const std::uint8_t head = take(1)[0];
     const auto type = static_cast<Type>(head >> 5U);
     const std::uint64_t number = argument(head & 31U);
-    if (type == kTag) throw std::runtime_error("it has a tag");
-    if (type == kByteString || type == kText) take(number);
-    if (type != kArray && type != kMap) return;
+    if (type == tag) throw std::runtime_error("it has a tag");
+    if (type == byte_string || type == text) take(number);
+    if (type != array && type != map) return;
     // An item takes a byte at least, so that no number of them outlasts the bytes.
     for (std::uint64_t k = 0; k < number; ++k) {
       over_item(depth + 1);
-      if (type == kMap) over_item(depth + 1);
+      if (type == map) over_item(depth + 1);
     }
   }
 
@@ -32,7 +32,7 @@ class Walk {
  private:
   static constexpr int kDeepest = 16;
   // The types of RFC 8949, 3.1, that hold more than a number.
-  enum Type : std::uint8_t { kByteString = 2, kText, kArray, kMap, kTag };
+  enum Type : std::uint8_t { byte_string = 2, text, array, map, tag };
 
   std::span<const std::uint8_t> take(std::uint64_t count) {
     if (count > rest_.size()) throw std::runtime_error("it is cut short");
