@@ -161,6 +161,11 @@ class Script {
     }
   }
 
+  // Where a name to the right of its line would leave the picture.
+  bool in_right_half(double x) const {
+    return plot_.x.logarithmic ? x * x > x_.low * x_.high : 2 * x > x_.low + x_.high;
+  }
+
   void given(const Reference& reference) {
     const std::string low = number_text(reference.low);
     const std::string high = number_text(reference.high);
@@ -175,8 +180,10 @@ class Script {
     }
     if (guide && !reference.name.empty()) {
       line("set label " + gnuplot_text(reference.name) + " at " +
-           (reference.of_x ? "first " + low + ", graph 1 left offset character 0, 0.7"
-                           : "graph 0.99, first " + high + " right offset character 0, 0.5") +
+           (reference.of_x
+                ? "first " + low + ", graph 1 " +
+                      (in_right_half(reference.low) ? "right" : "left") + " offset character 0, 0.7"
+                : "graph 0.99, first " + high + " right offset character 0, 0.5") +
            kGreyText);
     }
   }

@@ -29,7 +29,7 @@ PeerState at_the_start(const PeerScene& scene) {
 }
 
 Verdict verdict(const PeerScene& scene, const PeerState& state) {
-  return scene.judge(scene, state);
+  return bench::verdict_on(scene, state);
 }
 
 TEST(Peers, ADriverIsToldDisksWallsBondsAndLaws) {
@@ -97,7 +97,7 @@ TEST(Peers, OverlapOfAHeapIsFoundAtDisksAndWalls) {
 }
 
 constexpr const char* kFallenPair =
-    R"({"version": "7", "cpu_seconds": 0.5, "ramp": 0, "dt": 0.25, "steps": 4, "broken": [0],
+    R"({"version": "7", "cpu_seconds": 0.5, "ramp": 0, "dt": 0.25, "steps": 4, "broken": [0], "resolution": 1e-6,
         "position": [[0, 0], [0, -1.5]], "velocity": [[0, 0, 0], [0, -1, 0]]})";
 
 // What comes of a driver that is this line of shell, for a disk that hangs from a fixed one.
@@ -121,6 +121,15 @@ TEST(Peers, AnAnswerIsReadAsTheDriverWroteIt) {
   EXPECT_EQ(answer.state.position[1].y(), -1.5);
   EXPECT_EQ(answer.state.velocity[1].y(), -1);
   EXPECT_EQ(answer.state.broken, (std::vector<Pair>{{0, 1}}));
+  EXPECT_EQ(answer.state.resolution, 1e-6);
+}
+
+TEST(Peers, WhatHasNotMovedMayHaveMovedByTheResolution) {
+  const PeerScene chain = scene_named("chain of 100 at 0.99");
+  PeerState state = at_the_start(chain);
+  EXPECT_EQ(verdict(chain, state).off, 0);
+  state.resolution = 1e-6;
+  EXPECT_EQ(verdict(chain, state).off, 1e-6);
 }
 
 TEST(Peers, AFailureSaysWhatWentWrong) {

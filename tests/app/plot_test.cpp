@@ -146,6 +146,25 @@ TEST_F(PlotTest, ALogarithmicAxisOfOneDecadeNamesMoreThanOnePlace) {
     EXPECT_NE(svg.find(place), std::string::npos) << place;
 }
 
+TEST_F(PlotTest, NamesOfLinesStandInsideThePicture) {
+  Plot plot{.name = "guides", .x = {.label = "error", .logarithmic = true}};
+  plot.curves.push_back({.name = "course", .x = {1e-6, 1}, .y = {1, 2}});
+  for (const double x : {1e-6, 1.0})
+    plot.references.push_back({.name = x < 1 ? "rounding" : "free fall",
+                               .low = x,
+                               .high = x,
+                               .of_x = true,
+                               .role = Reference::Role::guide});
+  ASSERT_TRUE(write_plot(plot, folder_.path()).drawn);
+  const std::string svg = file("guides.svg");
+  const auto anchor_before = [&svg](const std::string& name) {
+    const std::size_t at = svg.rfind("text-anchor=\"", svg.find(">" + name + "<"));
+    return svg.substr(at + 13, svg.find('"', at + 13) - at - 13);
+  };
+  EXPECT_EQ(anchor_before("rounding"), "start");
+  EXPECT_EQ(anchor_before("free fall"), "end");
+}
+
 TEST_F(PlotTest, AFailureIsReportedWithGnuplotsOwnWords) {
   Plot plot = small_plot();
   plot.x.low = 5;  // an axis of no length

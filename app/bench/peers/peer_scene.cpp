@@ -218,6 +218,12 @@ Json driver_input(const PeerScene& one) {
           {"bonds", bonds}};
 }
 
+Verdict verdict_on(const PeerScene& scene, const PeerState& state) {
+  Verdict verdict = scene.judge(scene, state);
+  if (scene.unit == "d") verdict.off = std::max(verdict.off, state.resolution);
+  return verdict;
+}
+
 PeerState driver_state(const PeerScene& one, const Json& answer) {
   PeerState state;
   const World world = make_world(one.scene);
@@ -227,6 +233,7 @@ PeerState driver_state(const PeerScene& one, const Json& answer) {
   for (const Json& bond : answer.at("broken"))
     state.broken.push_back(world.bonds.list.at(bond.get<std::size_t>()).pair);
   state.ramp = answer.at("ramp");
+  state.resolution = answer.value("resolution", 0.0);
   if (state.position.size() != one.scene.disks.size() ||
       state.velocity.size() != one.scene.disks.size())
     throw std::runtime_error("it has another number of disks than the scene");

@@ -16,6 +16,7 @@ struct PeerState {
   std::vector<Vec2> position;  // (nd) [d]
   std::vector<Vec3> velocity;  // (nd) [sqrt(g d)], [sqrt(g/d)]
   std::vector<Pair> broken;    // bonds
+  double resolution = 0;       // of positions, where a program is not of double precision [d]
   double ramp = 0;             // time before the scene's in which gravity rose [sqrt(d/g)]
 };
 
@@ -37,6 +38,9 @@ struct PeerScene {
   bool cohesive() const { return scene.grain_law.cohesion_force.has_value(); }
 };
 std::vector<PeerScene> peer_scenes(const Options& options);
+
+// The judge's; off by the state's resolution at least, as what moves by less seems not to move.
+Verdict verdict_on(const PeerScene& scene, const PeerState& state);
 
 // Disks, walls and bonds of the scene's start, laws, and the time. In bonds, walls are -1, -2, ...
 Json driver_input(const PeerScene& scene);

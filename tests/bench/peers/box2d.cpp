@@ -12,8 +12,10 @@
 //   nothing sleeps; gravity rises over 1 sqrt(d/g), as a load that comes at once swings to twice its value.
 #include <box2d/box2d.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <vector>
 
 #include "app/bench/stopwatch.h"
@@ -78,15 +80,21 @@ class Scene {
   Json state() const {
     const double unit = std::sqrt(kGravity * setting_.metres);
     Json position = Json::array(), velocity = Json::array(), broken = Json::array();
+    float farthest = 0;  // coordinate, which single precision resolves least [m]
     for (const b2Body* disk : disks_) {
       const b2Vec2 x = disk->GetPosition(), v = disk->GetLinearVelocity();
+      farthest = std::max({farthest, std::abs(x.x), std::abs(x.y)});
       position.push_back({x.x / setting_.metres, x.y / setting_.metres});
       velocity.push_back({v.x / unit, v.y / unit,
                           disk->GetAngularVelocity() * std::sqrt(setting_.metres / kGravity)});
     }
     for (std::size_t k = 0; k < bonds_.size(); ++k)
       if (bonds_[k].joint == nullptr) broken.push_back(k);
-    return {{"position", position}, {"velocity", velocity}, {"broken", broken}};
+    const float next = std::nextafter(farthest, std::numeric_limits<float>::infinity());
+    return {{"position", position},
+            {"velocity", velocity},
+            {"broken", broken},
+            {"resolution", (next - farthest) / setting_.metres}};
   }
 
  private:
