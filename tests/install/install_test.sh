@@ -13,6 +13,12 @@ if grep -q '^QUICKSAND_SANITIZE:BOOL=ON' "$build/CMakeCache.txt"; then
   exit 77
 fi
 
+echo "one target builds all that is installed"
+installed=$(ninja -C "$build" -t inputs quicksand_installed)
+for file in quicksand quicksand_window.so; do
+  [ ! -f "$build/$file" ] || grep -qxF "$file" <<<"$installed" || { echo "but $file"; exit 1; }
+done
+
 cmake --install "$build" --prefix "$work/prefix" >"$work/install.log"
 cd "$work"
 
