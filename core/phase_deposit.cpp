@@ -28,8 +28,9 @@ double Protocol::interval(const DepositPhase& phase) const {
   return phase.adiabatic ? state_.search.interval : phase.interval;
 }
 
-// Drops one grain at a random place; false if there is no place left below the height.
-bool Protocol::drop_grain(const DepositPhase& phase) {
+// Drops one grain at a random place, to which it may bond; false if there is no place left below the
+// height.
+bool Protocol::drop_grain(const DepositPhase& phase, LandingSite& site, std::vector<Pair>& bonded) {
   double radius = 0.5;
   if (phase.polydispersity) {
     const double before_cut = deviation_before_cut(phase.polydispersity->deviation);
@@ -42,13 +43,14 @@ bool Protocol::drop_grain(const DepositPhase& phase) {
   const int tries = phase.height > 0 ? std::max(10, static_cast<int>(box.width)) : 1;
   for (int k = 0; k < tries; ++k) {
     const double x = margin + world_.random.uniform() * (box.width - 2 * margin);
-    const std::optional<Landing> landing = land(world_, x, radius, phase.capture_radius);
+    const std::optional<Landing> landing = site.land(x, radius, phase.capture_radius);
     if (!landing || (phase.height > 0 && landing->centre.y() + radius > phase.height)) continue;
     const int grain = world_.disks.add(
         {.position = landing->centre, .radius = radius, .velocity = {0, -phase.drop_velocity}});
+    site.add(grain);
     const int touched = landing->touched;
     const Pair pair = is_wall(touched) ? Pair{grain, touched} : Pair{touched, grain};
-    if (world_.law(pair).cohesion_force) world_.bonds.form({pair});
+    if (world_.law(pair).cohesion_force) bonded.push_back(pair);
     ++state_.dropped;
     return true;
   }
@@ -57,11 +59,17 @@ bool Protocol::drop_grain(const DepositPhase& phase) {
 
 void Protocol::before_step(const DepositPhase& phase) {
   if (phase.adiabatic && !state_.search.trial_runs) begin_sample(phase);
-  while (!state_.full && (phase.grains == 0 || state_.dropped < phase.grains) &&
-         due(state_.next_drop)) {
-    state_.full = !drop_grain(phase);
-    state_.next_drop += interval(phase);
-  }
+  const auto drops = [&] {
+    return !state_.full && (phase.grains == 0 || state_.dropped < phase.grains) &&
+           due(state_.next_drop);
+  };
+  if (!drops()) return;
+  LandingSite site(world_);
+  std::vector<Pair> bonded;
+  for (; drops(); state_.next_drop += interval(phase))
+    state_.full = !drop_grain(phase, site, bonded);
+  std::ranges::sort(bonded);
+  world_.bonds.form(bonded);
 }
 
 bool Protocol::is_over(const DepositPhase& phase) {

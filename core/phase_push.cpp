@@ -9,7 +9,7 @@ void Protocol::enter(const PushPhase& phase) {
   world_.bonds.mark_initial();
   const double radius = phase.diameter / 2;
   const double x = phase.x.value_or(world_.box.width / 2);
-  const std::optional<Landing> landing = land(world_, x, radius);
+  const std::optional<Landing> landing = LandingSite(world_).land(x, radius);
   const int intruder = world_.disks.add({.position = landing ? landing->centre : Vec2(x, radius),
                                          .radius = radius,
                                          .density = phase.density,

@@ -46,6 +46,8 @@ enum class Progress : std::uint8_t {
   failed        // the last step did not converge and the scene says stop, or was not finite
 };
 
+class LandingSite;
+
 class Protocol {
  public:
   // Starts on `world` (from make_world, or from a checkpoint whose protocol is not continued), or
@@ -85,7 +87,7 @@ class Protocol {
   double progress(const DepositPhase& phase) const;
   void begin_sample(const DepositPhase& phase);
   double interval(const DepositPhase& phase) const;
-  bool drop_grain(const DepositPhase& phase);
+  bool drop_grain(const DepositPhase& phase, LandingSite& site, std::vector<Pair>& bonded);
   bool adiabatic_is_over(const Adiabatic& adiabatic);
   double adiabatic_progress(const DepositPhase& phase, double of_sample) const;
 

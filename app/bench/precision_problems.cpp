@@ -55,7 +55,7 @@ StepProblem beam(const Options&) {
 StepProblem heavy_disk(const Options& options) {
   constexpr double kMass = 1e4, kRadius = 1.5;
   World world = dense(options).world;
-  world.disks.add({.position = land(world, world.box.width / 2, kRadius)->centre,
+  world.disks.add({.position = LandingSite(world).land(world.box.width / 2, kRadius)->centre,
                    .radius = kRadius,
                    .density = kMass / (4 * kRadius * kRadius)});
   return next_problem(world, dense_scene(options).step);

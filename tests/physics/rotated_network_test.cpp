@@ -21,7 +21,7 @@ Scenario deposit_in_the_air(Method method, int n, double cohesion) {
   for (int k = 0; k < n; ++k) {
     const double radius = 0.3 + 0.3 * world.random.uniform();
     const double x = radius + world.random.uniform() * (8 - 2 * radius);
-    world.disks.add({.position = land(world, x, radius)->centre, .radius = radius});
+    world.disks.add({.position = LandingSite(world).land(x, radius)->centre, .radius = radius});
   }
   Scenario scene = empty_scene(method);
   scene.gravity = Vec2(0, -1);

@@ -28,7 +28,7 @@ World random_heap(const HeapShape& shape, Random& random) {
   double top = 0;
   for (int k = 0; k < shape.disks; ++k) {
     const double radius = between(0.3, 1);
-    const Vec2 place = land(world, between(radius, 3 - radius), radius)->centre;
+    const Vec2 place = LandingSite(world).land(between(radius, 3 - radius), radius)->centre;
     top = std::max(top, place.y() + radius);
     world.disks.add({.position = place,
                      .radius = radius,
