@@ -43,7 +43,7 @@ void LandingSite::visit_strips(double x, double reach, Visit visit) const {
   const double high = std::floor((x + reach + kRounding) / strip_);
   const double begin = std::fmod(low, strips);
   auto strip = static_cast<std::size_t>(begin < 0 ? begin + strips : begin);
-  for (double left = std::min(high - low + 1, strips); left > 0; --left) {
+  for (auto left = static_cast<std::size_t>(std::min(high - low + 1, strips)); left > 0; --left) {
     visit(strip);
     strip = strip + 1 == first_.size() ? 0 : strip + 1;
   }
