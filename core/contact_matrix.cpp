@@ -34,7 +34,7 @@ Jacobian jacobian(const ContactRow& c, const Vec3& ima, const Vec3& imb) {
 }
 
 // sum += h^T b. Spelled out: for Eigen's product the compiler makes a call.
-[[gnu::always_inline]] inline void add_product(const Mat3& h, const Mat3& b, Mat3& sum) {
+[[gnu::always_inline]] inline void add_product(const Mat3& h, const Mat3& b, BlockLu::Entry sum) {
   for (int k = 0; k < 3; ++k)
     for (int i = 0; i < 3; ++i)
       sum(i, k) += h(0, i) * b(0, k) + h(1, i) * b(1, k) + h(2, i) * b(2, k);

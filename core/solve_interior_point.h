@@ -38,6 +38,9 @@ class InteriorPoint {
   void linearise(const ContactProblem& problem);
   // Heads for products tau; returns the step that reaches the boundary.
   double find_direction(const ContactProblem& problem, double tau, bool correct);
+  // The same for products that such a step of alpha would leave well within bounds.
+  double centre_direction(const ContactProblem& problem, double tau, double alpha);
+  double follow(const ContactProblem& problem);
   double find_step(const ContactProblem& problem, double product, double least_product);
   bool finish(const ContactProblem& problem, const SolverSettings& settings, ContactState& state,
               SolveReport& report);
