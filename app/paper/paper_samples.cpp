@@ -58,7 +58,7 @@ class Samples : public PaperExperiment {
         .references = {{.name = "paper: volume fraction", .low = 0.40, .high = 0.43, .of_x = true},
                        {.name = "paper: coordination number", .low = 2.05, .high = 2.06}},
         .legend = LegendPlace::below};
-    std::vector<Cluster> clusters;
+    std::vector<std::string> numbers;
     Curve points{.name = "depositions, numbered as in the table"};
     const std::vector<Setting> all = settings();
     for (std::size_t k = 0; k < all.size(); ++k) {
@@ -73,10 +73,9 @@ class Samples : public PaperExperiment {
       points.y.push_back(coordination->value);
       points.x_error.push_back(density->standard_error.value_or(0));
       points.y_error.push_back(coordination->standard_error.value_or(0));
-      add_point(clusters, density->value, coordination->value, points.x_error.back(),
-                std::to_string(k + 1));
+      numbers.push_back(std::to_string(k + 1));
     }
-    for (const Cluster& cluster : clusters) plot.annotations.push_back(label_of(cluster));
+    plot.annotations = numbered(points, numbers);
     plot.curves.push_back(std::move(points));
     section.blocks.emplace_back(std::move(table));
     section.blocks.emplace_back(
@@ -96,32 +95,27 @@ class Samples : public PaperExperiment {
   }
 
  private:
-  // Points that lie together and share a label, "1, 3, 5".
-  struct Cluster {
-    double x = 0, y = 0;  // of the first
-    double right = 0;     // end of the bars
-    std::string numbers;
-    bool alone = true;
-  };
-
-  static void add_point(std::vector<Cluster>& clusters, double x, double y, double error,
-                        const std::string& number) {
-    constexpr double kNearX = 0.03, kNearY = 0.08;
-    for (Cluster& cluster : clusters) {
-      if (std::abs(cluster.x - x) > kNearX || std::abs(cluster.y - y) > kNearY) continue;
-      cluster.right = std::max(cluster.right, x + error);
-      cluster.numbers += ", " + number;
-      cluster.alone = false;
-      return;
+  // Points that lie together share a label, "1, 3, 5".
+  static std::vector<Annotation> numbered(const Curve& points,
+                                          const std::vector<std::string>& numbers) {
+    constexpr double kNear = 0.04;  // of what all points span
+    if (numbers.empty()) return {};
+    const auto span = [](const std::vector<double>& x) {
+      const auto [low, high] = std::ranges::minmax(x);
+      return high - low;
+    };
+    const double near_x = kNear * span(points.x), near_y = kNear * span(points.y);
+    std::vector<Annotation> labels;
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      const auto label = std::ranges::find_if(labels, [&](const Annotation& l) {
+        return std::abs(l.x - points.x[k]) <= near_x && std::abs(l.y - points.y[k]) <= near_y;
+      });
+      if (label == labels.end())
+        labels.push_back({points.x[k], points.y[k], numbers[k]});
+      else
+        label->text += ", " + numbers[k];
     }
-    clusters.push_back({x, y, x + error, number});
-  }
-
-  // Above a point; right of several, where their bars end.
-  static Annotation label_of(const Cluster& cluster) {
-    constexpr double kAbove = 0.08, kBeside = 0.015;
-    if (cluster.alone) return {cluster.x, cluster.y + kAbove, cluster.numbers};
-    return {cluster.right + kBeside, cluster.y, cluster.numbers};
+    return labels;
   }
 
   std::vector<RunGroup> groups_;

@@ -56,7 +56,7 @@ struct Reference {
 };
 
 struct Annotation {
-  double x = 0, y = 0;  // left end of the text, in the units of the axes
+  double x = 0, y = 0;  // the text stands above and right of this, in the units of the axes
   std::string text{};
 };
 

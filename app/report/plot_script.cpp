@@ -157,7 +157,7 @@ class Script {
     for (const Reference& reference : plot_.references) given(reference);
     for (const Annotation& a : plot_.annotations) {
       line("set label " + gnuplot_text(a.text) + " at " + number_text(a.x) + ", " +
-           number_text(a.y) + " front" + kGreyText);
+           number_text(a.y) + " offset 0.6, 0.6 front" + kGreyText);
     }
   }
 
