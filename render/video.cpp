@@ -41,6 +41,9 @@ VideoReport write_video(const std::filesystem::path& frames, const std::filesyst
 
     // Under another name until it is whole.
     const std::filesystem::path part = path.string() + ".part";
+    // An ffmpeg that outlived a killed run may still write to the file of that name, not to a new one.
+    std::error_code ignored;
+    std::filesystem::remove(part, ignored);
     // Whether the film can be written decides before the program starts.
     if (!std::ofstream(part)) return {failed, "no film: " + path.string() + " cannot be written"};
     const ProgramEnd end =
@@ -49,7 +52,6 @@ VideoReport write_video(const std::filesystem::path& frames, const std::filesyst
       std::filesystem::rename(part, path);
       return {written, std::to_string(files.size()) + " frames in " + path.string()};
     }
-    std::error_code ignored;
     std::filesystem::remove(part, ignored);
     if (end.missing) {
       return {no_ffmpeg, "no film: install the package ffmpeg to get one beside the frames"};

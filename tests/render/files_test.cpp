@@ -144,6 +144,16 @@ TEST_F(Film, AppearsUnderItsNameWhenItIsWhole) {
   EXPECT_FALSE(fs::exists(folder_ / "film.mp4.part"));
 }
 
+// A kill does not reach the ffmpeg of the run that is killed.
+TEST_F(Film, IsNotTouchedByAnFfmpegThatOutlivedItsRun) {
+  install("for last; do :; done; echo film > \"${last#file:}\"\n");
+  std::ofstream outlived(folder_ / "film.mp4.part");
+  ASSERT_EQ(film().outcome, VideoReport::Outcome::written);
+  outlived << "something else" << std::flush;
+  std::ifstream written(folder_ / "film.mp4");
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(written), {}), "film\n");
+}
+
 TEST_F(Film, FailureIsReportedInTheWordsOfFfmpeg) {
   install("echo no such codec >&2; exit 3\n");
   const VideoReport report = film();
