@@ -35,7 +35,9 @@ struct LoadedBlock {
                                                     Lanes& y) {
   LoadedBlock factor;
   load_block(a, factor);
-  y -= factor.x * x[0] + factor.y * x[1] + factor.z * x[2];
+  Lanes product;
+  multiply(factor, x, product);
+  y -= product;
 }
 
 // a := a b

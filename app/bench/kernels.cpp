@@ -3,6 +3,7 @@
 //
 // Bytes are those that must pass at least once: what a kernel reads again, or looks up, is its own fault.
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "app/bench/bench.h"
@@ -60,19 +61,10 @@ Row dense_product(const Options& options) {
   });
 }
 
-// Rows, edges and blocks of M + H^T D H for that problem; the values do not matter for the time.
+// Rows, edges and blocks of M + H^T D H; the values do not matter for the time.
 struct Blocks {
   int rows = 0;
   std::vector<Edge> edges;
-
-  explicit Blocks(const ContactProblem& problem) {
-    std::vector<int> row_of(problem.inverse_mass.size(), -1);
-    for (std::size_t i = 0; i < row_of.size(); ++i)
-      if (problem.inverse_mass[i].x() > 0) row_of[i] = rows++;
-    for (const ContactRow& contact : problem.contacts)
-      if (row_of[contact.a] >= 0 && row_of[contact.b] >= 0)
-        edges.push_back({row_of[contact.a], row_of[contact.b]});
-  }
 
   void fill(BlockLu& lu) const {
     lu.clear();
@@ -82,8 +74,30 @@ struct Blocks {
   }
 };
 
-void measure_lu(const ContactProblem& problem, const Options& options, std::vector<Row>& rows) {
-  const Blocks blocks(problem);
+Blocks blocks_of(const ContactProblem& problem) {
+  Blocks blocks;
+  std::vector<int> row_of(problem.inverse_mass.size(), -1);
+  for (std::size_t i = 0; i < row_of.size(); ++i)
+    if (problem.inverse_mass[i].x() > 0) row_of[i] = blocks.rows++;
+  for (const ContactRow& contact : problem.contacts)
+    if (row_of[contact.a] >= 0 && row_of[contact.b] >= 0)
+      blocks.edges.push_back({row_of[contact.a], row_of[contact.b]});
+  return blocks;
+}
+
+// Of about so many disks, four contacts a disk: some more than a packing has when its bonds are lost.
+Blocks square_lattice(int disks) {
+  const int side = static_cast<int>(std::sqrt(disks));
+  Blocks blocks{.rows = side * side, .edges = {}};
+  for (int i = 0; i < blocks.rows; ++i) {
+    if ((i + 1) % side != 0) blocks.edges.push_back({i, i + 1});
+    if (i + side < blocks.rows) blocks.edges.push_back({i, i + side});
+  }
+  return blocks;
+}
+
+void measure_lu(const Blocks& blocks, const std::string& of, const Options& options,
+                std::vector<Row>& rows) {
   BlockLu lu;
   lu.analyse(blocks.rows, blocks.edges);
   const Row filling = measured(options, 1, "", [&] { blocks.fill(lu); });
@@ -91,18 +105,18 @@ void measure_lu(const ContactProblem& problem, const Options& options, std::vect
     blocks.fill(lu);
     lu.factorise();
   });
-  factors.name = "block LU, factorise";
+  factors.name = "block LU" + of + ", factorise";
   factors.seconds.cpu -= filling.seconds.cpu;  // the matrix has to be there again each time
   factors.value = 1e-9 * lu.operations() / factors.seconds.cpu;
   rows.push_back(factors);
 
   std::vector<Vec3> x(static_cast<std::size_t>(blocks.rows), Vec3(1, 2, 3));
-  const double read = sizeof(Mat3) * (2.0 * static_cast<double>(lu.fill()) + blocks.rows);
+  const double read = sizeof(PaddedBlock) * (2.0 * static_cast<double>(lu.fill()) + blocks.rows);
   Row solution = measured(options, read, kBytes, [&] {
     lu.solve(x);
     std::ranges::fill(x, Vec3(1, 2, 3));
   });
-  solution.name = "block LU, solve";
+  solution.name = "block LU" + of + ", solve";
   rows.push_back(solution);
 }
 
@@ -111,7 +125,7 @@ void measure_kernels(const Options& options, std::vector<Row>& rows) {
   const StepProblem step = next_problem(world, paper_scene(options).step);
   const auto bodies = static_cast<double>(step.problem.inverse_mass.size());
   const auto contacts = static_cast<double>(step.problem.contacts.size());
-  measure_lu(step.problem, options, rows);
+  measure_lu(blocks_of(step.problem), "", options, rows);
 
   // Rows and impulses, for the velocities and for the judgement; three vectors a body.
   ContactState state{.velocity = {}, .impulse = step.start};
@@ -131,6 +145,14 @@ void measure_kernels(const Options& options, std::vector<Row>& rows) {
   for (Row& row : rows) {
     row.size = world.disks.size();
     row.contacts = static_cast<std::int64_t>(contacts);
+  }
+
+  const Blocks lattice = square_lattice(world.disks.size());
+  const std::size_t first = rows.size();
+  measure_lu(lattice, " of a square lattice", options, rows);
+  for (Row& row : std::span(rows).subspan(first)) {
+    row.size = lattice.rows;
+    row.contacts = static_cast<std::int64_t>(lattice.edges.size());
   }
 }
 
@@ -157,7 +179,8 @@ std::vector<Task> kernel_tasks(const Options& options) {
 
 void report_kernels(std::span<const Row> rows, const Options&, Section& section) {
   section.blocks.emplace_back(Paragraph{
-      "The shortest of the repeats, one thread, on the first step of a deposit without dynamics. "
+      "The shortest of the repeats, one thread, on the first step of a deposit without dynamics "
+      "and on a square lattice of as many disks. "
       "The limits are compiled with the program's own flags: no -march, so two doubles at a time "
       "and no fused multiply-add; the block LU takes four where the processor can. Bytes are those "
       "that must pass at least once."});

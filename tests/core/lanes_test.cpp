@@ -25,14 +25,16 @@ using Four = std::array<double, 4>;
 }
 
 TEST(Lanes, WideRegistersGiveTheSameBytes) {
-  if (!has_wide_registers()) GTEST_SKIP() << "this processor has none";
   const Four a{0.1, -0.7, 1e-3, 12}, b{0.3, 2, -1e3, 1e-7};
   Four narrow{1, 2, 3, 4}, wide = narrow, chosen = narrow;
   sum_products(a, b, narrow);
-  in_wide_registers([&]() __attribute__((always_inline)) { sum_products(a, b, wide); });
   with_lanes([&]() __attribute__((always_inline)) { sum_products(a, b, chosen); });
-  EXPECT_EQ(narrow, wide);
   EXPECT_EQ(narrow, chosen);
+  // Where the processor has wide registers, these are what was chosen; not by chance, then.
+  if (has_wide_registers()) {
+    in_wide_registers([&]() __attribute__((always_inline)) { sum_products(a, b, wide); });
+    EXPECT_EQ(narrow, wide);
+  }
   EXPECT_NE(narrow, (Four{1, 2, 3, 4}));
 }
 
