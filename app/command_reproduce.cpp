@@ -19,12 +19,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostRealizations = 1000;
+constexpr int kMostRealizations = 1000, kMostGrains = 1000;
 
 struct ReproduceArguments {
   std::vector<std::string> figures;
   std::optional<int> realizations;
   std::optional<double> width, height;
+  std::vector<double> push_forces, time_steps;
+  std::optional<int> grains_per_depth;
   fs::path out = "out/paper";
   std::int64_t threads = 0;  // 0: all cores
   bool quick = false;
@@ -73,6 +75,16 @@ PaperScale scale_of(const ReproduceArguments& options) {
   if (options.realizations)
     scale.realizations = static_cast<int>(
         checked("--realizations", *options.realizations, 1, kMostRealizations, ""));
+  if (options.grains_per_depth)
+    scale.grains_per_depth = static_cast<int>(
+        checked("--grains-per-depth", *options.grains_per_depth, 1, kMostGrains, ""));
+  const auto replace = [&](const char* name, const std::vector<double>& values, double least,
+                           double most, const char* unit, std::vector<double>& by_default) {
+    for (const double value : values) checked(name, value, least, most, unit);
+    if (!values.empty()) by_default = values;
+  };
+  replace("--push-forces", options.push_forces, 1e-3, 1e3, " F_c", scale.push_forces);
+  replace("--time-steps", options.time_steps, 1e-5, 0.1, " √(d/g)", scale.time_steps);
   return scale;
 }
 
@@ -86,6 +98,15 @@ std::string command_of(const ReproduceArguments& options) {
   if (options.width) add("--width", number_text(*options.width));
   if (options.height) add("--height", number_text(*options.height));
   if (options.realizations) add("--realizations", std::to_string(*options.realizations));
+  const auto add_list = [&](const char* name, const std::vector<double>& values) {
+    std::string list;
+    for (const double value : values) list += (list.empty() ? "" : ",") + number_text(value);
+    if (!values.empty()) add(name, list);
+  };
+  add_list("--push-forces", options.push_forces);
+  add_list("--time-steps", options.time_steps);
+  if (options.grains_per_depth)
+    add("--grains-per-depth", std::to_string(*options.grains_per_depth));
   add("--out", options.out.string());
   return command_text(words);
 }
@@ -209,6 +230,22 @@ Command add_reproduce(CLI::App& program) {
   command->add_option("--width", options->width, "of the box [51 d; quick: 24 d]")->type_name("W");
   command->add_option("--height", options->height, "of the box [199 d; quick: 50 d]")
       ->type_name("H");
+  command
+      ->add_option("--push-forces", options->push_forces,
+                   "of the push curves [0.1,0.33,0.67,1,2,3 F_c; quick: 0.1,0.33,1,3]")
+      ->type_name("F,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command
+      ->add_option("--time-steps", options->time_steps,
+                   "of break_rule [0.01,0.003,0.001 √(d/g); quick: 0.01,0.003]")
+      ->type_name("DT,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command
+      ->add_option("--grains-per-depth", options->grains_per_depth,
+                   "sheared at each depth [10; quick: 1]")
+      ->type_name("N");
   command->add_option("--out", options->out, "folder of runs and report [out/paper]")
       ->type_name("DIR");
   add_threads_option(*command, options->threads);

@@ -19,6 +19,8 @@ std::span<const PaperFigure> paper_figures() {
       {"density", "Effect of the sample's density on the push", make_density_experiment},
       {"drag", "Effect of the water's drag", make_drag_experiment},
       {"velocity", "Velocity of the driven intruder", make_velocity_experiment},
+      {"break_rule", "Break rule, time step and density: what they do to the push",
+       make_break_rule_experiment},
       {"choices", "Free choices of the model, and what they do", make_choices_experiment}};
   return kFigures;
 }

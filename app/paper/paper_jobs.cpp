@@ -27,12 +27,16 @@ PaperScale quick_scale() {
           .height = 50,
           .realizations = 2,
           .push_forces = {0.1, 0.33, 1, 3},
+          .time_steps = {1e-2, 3e-3},
+          .denser_sample = false,
           .shear_depths = {0.2, 0.45, 0.7},
           .grains_per_depth = 1,
           .shear_distance = 3,
           .shear_tolerance = 0.25,
           .shear_time = 10};
 }
+
+ParameterValues dense_deposition() { return {{"step.dt", 1e-3}, {"phases[0].interval", 1e-3}}; }
 
 PaperJobs::PaperJobs(PaperScale scale, fs::path out)
     : scale_(std::move(scale)), out_(std::move(out)) {}

@@ -19,6 +19,8 @@ struct PaperScale {
   double width = 51, height = 199;  // of the box [d]
   int realizations = 10;
   std::vector<double> push_forces{0.1, 0.33, 0.67, 1, 2, 3};    // [F_c]
+  std::vector<double> time_steps{1e-2, 3e-3, 1e-3};             // for each break rule [sqrt(d/g)]
+  bool denser_sample = true;                                    // for each break rule, too
   std::vector<double> shear_depths{0.1, 0.25, 0.4, 0.55, 0.7};  // over the packing's height [1]
   int grains_per_depth = 10;
   double shear_distance = 20;     // [d]
@@ -26,6 +28,10 @@ struct PaperScale {
   double shear_time = 20;         // of a trial, at most [sqrt(d/g)]
 };
 PaperScale quick_scale();
+
+// A deposition that makes samples as dense as the paper's: a grain every 0.001, in steps of as much.
+inline constexpr const char* kDenseDeposition = "interval_0.001";
+ParameterValues dense_deposition();
 
 // Runs that differ by their seed only, as indices into PaperJobs::jobs().
 struct RunGroup {

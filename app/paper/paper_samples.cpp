@@ -17,10 +17,7 @@ struct Setting {
 
 std::vector<Setting> settings() {
   return {{"", "reference: a grain every 0.01, no drop velocity"},
-          {"interval_0.001",
-           "a grain every 0.001, dt 0.001",
-           {},
-           {{"step.dt", 1e-3}, {"phases[0].interval", 1e-3}}},
+          {kDenseDeposition, "a grain every 0.001, dt 0.001", {}, dense_deposition()},
           {"interval_0.05", "a grain every 0.05", {}, {{"phases[0].interval", 0.05}}},
           {"drop_10", "drop velocity 10 √(gd)", {}, {{"phases[0].drop_velocity", 10}}},
           {"rolling_0.05", "half the rolling friction", {{"contact.rolling_friction", 0.05}}},

@@ -25,6 +25,17 @@ class Reproduce : public ProgramFixture {
     words.insert(words.begin(), "reproduce");
     return quicksand(words);
   }
+  // As a run that finished leaves it.
+  static void leave_results(const Job& job, const Json& summary,
+                            const std::string& series = "time,step,phase\n0,0,push\n") {
+    std::filesystem::create_directories(job.folder.path);
+    write_whole(job.folder.scene(), to_text(job.scenario));
+    write_whole(job.folder.series(), series);
+    Json all = summary;
+    all["finished"] = true;
+    all["version"] = "0";
+    write_whole(job.folder.summary(), all.dump());
+  }
 };
 
 TEST_F(Reproduce, EachPushStartsFromTheSampleOfItsSeed) {
@@ -86,12 +97,7 @@ TEST_F(Reproduce, StrengthIsPooledOverTheGrainsOfAllRuns) {
                         {"weight_above", 5 * depth}});
     }
     forces.push_back({{"depth", 4.0}, {"force_low", 99}, {"force_high", nullptr}});
-    const Job& job = jobs.jobs()[shears.runs[k]];
-    std::filesystem::create_directories(job.folder.path);
-    write_whole(job.folder.scene(), to_text(job.scenario));
-    write_whole(job.folder.series(), "time,step,phase\n0,0,shear\n");
-    write_whole(job.folder.summary(),
-                Json{{"finished", true}, {"version", "0"}, {"critical_forces", forces}}.dump());
+    leave_results(jobs.jobs()[shears.runs[k]], {{"critical_forces", forces}});
   }
   const PaperResults results(jobs.jobs());
   const PaperStrength strength = paper_strength(results, shears);
@@ -125,10 +131,7 @@ TEST_F(Reproduce, TheSpeedOfAPushIsTakenPastTheStartAndBeforeTheGround) {
       const double depth = std::min(to, k < 10 ? 0.15 * k : 1.5 + 3 * 0.1 * (k - 10));
       series += std::to_string(0.1 * k) + ",0,push," + std::to_string(depth) + "\n";
     }
-    std::filesystem::create_directories(job.folder.path);
-    write_whole(job.folder.scene(), to_text(job.scenario));
-    write_whole(job.folder.series(), series);
-    write_whole(job.folder.summary(), Json{{"finished", true}, {"version", "0"}}.dump());
+    leave_results(job, Json::object(), series);
   };
   leave(jobs.jobs()[push.runs[0]], 9);
   leave(jobs.jobs()[push.runs[1]], 5);
@@ -136,6 +139,57 @@ TEST_F(Reproduce, TheSpeedOfAPushIsTakenPastTheStartAndBeforeTheGround) {
   EXPECT_NEAR(ploughing_speed(*results.run(push.runs[0]), 10).value(), 3, 1e-9);
   EXPECT_EQ(ploughing_speed(*results.run(push.runs[1]), 10), std::nullopt) << "it stopped before";
   EXPECT_EQ(ploughing_speed(results, push, 10)->n, 1);
+}
+
+// The paper has 0.93 and 0.97 with a third of the cohesion force, 0.68 and 0.78 with all of it.
+TEST_F(Reproduce, NamesTheBreakRuleThatComesNearestToThePaper) {
+  PaperScale scale = small();
+  scale.time_steps = {1e-2};
+  PaperJobs jobs(scale, folder_.path());
+  const auto experiment = make_break_rule_experiment();
+  experiment->plan(jobs);
+  const auto said = [&] {
+    Section section;
+    Findings findings;
+    experiment->report(PaperResults(jobs.jobs()), folder_.path(), section, findings);
+    std::string all;
+    for (const Block& block : section.blocks)
+      if (const auto* paragraph = std::get_if<Paragraph>(&block)) all += paragraph->text;
+    return all;
+  };
+  EXPECT_NE(said().find("No setting has results for both forces yet"), std::string::npos);
+  const auto all_leave = [&](double linearised_at_full) {
+    for (const Job& job : jobs.jobs()) {
+      const bool full = job.id.find("push_1") != std::string::npos;
+      const bool linearised = job.id.find("linearised") != std::string::npos;
+      const double active = full ? (linearised ? linearised_at_full : 0.2) : 0.93;
+      leave_results(job, {{"volume_fraction", 0.4},
+                          {"coordination", 2.1},
+                          {"depth", 10},
+                          {"intact_active_bond_fraction", nullptr},
+                          {"active_bond_fraction", active},
+                          {"remaining_bond_fraction", full ? 0.78 : 0.97}});
+    }
+  };
+  all_leave(0.9);
+  EXPECT_NE(said().find("No setting gives the four shares"), std::string::npos) << said();
+  EXPECT_NE(said().find("The linearised rule with dt = 0.01"), std::string::npos) << said();
+  EXPECT_NE(said().find("4.4 tolerances off"), std::string::npos) << said();
+  all_leave(0.7);
+  EXPECT_NE(said().find("gives all four shares"), std::string::npos) << said();
+}
+
+TEST_F(Reproduce, PartOfTheProgrammeCanBeChosen) {
+  const Outcome all = reproduce({"penetration", "--dry-run", "--realizations", "1"});
+  const Outcome part =
+      reproduce({"--push-forces", "0.5,0.7", "penetration", "--dry-run", "--realizations", "1"});
+  EXPECT_NE(all.out.find("7 runs would go"), std::string::npos) << all.out;
+  EXPECT_NE(part.out.find("sample.push_0.5/00\nsample.push_0.7/00\n3 runs"), std::string::npos)
+      << part.out;
+  const Outcome coarse = reproduce({"--time-steps", "0.01,2", "break_rule"});
+  EXPECT_EQ(coarse.exit_code, 2);
+  EXPECT_NE(coarse.err.find("--time-steps 2: must be from"), std::string::npos) << coarse.err;
+  EXPECT_EQ(reproduce({"--grains-per-depth", "0", "shear"}).exit_code, 2);
 }
 
 TEST_F(Reproduce, AnUnknownFigureIsRefusedWithTheNearest) {
