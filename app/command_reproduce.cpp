@@ -26,6 +26,7 @@ struct ReproduceArguments {
   std::optional<int> realizations;
   std::optional<double> width, height;
   std::vector<double> push_forces, time_steps;
+  std::optional<double> push_step;
   std::optional<int> grains_per_depth;
   fs::path out = "out/paper";
   std::int64_t threads = 0;  // 0: all cores
@@ -83,8 +84,11 @@ PaperScale scale_of(const ReproduceArguments& options) {
     for (const double value : values) checked(name, value, least, most, unit);
     if (!values.empty()) by_default = values;
   };
+  constexpr double kLeastStep = 1e-5, kMostStep = 0.1;
+  if (options.push_step)
+    scale.push_step = checked("--push-step", *options.push_step, kLeastStep, kMostStep, " √(d/g)");
   replace("--push-forces", options.push_forces, 1e-3, 1e3, " F_c", scale.push_forces);
-  replace("--time-steps", options.time_steps, 1e-5, 0.1, " √(d/g)", scale.time_steps);
+  replace("--time-steps", options.time_steps, kLeastStep, kMostStep, " √(d/g)", scale.time_steps);
   return scale;
 }
 
@@ -103,6 +107,7 @@ std::string command_of(const ReproduceArguments& options) {
     for (const double value : values) list += (list.empty() ? "" : ",") + number_text(value);
     if (!values.empty()) add(name, list);
   };
+  if (options.push_step) add("--push-step", number_text(*options.push_step));
   add_list("--push-forces", options.push_forces);
   add_list("--time-steps", options.time_steps);
   if (options.grains_per_depth)
@@ -230,6 +235,10 @@ Command add_reproduce(CLI::App& program) {
   command->add_option("--width", options->width, "of the box [51 d; quick: 24 d]")->type_name("W");
   command->add_option("--height", options->height, "of the box [199 d; quick: 50 d]")
       ->type_name("H");
+  command
+      ->add_option("--push-step", options->push_step,
+                   "time step of pushes [0.001 √(d/g); quick: 0.01]")
+      ->type_name("DT");
   command
       ->add_option("--push-forces", options->push_forces,
                    "of the push curves [0.1,0.33,0.67,1,2,3 F_c; quick: 0.1,0.33,1,3]")

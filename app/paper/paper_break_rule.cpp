@@ -78,17 +78,13 @@ class BreakRules : public PaperExperiment {
  private:
   void plan_setting(PaperJobs& jobs, std::size_t sample, const std::string& rule, double dt) {
     BreakSetting setting{.sample = sample, .rule = rule, .dt = dt, .pushes = {}};
+    // The reference, by the names that other figures give it.
+    std::string tag = rule == kRules[0] ? "" : rule;
+    if (dt != jobs.scale().push_step) tag += (tag.empty() ? "dt_" : "_dt_") + number_text(dt);
     ParameterValues laws;
-    std::string tag;
-    const auto differs = [&](const char* path, const Json& value, const std::string& name) {
-      laws.emplace_back(path, value);
-      tag += (tag.empty() ? "" : "_") + name;
-    };
-    // The names that the section on choices gives them.
-    if (rule != kRules[0]) differs("step.break_rule", rule, rule);
-    if (dt != kUsualStep) differs("step.dt", dt, "dt_" + number_text(dt));
+    if (rule != kRules[0]) laws.emplace_back("step.break_rule", rule);
     for (const KnownPush& push : kKnownPushes)
-      setting.pushes.push_back(jobs.pushes(samples_[sample], push.force, tag, laws));
+      setting.pushes.push_back(jobs.pushes(samples_[sample], push.force, tag, laws, dt));
     settings_.push_back(std::move(setting));
   }
 
@@ -197,8 +193,6 @@ class BreakRules : public PaperExperiment {
         std::move(plot),
         "Share of bonds over the time step, push force " + number_text(known.force) + " F_c."});
   }
-
-  static constexpr double kUsualStep = 1e-2;  // of the scenes
 
   std::vector<RunGroup> samples_;
   std::vector<BreakSetting> settings_;

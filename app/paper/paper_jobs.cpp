@@ -27,6 +27,7 @@ PaperScale quick_scale() {
           .height = 50,
           .realizations = 2,
           .push_forces = {0.1, 0.33, 1, 3},
+          .push_step = 1e-2,
           .time_steps = {1e-2, 3e-3},
           .denser_sample = false,
           .shear_depths = {0.2, 0.45, 0.7},
@@ -84,11 +85,14 @@ RunGroup PaperJobs::samples(const std::string& tag, const ParameterValues& laws,
 }
 
 RunGroup PaperJobs::pushes(const RunGroup& samples, double force_over_cohesion,
-                           const std::string& tag, const ParameterValues& laws) {
+                           const std::string& tag, const ParameterValues& laws,
+                           std::optional<double> dt) {
   return add(
       "push",
       samples.name + ".push_" + number_text(force_over_cohesion) + (tag.empty() ? "" : "_" + tag),
-      &samples, laws, {{"phases[0].force_over_cohesion", force_over_cohesion}});
+      &samples, laws,
+      {{"phases[0].force_over_cohesion", force_over_cohesion},
+       {"step.dt", dt.value_or(scale_.push_step)}});
 }
 
 PushCurve PaperJobs::push_curve(const RunGroup& samples) {

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,8 @@ namespace quicksand {
 struct PaperScale {
   double width = 51, height = 199;  // of the box [d]
   int realizations = 10;
-  std::vector<double> push_forces{0.1, 0.33, 0.67, 1, 2, 3};    // [F_c]
+  std::vector<double> push_forces{0.1, 0.33, 0.67, 1, 2, 3};  // [F_c]
+  double push_step = 1e-3;  // of pushes [sqrt(d/g)]; with 1e-2 many bonds too many break
   std::vector<double> time_steps{1e-2, 3e-3, 1e-3};             // for each break rule [sqrt(d/g)]
   bool denser_sample = true;                                    // for each break rule, too
   std::vector<double> shear_depths{0.1, 0.25, 0.4, 0.55, 0.7};  // over the packing's height [1]
@@ -58,8 +60,9 @@ class PaperJobs {
   // what follows. The same tag must mean the same changes.
   RunGroup samples(const std::string& tag = {}, const ParameterValues& laws = {},
                    const ParameterValues& set = {});
+  // With the scale's time step, if none is given [sqrt(d/g)].
   RunGroup pushes(const RunGroup& samples, double force_over_cohesion, const std::string& tag = {},
-                  const ParameterValues& laws = {});
+                  const ParameterValues& laws = {}, std::optional<double> dt = {});
   // With each of the scale's forces.
   PushCurve push_curve(const RunGroup& samples);
   RunGroup pulls(const RunGroup& pushes, double first_force_over_cohesion);
