@@ -54,6 +54,20 @@ Progress Protocol::end_phase() {
   return Progress::phase_ended;
 }
 
+bool Protocol::missed_rest() const {
+  if (state_.phase == 0 || state_.entered) return false;
+  const auto missed = [&](const auto& kind) {
+    if constexpr (requires { kind.until_rest; }) {
+      if (!kind.until_rest) return false;
+    }
+    if constexpr (requires { kind.rest_time; })
+      return state_.rest_since < 0 || !due(state_.rest_since + kind.rest_time);
+    else
+      return false;
+  };
+  return std::visit(missed, scenario_.phases[static_cast<std::size_t>(state_.phase) - 1].kind);
+}
+
 void Protocol::begin_phase(const Phase& phase) {
   if (state_.entered) {
     if (state_.search.base) return_to_base();

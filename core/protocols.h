@@ -75,6 +75,8 @@ class Protocol {
   const Phase* phase() const;  // null when finished
   // Share of the present phase that is done, as far as it can be known [0..1].
   double phase_progress() const;
+  // After `phase_ended`: whether that phase waits for rest and ended at its max_time instead.
+  bool missed_rest() const;
   // After `failed`: what went wrong, in a sentence.
   const std::string& failure() const { return failure_; }
 

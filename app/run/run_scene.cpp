@@ -57,7 +57,8 @@ class Run {
     try {
       result.end.how = compute();
       if (result.end.how == RunEnd::How::failed) result.end.failure = protocol().failure();
-      result.notes = finish_film();
+      const std::string film = finish_film(), missed = missed_rest();
+      result.notes = missed + (missed.empty() || film.empty() ? "" : "\n") + film;
     } catch (const InputError& error) {
       fail(result.end, error);
     }
@@ -117,6 +118,13 @@ class Run {
     if (how == RunEnd::How::finished) write_state();
     progress.end();
     return how;
+  }
+
+  // Phases before the last are often cut short on purpose.
+  std::string missed_rest() const {
+    if (protocol().phase() || scenario_.phases.empty() || !protocol().missed_rest()) return {};
+    return "the last phase (" + std::string(phase_name(scenario_.phases.back())) +
+           ") ended at its max_time, before it came to rest";
   }
 
   // The state speaks of rows and frames, so these are on the disk before it.

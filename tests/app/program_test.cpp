@@ -119,6 +119,17 @@ TEST_F(ProgramTest, ARunLeavesEverythingThatItPromises) {
   EXPECT_EQ(parse_json(contents(at("again/summary.json")))["world_hash"], summary["world_hash"]);
 }
 
+TEST_F(ProgramTest, ARunSaysSoIfItsLastPhaseEndedBeforeItCameToRest) {
+  write_scene();
+  const auto said = [&](const std::string& rest_speed) {
+    return quicksand({"run", "small.json", "--no-frames", "--set",
+                      "phases[2].rest_speed=" + rest_speed, "--set", "phases[2].rest_time=0.1"})
+        .err;
+  };
+  EXPECT_NE(said("1e-3").find("last phase (push) ended at its max_time"), std::string::npos);
+  EXPECT_EQ(said("1e6").find("max_time"), std::string::npos);
+}
+
 TEST_F(ProgramTest, FramesAreNumberedLikeTheRowsAndOldOnesAreRemoved) {
   write_scene();
   fs::create_directories(at("out/small/frames"));

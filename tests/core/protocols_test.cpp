@@ -88,6 +88,18 @@ TEST_P(RunOfPhases, SettleLastsExactlyItsTimeIfItShallNotWaitForRest) {
   EXPECT_EQ(run.protocol.world().step, 37);
 }
 
+TEST_P(RunOfPhases, SaysWhetherAPhaseEndedBeforeItCameToRest) {
+  const auto missed = [](const SettlePhase& settle) {
+    const DepositPhase grains{.grains = 3, .interval = 0.02};
+    return Finished(with_phases(GetParam(), {{grains}, {settle}})).protocol.missed_rest();
+  };
+  EXPECT_FALSE(missed({.rest_speed = 0.1, .max_time = 50}));
+  EXPECT_TRUE(missed({.rest_speed = 0.1, .max_time = 0.1}));
+  EXPECT_TRUE(missed({.rest_speed = 1e3, .rest_time = 1, .max_time = 0.5}))
+      << "slow for half as long";
+  EXPECT_FALSE(missed({.max_time = 0.1, .until_rest = false}));
+}
+
 TEST_P(RunOfPhases, NothingBondsWhileSettlingUnlessTheSceneSaysSo) {
   for (bool bonding : {false, true}) {
     Scenario scene = with_phases(
