@@ -56,7 +56,7 @@ class BreakRules : public PaperExperiment {
   void plan(PaperJobs& jobs) override {
     all_ = jobs.scale().realizations;
     samples_ = {jobs.samples()};
-    if (jobs.scale().denser_sample)
+    if (jobs.scale().denser_if_quicker)
       samples_.push_back(jobs.samples(kDenseDeposition, {}, dense_deposition()));
     for (std::size_t s = 0; s < samples_.size(); ++s)
       for (const std::string rule : kRules)

@@ -29,7 +29,7 @@ PaperScale quick_scale() {
           .push_forces = {0.1, 0.33, 1, 3},
           .push_step = 1e-2,
           .time_steps = {1e-2, 3e-3},
-          .denser_sample = false,
+          .denser_if_quicker = false,
           .shear_depths = {0.2, 0.45, 0.7},
           .grains_per_depth = 1,
           .shear_distance = 3,

@@ -21,8 +21,9 @@ struct PaperScale {
   int realizations = 10;
   std::vector<double> push_forces{0.1, 0.33, 0.67, 1, 2, 3};  // [F_c]
   double push_step = 1e-3;  // of pushes [sqrt(d/g)]; with 1e-2 many bonds too many break
-  std::vector<double> time_steps{1e-2, 3e-3, 1e-3};             // for each break rule [sqrt(d/g)]
-  bool denser_sample = true;                                    // for each break rule, too
+  std::vector<double> time_steps{1e-2, 3e-3, 1e-3};  // for each break rule [sqrt(d/g)]
+  // Whether a quicker deposition makes a denser sample, which it does by its own weight: not in low boxes.
+  bool denser_if_quicker = true;
   std::vector<double> shear_depths{0.1, 0.25, 0.4, 0.55, 0.7};  // over the packing's height [1]
   int grains_per_depth = 10;
   double shear_distance = 20;     // [d]
