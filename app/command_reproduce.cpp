@@ -177,14 +177,18 @@ Report report_of(const ReproduceArguments& options, const PaperJobs& jobs, const
     c.experiment->report(results, options.out / "snapshots", section, findings);
     figures.push_back(std::move(section));
   }
-  const PaperTargets targets = read_targets(shipped_targets());
+  PaperTargets targets = read_targets(shipped_targets());
   const Tally count = tally(targets, findings);
+  // Of a part of the programme, the table has what that part measures.
+  const bool all_figures = options.figures.empty();
+  if (!all_figures)
+    std::erase_if(targets.targets, [&](const Target& t) { return !findings.contains(t.id); });
   Section comparison{.title = "The paper's numbers beside ours", .blocks = {}};
-  comparison.blocks.emplace_back(Paragraph{std::to_string(count.inside) +
-                                           " inside the stated tolerance, " +
-                                           std::to_string(count.outside) + " outside, " +
-                                           std::to_string(count.not_measured) + " not measured."});
-  comparison.blocks.emplace_back(comparison_table(targets, findings));
+  comparison.blocks.emplace_back(
+      Paragraph{std::to_string(count.inside) + " inside the stated tolerance, " +
+                std::to_string(count.outside) + " outside, " + std::to_string(count.not_measured) +
+                (all_figures ? " not measured." : " not measured and left out here.")});
+  if (!targets.targets.empty()) comparison.blocks.emplace_back(comparison_table(targets, findings));
   report.sections.push_back(std::move(comparison));
   std::ranges::move(figures, std::back_inserter(report.sections));
   report.sections.push_back(section_on_runs(jobs, pool, results));

@@ -215,6 +215,8 @@ TEST_F(Reproduce, SlowReportsOnWhatRanAndRepeatsNothing) {
   const std::string page = contents(out + "/report.md");
   EXPECT_NE(page.find("after the piston: volume fraction"), std::string::npos);
   EXPECT_NE(page.find("Compaction by a piston"), std::string::npos);
+  EXPECT_EQ(page.find("pull-out force over the push force before"), std::string::npos)
+      << "of another figure";
   const auto when = std::filesystem::last_write_time(out + "/runs/sample/00/summary.json");
   ASSERT_EQ(reproduce(words).exit_code, 0);
   EXPECT_EQ(std::filesystem::last_write_time(out + "/runs/sample/00/summary.json"), when);
