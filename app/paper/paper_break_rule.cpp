@@ -8,6 +8,7 @@
 
 #include "app/json/json_reader.h"
 #include "app/paper/paper_experiments.h"
+#include "app/report/typeset_number.h"
 
 namespace quicksand {
 
@@ -131,7 +132,7 @@ class BreakRules : public PaperExperiment {
       if (off <= distance.tolerances) return;
       distance.tolerances = off;
       distance.worst =
-          target.quantity + ": " + number_text(measured->value) + " for " + paper_text(target);
+          target.quantity + ": " + typeset(measured->value) + " for " + paper_text(target);
     };
     for (std::size_t p = 0; p < std::size(kKnownPushes); ++p)
       for (const KnownShare& share : kKnownShares)
@@ -159,9 +160,8 @@ class BreakRules : public PaperExperiment {
              "within their tolerances.";
     return "No setting gives the four shares of bonds of the paper's pushes with 0.33 F_c and F_c "
            "together. " +
-           which + " is nearest, by its worst number, which is " +
-           number_text(std::round(10 * least.tolerances) / 10) + " tolerances off (" + least.worst +
-           ").";
+           which + " is nearest, by its worst number, which is " + typeset(least.tolerances, 2) +
+           " tolerances off (" + least.worst + ").";
   }
 
   void add_plot(const PaperResults& results, std::size_t push, const KnownShare& share,
@@ -189,9 +189,9 @@ class BreakRules : public PaperExperiment {
         }
         plot.curves.push_back(std::move(curve));
       }
-    section.blocks.emplace_back(Figure{
-        std::move(plot),
-        "Share of bonds over the time step, push force " + number_text(known.force) + " F_c."});
+    section.blocks.emplace_back(Figure{std::move(plot), "Bonds, " + std::string(share.title) +
+                                                            ", over the time step; push force " +
+                                                            number_text(known.force) + " F_c."});
   }
 
   std::vector<RunGroup> samples_;

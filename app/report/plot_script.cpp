@@ -125,18 +125,19 @@ class Script {
 
   void axis(const std::string& name, const Axis& axis, const Extent& extent) {
     line("set " + name + "label " + label_of(axis) + (name == "x" ? " offset 0, 0.3" : ""));
+    // Over one or two decades powers of ten would name a place or two.
+    constexpr double kFewDecades = 100;
+    const bool few_decades =
+        axis.logarithmic && !extent.empty() && extent.high < kFewDecades * extent.low;
     if (axis.logarithmic) {
       // Small tics between decades only where decades are few.
       constexpr double kManyDecades = 1e6;
       line("set logscale " + name);
       if (extent.high > kManyDecades * extent.low) line("unset m" + name + "tics");
-      // Over one or two decades powers of ten would name a place or two.
-      constexpr double kFewDecades = 100;
-      if (!extent.empty() && extent.high < kFewDecades * extent.low)
-        line("set " + name + "tics (" + one_two_five(extent) + ")");
+      if (few_decades) line("set " + name + "tics (" + one_two_five(extent) + ")");
     }
     constexpr double kFewDigits = 1e-3, kManyDigits = 1e4;
-    const bool powers = axis.logarithmic &&
+    const bool powers = axis.logarithmic && !few_decades &&
                         (extent.empty() || extent.low < kFewDigits || extent.high > kManyDigits);
     line("set format " + name + (powers ? " '10^{%T}'" : " '%h'"));
     line("set " + name + "range " + range_of(axis, extent));

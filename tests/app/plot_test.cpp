@@ -146,6 +146,15 @@ TEST_F(PlotTest, ALogarithmicAxisOfOneDecadeNamesMoreThanOnePlace) {
     EXPECT_NE(svg.find(place), std::string::npos) << place;
 }
 
+TEST_F(PlotTest, PlacesOnAShortLogarithmicAxisAreNamedByTheirValuesHoweverSmall) {
+  Plot plot{.name = "steps", .x = {.label = "dt", .logarithmic = true}};
+  plot.curves.push_back({.name = "share", .x = {3e-4, 1e-3, 1e-2}, .y = {1, 2, 3}});
+  ASSERT_TRUE(write_plot(plot, folder_.path()).drawn);
+  const std::string svg = file("steps.svg");
+  for (const char* place : {">0.0005<", ">0.002<", ">0.005<"})
+    EXPECT_NE(svg.find(place), std::string::npos) << place;
+}
+
 TEST_F(PlotTest, NamesOfLinesStandInsideThePicture) {
   Plot plot{.name = "guides", .x = {.label = "error", .logarithmic = true}};
   plot.curves.push_back({.name = "course", .x = {1e-6, 1}, .y = {1, 2}});
