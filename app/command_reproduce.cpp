@@ -86,9 +86,9 @@ PaperScale scale_of(const ReproduceArguments& options) {
   };
   constexpr double kLeastStep = 1e-5, kMostStep = 0.1;
   if (options.push_step)
-    scale.push_step = checked("--push-step", *options.push_step, kLeastStep, kMostStep, " √(d/g)");
+    scale.push_step = checked("--push-step", *options.push_step, kLeastStep, kMostStep, " sqrt(d/g)");
   replace("--push-forces", options.push_forces, 1e-3, 1e3, " F_c", scale.push_forces);
-  replace("--time-steps", options.time_steps, kLeastStep, kMostStep, " √(d/g)", scale.time_steps);
+  replace("--time-steps", options.time_steps, kLeastStep, kMostStep, " sqrt(d/g)", scale.time_steps);
   return scale;
 }
 
@@ -241,7 +241,7 @@ Command add_reproduce(CLI::App& program) {
       ->type_name("H");
   command
       ->add_option("--push-step", options->push_step,
-                   "time step of pushes [0.001 √(d/g); quick: 0.01]")
+                   "time step of pushes [0.001 sqrt(d/g); quick: 0.01]")
       ->type_name("DT");
   command
       ->add_option("--push-forces", options->push_forces,
@@ -251,7 +251,7 @@ Command add_reproduce(CLI::App& program) {
       ->allow_extra_args(false);
   command
       ->add_option("--time-steps", options->time_steps,
-                   "of break_rule [0.01,0.003,0.001 √(d/g); quick: 0.01,0.003]")
+                   "of break_rule [0.01,0.003,0.001 sqrt(d/g); quick: 0.01,0.003]")
       ->type_name("DT,...")
       ->delimiter(',')
       ->allow_extra_args(false);
