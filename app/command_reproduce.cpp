@@ -86,9 +86,11 @@ PaperScale scale_of(const ReproduceArguments& options) {
   };
   constexpr double kLeastStep = 1e-5, kMostStep = 0.1;
   if (options.push_step)
-    scale.push_step = checked("--push-step", *options.push_step, kLeastStep, kMostStep, " sqrt(d/g)");
+    scale.push_step =
+        checked("--push-step", *options.push_step, kLeastStep, kMostStep, " sqrt(d/g)");
   replace("--push-forces", options.push_forces, 1e-3, 1e3, " F_c", scale.push_forces);
-  replace("--time-steps", options.time_steps, kLeastStep, kMostStep, " sqrt(d/g)", scale.time_steps);
+  replace("--time-steps", options.time_steps, kLeastStep, kMostStep, " sqrt(d/g)",
+          scale.time_steps);
   return scale;
 }
 
