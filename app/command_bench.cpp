@@ -16,6 +16,7 @@
 #include "app/report/provenance.h"
 #include "app/run/run_folder.h"
 #include "core/errors.h"
+#include "core/parallel.h"
 
 namespace quicksand {
 
@@ -143,7 +144,7 @@ int run(const Request& request) {
                                 " left)")
                                    .c_str());
     try {
-      run_task(next, rows);
+      with_threads(1, [&] { run_task(next, rows); });  // measures are of one core
     } catch (const Interrupted&) {
       break;
     }

@@ -8,9 +8,11 @@
 #include "app/run_outcome.h"
 #include "app/scene/scene_file.h"
 #include "app/strict_options.h"
+#include "app/threads_option.h"
 #include "core/checkpoint.h"
 #include "core/errors.h"
 #include "core/measures.h"
+#include "core/parallel.h"
 
 namespace quicksand {
 
@@ -19,6 +21,7 @@ namespace {
 struct ResumeArguments {
   std::string folder;
   bool quiet = false;
+  std::int64_t threads = 0;
   StrictOptions strict;
 };
 
@@ -60,7 +63,9 @@ int resume(const ResumeArguments& asked) {
                      resumption.why.c_str());
       break;
   }
-  return tell_outcome(run_scene(scenario, options), options);
+  RunResult result;
+  with_threads(thread_count(asked.threads), [&] { result = run_scene(scenario, options); });
+  return tell_outcome(result, options);
 }
 
 }  // namespace
@@ -70,6 +75,7 @@ Command add_resume(CLI::App& program) {
       "resume", "go on with a run that was killed, interrupted or out of disk space");
   const auto options = std::make_shared<ResumeArguments>();
   command->add_option("folder", options->folder, "folder of the run")->type_name("DIR")->required();
+  add_threads_option(*command, options->threads, kThreadsOfOneRun);
   command->add_flag("--quiet", options->quiet, "print nothing but where the results are");
   add_strict_options(*command, options->strict);
   command->footer(

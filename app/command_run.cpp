@@ -7,7 +7,9 @@
 #include "app/run_outcome.h"
 #include "app/scene/scene_options.h"
 #include "app/strict_options.h"
+#include "app/threads_option.h"
 #include "core/errors.h"
+#include "core/parallel.h"
 
 namespace quicksand {
 
@@ -21,6 +23,7 @@ struct RunArguments {
   std::optional<double> every;
   std::optional<std::string> continued_from;
   bool no_frames = false;
+  std::int64_t threads = 0;
 };
 
 int run(RunArguments& options) {
@@ -38,7 +41,9 @@ int run(RunArguments& options) {
   options.run.strict = strict_from(options.strict);
   if (options.continued_from) options.run.continued_from = *options.continued_from;
   const Scenario scenario = read_scene(options.scene);
-  return tell_outcome(run_scene(scenario, options.run), options.run);
+  RunResult result;
+  with_threads(thread_count(options.threads), [&] { result = run_scene(scenario, options.run); });
+  return tell_outcome(result, options.run);
 }
 
 }  // namespace
@@ -65,6 +70,7 @@ Command add_run(CLI::App& program) {
       ->type_name("SECONDS")
       ->capture_default_str();
   command->add_flag("--no-frames", options->no_frames, "compute without pictures");
+  add_threads_option(*command, options->threads, kThreadsOfOneRun);
   command->add_flag("--quiet", options->run.quiet, "print nothing but where the results are");
   add_strict_options(*command, options->strict);
   add_picture_options(*command, options->picture);

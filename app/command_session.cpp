@@ -3,6 +3,8 @@
 
 #include "app/commands.h"
 #include "app/session/play.h"
+#include "app/threads_option.h"
+#include "core/parallel.h"
 
 namespace quicksand {
 
@@ -10,6 +12,7 @@ Command add_session(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "session", "play a file of commands, or take commands from standard input");
   const auto options = std::make_shared<PlayOptions>();
+  const auto threads = std::make_shared<std::int64_t>(0);
   command
       ->add_option("file", options->file,
                    "session file; - takes a command a line from standard input")
@@ -22,6 +25,7 @@ Command add_session(CLI::App& program) {
   command->add_option("--stop-after", options->stop_after, "stop after so many commands")
       ->type_name("N")
       ->check(CLI::NonNegativeNumber);
+  add_threads_option(*command, *threads, kThreadsOfOneRun);
   command->add_flag("--quiet", options->quiet, "show no progress");
   command->footer(
       "DIR receives transcript.jsonl: each command with its result, time and the hash of the "
@@ -32,8 +36,12 @@ Command add_session(CLI::App& program) {
       "Example:\n"
       "  quicksand session assets/sessions/what_if.json\n"
       "  echo '{\"command\": \"load\", \"scene\": \"chain\"}' | quicksand session -");
-  return {command, [options] {
-            return options->file == "-" ? play_live(options->out) : play_session(*options);
+  return {command, [options, threads] {
+            int code = 0;
+            with_threads(thread_count(*threads), [&] {
+              code = options->file == "-" ? play_live(options->out) : play_session(*options);
+            });
+            return code;
           }};
 }
 

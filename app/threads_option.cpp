@@ -11,8 +11,8 @@ constexpr std::int64_t kMost = 1024;  // more is taken for a mistake
 
 }  // namespace
 
-void add_threads_option(CLI::App& command, std::int64_t& threads) {
-  command.add_option("--threads", threads, "runs at the same time [number of cores]")
+void add_threads_option(CLI::App& command, std::int64_t& threads, const char* meaning) {
+  command.add_option("--threads", threads, std::string(meaning) + " [number of cores]")
       ->type_name("N")
       ->check(CLI::Range(std::int64_t{1}, kMost).description(""));
 }

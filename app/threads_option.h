@@ -1,4 +1,4 @@
-// How many runs a command computes at the same time.
+// How many threads a command uses: one for each of its runs, or all for its one run.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -6,8 +6,11 @@
 
 namespace quicksand {
 
-// `--threads N`, from 1; left at 0 where it is not named.
-void add_threads_option(CLI::App& command, std::int64_t& threads);
+// `--threads N`, from 1; left at 0 where it is not named. `meaning`: what the help says of it.
+void add_threads_option(CLI::App& command, std::int64_t& threads, const char* meaning);
+
+inline constexpr const char* kThreadsOfOneRun =
+    "threads that solve contacts where there are some thousands; the results are the same";
 
 // `asked`, or all cores of the machine if that is 0.
 int thread_count(std::int64_t asked);

@@ -4,10 +4,13 @@
 #include <cmath>
 
 #include "core/lanes.h"
+#include "core/parallel.h"
 
 namespace quicksand {
 
 namespace {
+
+constexpr int kWorthSharing = 2000;  // products of blocks
 
 // Columns by name and not in an array: the compiler keeps them in registers then.
 struct LoadedBlock {
@@ -113,79 +116,83 @@ struct LoadedBlock {
   }
 }
 
-[[gnu::always_inline]] inline bool factorise_all(const Elimination& plan, PaddedBlock* all_lower,
-                                                 PaddedBlock* all_upper) {
-  bool negative = false;
-  const int* target = plan.targets().data();
-  for (const Supernode& node : plan.supernodes()) {
-    const int s = node.columns, m = s + node.rows;
-    PaddedBlock* lower = all_lower + node.offset;
-    PaddedBlock* upper = all_upper + node.offset;
-    factorise_columns(node, lower, upper, negative);
-    for (int p = s; p < m; ++p) {
-      subtract_products(lower + p * s, upper + p * s, s, all_lower[*target++]);
-      for (int q = p + 1; q < m; ++q) {
-        const int t = *target++;
-        subtract_products(lower + q * s, upper + p * s, s, all_lower[t]);
-        subtract_products(lower + p * s, upper + q * s, s, all_upper[t]);
-      }
-    }
-  }
-  return negative;
-}
-
-[[gnu::always_inline]] inline void solve_lower(const Elimination& plan,
-                                               const PaddedBlock* all_lower, Eigen::Vector4d* x) {
-  for (const Supernode& node : plan.supernodes()) {
-    const int s = node.columns, m = s + node.rows;
-    const PaddedBlock* lower = all_lower + node.offset;
-    const int* row = plan.rows(node);
-    for (int i = 1; i < m; ++i) {
-      double* to = x[i < s ? node.first + i : row[i - s]].data();
-      Lanes y;
-      load_lanes(to, y);
-      for (int j = 0; j < std::min(i, s); ++j)
-        subtract_product(lower[i * s + j], x[node.first + j].data(), y);
-      store_lanes(y, to);
-    }
+// What the row `p` of a supernode adds to the column of its number.
+[[gnu::always_inline]] inline void pass_on(const Elimination& plan, const Supernode& node, int p,
+                                           PaddedBlock* all_lower, PaddedBlock* all_upper) {
+  const int s = node.columns;
+  const PaddedBlock* lower = all_lower + node.offset + s * s;
+  const PaddedBlock* upper = all_upper + node.offset + s * s;
+  const int* target = plan.targets().data() + node.target + p * node.rows - p * (p - 1) / 2;
+  subtract_products(lower + p * s, upper + p * s, s, all_lower[*target]);
+  for (int q = p + 1; q < node.rows; ++q) {
+    const int t = *++target;
+    subtract_products(lower + q * s, upper + p * s, s, all_lower[t]);
+    subtract_products(lower + p * s, upper + q * s, s, all_upper[t]);
   }
 }
 
-[[gnu::always_inline]] inline void solve_upper(const Elimination& plan,
+// x of rows `first` to `last` of a supernode, counted from its first column, less what its columns give.
+[[gnu::always_inline]] inline void solve_lower(const Elimination& plan, const Supernode& node,
+                                               int first, int last, const PaddedBlock* all_lower,
+                                               Eigen::Vector4d* x) {
+  const int s = node.columns;
+  const PaddedBlock* lower = all_lower + node.offset;
+  const int* row = plan.rows(node);
+  for (int i = first; i < last; ++i) {
+    double* to = x[i < s ? node.first + i : row[i - s]].data();
+    Lanes y;
+    load_lanes(to, y);
+    for (int j = 0; j < std::min(i, s); ++j)
+      subtract_product(lower[i * s + j], x[node.first + j].data(), y);
+    store_lanes(y, to);
+  }
+}
+
+[[gnu::always_inline]] inline void solve_upper(const Elimination& plan, const Supernode& node,
                                                const PaddedBlock* all_lower,
                                                const PaddedBlock* all_upper, Eigen::Vector4d* x) {
-  for (auto node = plan.supernodes().rbegin(); node != plan.supernodes().rend(); ++node) {
-    const int s = node->columns, m = s + node->rows;
-    const PaddedBlock* lower = all_lower + node->offset;
-    const PaddedBlock* upper = all_upper + node->offset;
-    const int* row = plan.rows(*node);
-    for (int j = s - 1; j >= 0; --j) {
-      double* to = x[node->first + j].data();
-      Lanes y;
-      load_lanes(to, y);
-      for (int i = j + 1; i < m; ++i)
-        subtract_product(upper[i * s + j], x[i < s ? node->first + i : row[i - s]].data(), y);
-      store_lanes(y, to);
-      LoadedBlock inverse;
-      load_block(lower[j * s + j], inverse);
-      multiply(inverse, to, y);
-      store_lanes(y, to);
-    }
+  const int s = node.columns, m = s + node.rows;
+  const PaddedBlock* lower = all_lower + node.offset;
+  const PaddedBlock* upper = all_upper + node.offset;
+  const int* row = plan.rows(node);
+  for (int j = s - 1; j >= 0; --j) {
+    double* to = x[node.first + j].data();
+    Lanes y;
+    load_lanes(to, y);
+    for (int i = j + 1; i < m; ++i)
+      subtract_product(upper[i * s + j], x[i < s ? node.first + i : row[i - s]].data(), y);
+    store_lanes(y, to);
+    LoadedBlock inverse;
+    load_block(lower[j * s + j], inverse);
+    multiply(inverse, to, y);
+    store_lanes(y, to);
   }
+}
+
+// work(part) for parts that may run at the same time, compiled like with_lanes().
+template <class Work>
+void share_in_lanes(std::size_t parts, const Work& work) {
+  share_parts(static_cast<int>(parts),
+              [&](int part) { with_lanes([&]() __attribute__((always_inline)) { work(part); }); });
 }
 
 }  // namespace
 
 void BlockLu::analyse(int n, const std::vector<Edge>& edges) {
-  plan_.analyse(n, edges, 2 * sizeof(PaddedBlock));
+  ready_ = !plan_.analyse(n, edges, 2 * sizeof(PaddedBlock)) && ready_;
+  if (ready_) return;
+  subtrees_.find(plan_);
   lower_.resize(static_cast<std::size_t>(plan_.slots()));
   upper_.resize(lower_.size());
   work_.resize(static_cast<std::size_t>(n));
+  ready_ = true;
 }
 
 void BlockLu::clear() {
-  std::ranges::fill(lower_, PaddedBlock{});
-  std::ranges::fill(upper_, PaddedBlock{});
+  share_range(lower_.size(), [&](std::size_t begin, std::size_t end) {
+    std::fill(lower_.data() + begin, lower_.data() + end, PaddedBlock{});
+    std::fill(upper_.data() + begin, upper_.data() + end, PaddedBlock{});
+  });
 }
 
 double BlockLu::operations() const {
@@ -200,17 +207,72 @@ double BlockLu::operations() const {
 }
 
 void BlockLu::factorise() {
+  const std::vector<Supernode>& node = plan_.supernodes();
+  PaddedBlock *lower = lower_.data(), *upper = upper_.data();
+  const int threads = usable_threads();
+  flipped_.assign(subtrees_.groups().size(), 0);
+  share_in_lanes(
+      subtrees_.groups().size(), [&](int group) __attribute__((always_inline)) {
+        bool flipped = false;
+        for (const int s : subtrees_.groups()[group]) {
+          factorise_columns(node[s], lower + node[s].offset, upper + node[s].offset, flipped);
+          const int inside = subtrees_.rows_inside(s);
+          for (int p = 0; p < inside; ++p) pass_on(plan_, node[s], p, lower, upper);
+        }
+        flipped_[group] = flipped ? 1 : 0;
+      });
+  negative_ = std::ranges::count(flipped_, 1) % 2 == 1;
+  // A column of the top has one writer.
+  const std::size_t writers = subtrees_.border().empty() ? 0 : static_cast<std::size_t>(threads);
+  share_in_lanes(
+      writers, [&](int writer) __attribute__((always_inline)) {
+        for (const int s : subtrees_.border()) {
+          const int* row = plan_.rows(node[s]);
+          for (int p = subtrees_.rows_inside(s); p < node[s].rows; ++p)
+            if (row[p] % threads == writer) pass_on(plan_, node[s], p, lower, upper);
+        }
+      });
   with_lanes([&]() __attribute__((always_inline)) {
-    negative_ = factorise_all(plan_, lower_.data(), upper_.data());
+    for (const int s : subtrees_.top()) {
+      const int rows = node[s].rows;
+      factorise_columns(node[s], lower + node[s].offset, upper + node[s].offset, negative_);
+      if (threads == 1 || node[s].columns * rows * rows < kWorthSharing) {
+        for (int p = 0; p < rows; ++p) pass_on(plan_, node[s], p, lower, upper);
+        continue;
+      }
+      share_in_lanes(
+          static_cast<std::size_t>(threads), [&](int writer) __attribute__((always_inline)) {
+            for (int p = writer; p < rows; p += threads) pass_on(plan_, node[s], p, lower, upper);
+          });
+    }
   });
 }
 
 void BlockLu::solve(std::vector<Vec3>& x) {
+  const std::vector<Supernode>& node = plan_.supernodes();
+  const PaddedBlock *lower = lower_.data(), *upper = upper_.data();
+  Eigen::Vector4d* y = work_.data();
+  const auto& groups = subtrees_.groups();
+  const auto& top = subtrees_.top();
   for (int i = 0; i < plan_.size(); ++i) work_[plan_.position(i)] << x[i], 0;
+  share_in_lanes(
+      groups.size(), [&](int group) __attribute__((always_inline)) {
+        for (const int s : groups[group])
+          solve_lower(plan_, node[s], 1, node[s].columns + subtrees_.rows_inside(s), lower, y);
+      });
   with_lanes([&]() __attribute__((always_inline)) {
-    solve_lower(plan_, lower_.data(), work_.data());
-    solve_upper(plan_, lower_.data(), upper_.data(), work_.data());
+    for (const int s : subtrees_.border())
+      solve_lower(plan_, node[s], node[s].columns + subtrees_.rows_inside(s),
+                  node[s].columns + node[s].rows, lower, y);
+    for (const int s : top)
+      solve_lower(plan_, node[s], 1, node[s].columns + node[s].rows, lower, y);
+    for (auto s = top.rbegin(); s != top.rend(); ++s) solve_upper(plan_, node[*s], lower, upper, y);
   });
+  share_in_lanes(
+      groups.size(), [&](int group) __attribute__((always_inline)) {
+        for (auto s = groups[group].rbegin(); s != groups[group].rend(); ++s)
+          solve_upper(plan_, node[*s], lower, upper, y);
+      });
   for (int i = 0; i < plan_.size(); ++i) x[i] = work_[plan_.position(i)].head<3>();
 }
 

@@ -3,13 +3,15 @@
 //
 // The network of a loose packing is nearly a tree, so there is almost no fill; no pivoting between
 // blocks, which suits M + H^T D H (see contact_matrix.h). Right-looking by supernodes, with the place of
-// every product known beforehand (see elimination.h); this is kept while the graph stays the same.
+// every product known beforehand (see elimination.h); this is kept while the graph stays the same. Disjoint
+// subtrees first, at the same time, then what they leave to the top, column by column, then the top.
 #pragma once
 
 #include <Eigen/Core>
 #include <vector>
 
 #include "core/elimination.h"
+#include "core/subtrees.h"
 #include "core/types.h"
 
 namespace quicksand {
@@ -55,7 +57,10 @@ class BlockLu {
   }
 
   Elimination plan_;
+  Subtrees subtrees_;
+  bool ready_ = false;  // what follows is that of the plan
   bool negative_ = false;
+  std::vector<char> flipped_;  // (groups) whether the determinant of theirs is negative
   // By slots. L has a unit diagonal; its place holds the inverted pivots. U has the block of row j and
   // column i where L has that of row i and column j.
   std::vector<PaddedBlock> lower_, upper_;

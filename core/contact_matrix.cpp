@@ -1,5 +1,7 @@
 #include "core/contact_matrix.h"
 
+#include "core/parallel.h"
+
 namespace quicksand {
 
 namespace {
@@ -69,29 +71,32 @@ void ContactMatrix::factorise(const std::vector<Mat3>& stiffness) {
     const Vec3& im = problem.inverse_mass[body_of_row_[k]];
     for (int d = 0; d < 3; ++d) lu_.diagonal(static_cast<int>(k))(d, d) = im[d] > 0 ? 1 / im[d] : 1;
   }
-  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
-    const ContactRow& row = problem.contacts[c];
-    const Jacobian h = jacobian(row, problem.inverse_mass[row.a], problem.inverse_mass[row.b]);
-    const int i = row_of_body_[row.a], j = row_of_body_[row.b];
-    const Mat3 da = answer(stiffness[c], h.of_a), db = answer(stiffness[c], h.of_b);
-    if (i >= 0) add_product(h.of_a, da, lu_.diagonal(i));
-    if (j >= 0) add_product(h.of_b, db, lu_.diagonal(j));
-    if (const int e = edge_of_contact_[c]; e >= 0) {
-      add_product(h.of_a, db, lu_.upper(e));
-      add_product(h.of_b, da, lu_.lower(e));
-    }
-  }
+  visit_sides(
+      problem,
+      [&](std::size_t c, const ContactRow& row) {
+        const Jacobian h = jacobian(row, problem.inverse_mass[row.a], problem.inverse_mass[row.b]);
+        const int i = row_of_body_[row.a], e = edge_of_contact_[c];
+        const Mat3 da = answer(stiffness[c], h.of_a);
+        if (i >= 0) add_product(h.of_a, da, lu_.diagonal(i));
+        if (e >= 0) add_product(h.of_b, da, lu_.lower(e));
+      },
+      [&](std::size_t c, const ContactRow& row) {
+        const Jacobian h = jacobian(row, problem.inverse_mass[row.a], problem.inverse_mass[row.b]);
+        const int j = row_of_body_[row.b], e = edge_of_contact_[c];
+        const Mat3 db = answer(stiffness[c], h.of_b);
+        if (j >= 0) add_product(h.of_b, db, lu_.diagonal(j));
+        if (e >= 0) add_product(h.of_a, db, lu_.upper(e));
+      });
   lu_.factorise();
 }
 
 void ContactMatrix::velocity_change(const std::vector<Vec3>& impulse, std::vector<Vec3>& dv) {
   const ContactProblem& problem = *problem_;
   dv.assign(problem.inverse_mass.size(), Vec3::Zero());
-  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
-    const ContactRow& row = problem.contacts[c];
-    dv[row.a] += momentum_of_a(row, impulse[c]);
-    dv[row.b] += momentum_of_b(row, impulse[c]);
-  }
+  visit_sides(
+      problem,
+      [&](std::size_t c, const ContactRow& row) { dv[row.a] += momentum_of_a(row, impulse[c]); },
+      [&](std::size_t c, const ContactRow& row) { dv[row.b] += momentum_of_b(row, impulse[c]); });
   right_hand_side_.resize(body_of_row_.size());
   for (std::size_t k = 0; k < body_of_row_.size(); ++k) {
     const int i = body_of_row_[k];

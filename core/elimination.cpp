@@ -9,8 +9,8 @@
 
 namespace quicksand {
 
-void Elimination::analyse(int n, const std::vector<Edge>& edges, std::size_t bytes_of_slot) {
-  if (n == n_ && edges == edges_) return;
+bool Elimination::analyse(int n, const std::vector<Edge>& edges, std::size_t bytes_of_slot) {
+  if (n == n_ && edges == edges_) return false;
   n_ = n;
   edges_ = edges;
   order();
@@ -27,6 +27,7 @@ void Elimination::analyse(int n, const std::vector<Edge>& edges, std::size_t byt
     edge_slot_[e] = slot(std::max(p, q), std::min(p, q));
     edge_flipped_[e] = p > q ? 1 : 0;
   }
+  return true;
 }
 
 void Elimination::order() {
@@ -142,7 +143,8 @@ int Elimination::slot(int row, int column) const {
 
 void Elimination::find_targets() {
   target_.clear();
-  for (const Supernode& from : supernode_) {
+  for (Supernode& from : supernode_) {
+    from.target = static_cast<int>(target_.size());
     const int* row = rows(from);
     for (int p = 0; p < from.rows; ++p) {
       const Supernode& to = supernode_[supernode_of_[row[p]]];

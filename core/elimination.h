@@ -22,18 +22,20 @@ struct Supernode {
   int rows = 0;     // below them
   int row = 0;      // place of the first of these in Elimination::rows()
   int offset = 0;   // its first slot
+  int target = 0;   // the first of its products in Elimination::targets()
 };
 
 class Elimination {
  public:
-  // Of n block rows coupled by `edges`, which may repeat. Does nothing if the graph is the same as before.
-  // Throws NotEnoughMemory if there is none, with so many bytes a slot.
-  void analyse(int n, const std::vector<Edge>& edges, std::size_t bytes_of_slot);
+  // Of n block rows coupled by `edges`, which may repeat. False if the graph is the same as before: then
+  // nothing is done. Throws NotEnoughMemory if there is none, with so many bytes a slot.
+  bool analyse(int n, const std::vector<Edge>& edges, std::size_t bytes_of_slot);
 
   int size() const { return n_; }
   int slots() const { return slots_; }
   const std::vector<Supernode>& supernodes() const { return supernode_; }
   const int* rows(const Supernode& s) const { return row_.data() + s.row; }  // ascending
+  int supernode_of(int row) const { return supernode_of_[static_cast<std::size_t>(row)]; }
   // For each supernode, each p of its rows, and each q from p on: the slot of row q in column p.
   const std::vector<int>& targets() const { return target_; }
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/delassus.h"
+#include "core/parallel.h"
 #include "core/residual.h"
 
 namespace quicksand {
@@ -106,22 +107,25 @@ void InteriorPoint::start(const ContactProblem& problem, double shift, const Con
 }
 
 void InteriorPoint::linearise(const ContactProblem& problem) {
-  product_ = {};
-  pairs_ = 0;
-  for (std::size_t c = 0; c < cone_.size(); ++c) {
-    const ContactRow& row = problem.contacts[c];
-    const Vec3 u = row.offset + contact_velocity(row, velocity_);
-    stiffness_[c] = cone_[c].linearise(u, proximal_ * delassus_[c]);
-    cone_[c].visit_pairs([&](double x, double, double y, double) {
-      product_[0] += x * y;
-      ++pairs_;
-    });
-  }
+  products_ =
+      gather_range<Products>(cone_.size(), [&](std::size_t begin, std::size_t end, Products& part) {
+        for (std::size_t c = begin; c < end; ++c) {
+          const ContactRow& row = problem.contacts[c];
+          const Vec3 u = row.offset + contact_velocity(row, velocity_);
+          stiffness_[c] = cone_[c].linearise(u, proximal_ * delassus_[c]);
+          cone_[c].visit_pairs([&](double x, double, double y, double) {
+            part.by_power[0] += x * y;
+            ++part.pairs;
+          });
+        }
+      });
   matrix_.factorise(stiffness_);
 }
 
 double InteriorPoint::find_direction(const ContactProblem& problem, double tau, bool correct) {
-  for (std::size_t c = 0; c < cone_.size(); ++c) impulse_[c] = cone_[c].head_for(tau, correct);
+  share_range(cone_.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) impulse_[c] = cone_[c].head_for(tau, correct);
+  });
   return follow(problem);
 }
 
@@ -132,29 +136,35 @@ double InteriorPoint::centre_direction(const ContactProblem& problem, double tau
     const double wanted = std::clamp(product, kLeastOfAim * tau, kMostOfAim * tau);
     return std::max(wanted - product, -kMostOfAim * tau);
   };
-  for (std::size_t c = 0; c < cone_.size(); ++c) impulse_[c] = cone_[c].head_further(further);
+  share_range(cone_.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) impulse_[c] = cone_[c].head_further(further);
+  });
   return follow(problem);
 }
 
 double InteriorPoint::follow(const ContactProblem& problem) {
   matrix_.velocity_change(impulse_, change_);
-  double fastest = 1e-3;  // the largest relative decrease
-  product_[1] = product_[2] = 0;
-  for (std::size_t c = 0; c < cone_.size(); ++c) {
-    cone_[c].find_direction(contact_velocity(problem.contacts[c], change_));
-    cone_[c].visit_pairs([&](double x, double dx, double y, double dy) {
-      if (-dx > fastest * x) fastest = -dx / x;
-      if (-dy > fastest * y) fastest = -dy / y;
-      product_[1] += x * dy + y * dx;
-      product_[2] += dx * dy;
-    });
-  }
-  return 1 / fastest;
+  const Products found =
+      gather_range<Products>(cone_.size(), [&](std::size_t begin, std::size_t end, Products& part) {
+        for (std::size_t c = begin; c < end; ++c) {
+          cone_[c].find_direction(contact_velocity(problem.contacts[c], change_));
+          cone_[c].visit_pairs([&](double x, double dx, double y, double dy) {
+            if (-dx > part.fastest * x) part.fastest = -dx / x;
+            if (-dy > part.fastest * y) part.fastest = -dy / y;
+            part.by_power[1] += x * dy + y * dx;
+            part.by_power[2] += dx * dy;
+          });
+        }
+      });
+  products_.by_power[1] = found.by_power[1];
+  products_.by_power[2] = found.by_power[2];
+  return 1 / found.fastest;
 }
 
 double InteriorPoint::mean_product(double alpha) const {
-  const double sum = product_[0] + alpha * (product_[1] + alpha * product_[2]);
-  return pairs_ > 0 ? sum / static_cast<double>(pairs_) : 0;
+  const std::array<double, 3>& p = products_.by_power;
+  const double sum = p[0] + alpha * (p[1] + alpha * p[2]);
+  return products_.pairs > 0 ? sum / static_cast<double>(products_.pairs) : 0;
 }
 
 // Finds the next direction along the path, and how far to go.
@@ -212,12 +222,14 @@ SolveReport InteriorPoint::solve(const ContactProblem& problem, const SolverSett
     }
     const double product = mean_product(0);
     const double alpha = find_step(problem, product, least_product);
-    for (std::size_t c = 0; c < cone_.size(); ++c) {
-      cone_[c].move(alpha);
-      cone_[c].lift(kLeastShare * product);
-      impulse_[c] = cone_[c].impulse();
-      state.impulse[c] = cone_[c].admissible_impulse(delassus_[c].x());
-    }
+    share_range(cone_.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t c = begin; c < end; ++c) {
+        cone_[c].move(alpha);
+        cone_[c].lift(kLeastShare * product);
+        impulse_[c] = cone_[c].impulse();
+        state.impulse[c] = cone_[c].admissible_impulse(delassus_[c].x());
+      }
+    });
     // The velocity is taken from the impulses and not summed up, so that the two cannot part.
     velocity_from_impulses(problem, impulse_, velocity_);
     report.residual = residual(problem, state);

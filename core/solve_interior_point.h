@@ -14,6 +14,7 @@
 // not symmetric where a contact slides.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -33,6 +34,18 @@ class InteriorPoint {
                     ContactState& state);
 
  private:
+  // Of some of the pairs.
+  struct Products {
+    std::array<double, 3> by_power{};  // their sum after a step of alpha, by powers of alpha
+    std::size_t pairs = 0;
+    double fastest = 1e-3;  // the largest relative decrease of a factor, at least this
+    void add(const Products& other) {
+      for (std::size_t k = 0; k < by_power.size(); ++k) by_power[k] += other.by_power[k];
+      pairs += other.pairs;
+      fastest = std::max(fastest, other.fastest);
+    }
+  };
+
   void start(const ContactProblem& problem, double shift, const ContactState& state);
   double admissible_product(const ContactProblem& problem, double admissible) const;
   void linearise(const ContactProblem& problem);
@@ -48,9 +61,8 @@ class InteriorPoint {
 
   ContactMatrix matrix_;
   NewtonOnModes newton_;
-  double proximal_ = 0;              // over each contact's Delassus diagonal [1]
-  std::array<double, 3> product_{};  // their sum after a step of alpha, by powers of alpha
-  std::size_t pairs_ = 0;
+  Products products_;
+  double proximal_ = 0;            // over each contact's Delassus diagonal [1]
   std::vector<Vec3> delassus_;     // (nc) diagonal of each contact's own block
   std::vector<ContactCone> cone_;  // (nc)
   std::vector<Mat3> stiffness_;    // (nc)

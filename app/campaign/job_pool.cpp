@@ -16,6 +16,7 @@
 #include "app/run/resumption.h"
 #include "app/run/run_scene.h"
 #include "core/errors.h"
+#include "core/parallel.h"
 #include "render/renderer.h"
 
 namespace quicksand {
@@ -109,7 +110,8 @@ class Pool {
       // What started from a state that is computed again is computed again.
       const bool anew = job.after && report_.outcomes[*job.after].computed;
       lock.unlock();
-      JobOutcome outcome = compute(job, anew, options_.frames);
+      JobOutcome outcome;
+      with_threads(1, [&] { outcome = compute(job, anew, options_.frames); });
       lock.lock();
       end(*next, std::move(outcome));
     }

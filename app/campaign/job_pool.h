@@ -1,4 +1,4 @@
-// Runs jobs over threads: each alone in its folder by run_scene, so that results do not depend on the
+// Runs jobs over threads, one each: alone in its folder by run_scene, so that results do not depend on the
 // number of threads. Runs that have finished are not repeated, interrupted ones go on from their
 // state, failed ones are recorded and stop nothing but what starts from them.
 #pragma once

@@ -7,8 +7,10 @@
 #include <cmath>
 
 #include "core/memory.h"
+#include "core/parallel.h"
 #include "core/random.h"
 #include "tests/support/bounded_memory.h"
+#include "tests/support/core/graphs.h"
 #include "tests/support/core/tolerance.h"
 
 namespace quicksand {
@@ -153,6 +155,50 @@ TEST(BlockLu, OneObjectServesOneGraphAfterTheOther) {
         EXPECT_LE(error(fill(graph, 10, random, lu), lu), tolerance::rounding(10)) << graph.name;
       }
     }
+}
+
+// Large enough for subtrees; a copy of the matrix, block by block, judges the solution.
+TEST(BlockLu, SolvesTheSameBytesOnAnyNumberOfThreads) {
+  constexpr int kSide = 50;
+  const std::vector<Edge> edges = square_lattice(kSide);
+  const auto solution = [&](int threads, bool& negative) {
+    std::vector<Vec3> x(kSide * kSide), b;
+    with_threads(threads, [&] {
+      Random random{6};
+      BlockLu lu;
+      lu.analyse(kSide * kSide, edges);
+      lu.clear();
+      for (Vec3& v : x) v = Vec3(random.uniform(), random.uniform(), random.uniform());
+      b = x;
+      std::vector<Mat3> diagonal(x.size()), upper(edges.size()), lower(edges.size());
+      for (std::size_t i = 0; i < x.size(); ++i) {
+        diagonal[i] = 5 * Mat3::Identity() + random_block(random);
+        lu.diagonal(static_cast<int>(i)) += diagonal[i];
+      }
+      for (std::size_t e = 0; e < edges.size(); ++e) {
+        lu.upper(static_cast<int>(e)) += upper[e] = random_block(random);
+        lu.lower(static_cast<int>(e)) += lower[e] = random_block(random);
+      }
+      lu.factorise();
+      lu.solve(x);
+      negative = lu.negative();
+      for (std::size_t i = 0; i < x.size(); ++i) b[i] -= diagonal[i] * x[i];
+      for (std::size_t e = 0; e < edges.size(); ++e) {
+        b[static_cast<std::size_t>(edges[e].i)] -=
+            upper[e] * x[static_cast<std::size_t>(edges[e].j)];
+        b[static_cast<std::size_t>(edges[e].j)] -=
+            lower[e] * x[static_cast<std::size_t>(edges[e].i)];
+      }
+    });
+    for (const Vec3& rest : b) EXPECT_LE(rest.norm(), tolerance::rounding(10));
+    return x;
+  };
+  bool negative = false, other = false;
+  const std::vector<Vec3> alone = solution(1, negative);
+  for (const int threads : {2, 3, 8}) {
+    EXPECT_EQ(solution(threads, other), alone) << threads;
+    EXPECT_EQ(other, negative);
+  }
 }
 
 // Without fill there would be one block an edge; Eigen's ordering counts the diagonal in some degrees

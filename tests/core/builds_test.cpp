@@ -3,8 +3,11 @@
 // number below; a change of the compiler must not.
 #include <gtest/gtest.h>
 
+#include "core/ballistic.h"
+#include "core/parallel.h"
 #include "core/protocols.h"
 #include "tests/support/core/scenes.h"
+#include "tests/support/core/simulation.h"
 
 namespace quicksand {
 namespace {
@@ -18,6 +21,34 @@ TEST(WorldHash, OfACollapseIsTheSameInEveryBuild) {
     ASSERT_NE(made, Progress::failed);
   }
   EXPECT_EQ(world_hash(run.world()), 0x5A1CB1F07E59DCA3ULL) << std::hex << world_hash(run.world());
+}
+
+// A loose network that begins to fall, large enough that its loops are shared and its factorisation has
+// subtrees.
+TEST(WorldHash, IsTheSameForAnyNumberOfThreads) {
+  Scenario soil = empty_scene(Method::interior_point);
+  soil.box = {.width = 40, .height = 200, .sides = Sides::periodic, .floor = true};
+  soil.gravity = Vec2(0, -1);
+  soil.grain_law = paper_law(300);
+  soil.wall_law = paper_law(300);
+  soil.initial_bonds = InitialBonds::touching;
+  soil.solver.tolerance = 1e-6;
+  World deposit = make_world(soil);
+  for (int k = 0; k < 2200; ++k) {
+    const Vec2 place = LandingSite(deposit).land(40 * deposit.random.uniform(), 0.5)->centre;
+    deposit.disks.add({.position = place});
+    soil.disks.push_back({.position = place});
+  }
+  const auto hash = [&](int threads) {
+    Simulation run(soil);
+    with_threads(threads, [&] { run.advance(3); });
+    EXPECT_EQ(run.unconverged, 0);
+    EXPECT_EQ(run.last.solve.rung, Rung::interior_point);
+    return world_hash(run.world);
+  };
+  const std::uint64_t alone = hash(1);
+  EXPECT_EQ(hash(2), alone);
+  EXPECT_EQ(hash(3), alone);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <set>
 
+#include "tests/support/core/graphs.h"
+
 namespace quicksand {
 namespace {
 
@@ -11,16 +13,6 @@ Elimination analysed(int n, const std::vector<Edge>& edges) {
   Elimination plan;
   plan.analyse(n, edges, 192);
   return plan;
-}
-
-std::vector<Edge> square_lattice(int side) {
-  std::vector<Edge> edges;
-  for (int y = 0; y < side; ++y)
-    for (int x = 0; x < side; ++x) {
-      if (x + 1 < side) edges.push_back({y * side + x, y * side + x + 1});
-      if (y + 1 < side) edges.push_back({y * side + x, (y + 1) * side + x});
-    }
-  return edges;
 }
 
 TEST(Elimination, BodiesThatAllTouchAreOneSupernode) {
@@ -36,9 +28,7 @@ TEST(Elimination, BodiesThatAllTouchAreOneSupernode) {
 
 // Of a chain, only the last two bodies have the same rows below them: none besides each other.
 TEST(Elimination, AChainHasNoSupernodesToSpeakOf) {
-  std::vector<Edge> edges;
-  for (int i = 0; i + 1 < 20; ++i) edges.push_back({i, i + 1});
-  EXPECT_EQ(analysed(20, edges).supernodes().size(), 19U);
+  EXPECT_EQ(analysed(20, chain(20)).supernodes().size(), 19U);
 }
 
 TEST(Elimination, ADensePackingHasWideSupernodesAtItsEnd) {
