@@ -17,6 +17,9 @@ constexpr double kShareInside = 1e-3;
 constexpr double kMarginInside = 10;
 // Share of contacts that must be frozen or open for locality to be tried.
 constexpr double kLeastQuiet = 0.8;
+// Share of contacts that may thaw or join in: where more do, the whole problem is solved sooner. (Of 61 solutions
+// of an intruder that begins to plough, 51 ms for 58; none of a deposition thaws as many.)
+constexpr double kMostThawed = 0.09;
 // Factorisations of the whole problem whose work locality may spend. Where nearly all moves, the rounds
 // would cost several times the full solution, which takes 25 to 80.
 constexpr double kWorth = 25;
@@ -201,6 +204,7 @@ SolveReport LocalSolver::solve(const ContactProblem& problem, const SolverSettin
     return report;
   }
   budget_ = kWorth * static_cast<double>(role_.size());
+  int thawed = 0;
   for (int round = 0; round < kMaxRounds; ++round) {
     frozen_.resize(role_.size());
     std::ranges::transform(role_, frozen_.begin(), [](Role r) { return r == Role::frozen; });
@@ -210,7 +214,9 @@ SolveReport LocalSolver::solve(const ContactProblem& problem, const SolverSettin
     if (!solve_components(problem, settings, state.impulse, report)) break;
     clusters_.spread(cluster_velocity_, state.velocity);
     clusters_.recover(problem, state.velocity, state.impulse);
-    if (activate_violated(problem, admissible, state) <= 0) break;
+    const int activated = activate_violated(problem, admissible, state);
+    thawed += activated;
+    if (activated <= 0 || thawed > kMostThawed * static_cast<double>(role_.size())) break;
   }
   // A component that converged does not make a solution: the whole problem is judged.
   report.rung = Rung::locality;

@@ -103,6 +103,8 @@ std::vector<Task> goal_tasks(const Options& options);
 void report_goals(std::span<const Row> rows, const Options& options, Section& section);
 std::vector<Task> kernel_tasks(const Options& options);
 void report_kernels(std::span<const Row> rows, const Options& options, Section& section);
+std::vector<Task> thread_tasks(const Options& options);
+void report_threads(std::span<const Row> rows, const Options& options, Section& section);
 std::vector<Task> peer_tasks(const Options& options);
 void report_peers(std::span<const Row> rows, const Options& options, Section& section);
 

@@ -26,6 +26,8 @@ std::span<const Part> parts() {
       Part{"kernels", "Distance from the machine's limits",
            "operations and bytes a second of a step's kernels against peak and stream",
            kernel_tasks, report_kernels},
+      Part{"threads", "Further cores", "time of a solution on one core and on more, same bytes",
+           thread_tasks, report_threads},
       Part{"peers", "Other programs", "the same scenes in Box2D, Yade and Siconos, where installed",
            peer_tasks, report_peers, false}};
   return all;

@@ -103,6 +103,20 @@ TEST(Benchmark, KernelsAreSetAgainstPeakAndStream) {
       std::string::npos);
 }
 
+TEST(Benchmark, FurtherCoresGiveTheSameBytes) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      run_bench({"threads", "--quick", "--repeats", "1", "--out", "results"}, folder.path());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  bool large = false;
+  const Json results = results_in(folder);
+  for (const Json& row : results["rows"]) {
+    EXPECT_EQ(row["passed"], true) << row.dump();
+    large = large || row["contacts"].get<int>() > 2000;
+  }
+  EXPECT_TRUE(large);  // or nothing was shared
+}
+
 TEST(Benchmark, WrongUsageExitsWithTwoAndOffersTheNearestName) {
   const TemporaryFolder folder;
   const Outcome unknown = run_bench({"cantilver"}, folder.path());
@@ -122,8 +136,8 @@ TEST(Benchmark, ListsItsPartsAndGoals) {
   const Outcome outcome = run_bench({"--list"}, folder.path());
   EXPECT_EQ(outcome.exit_code, 0);
   for (const char* name :
-       {"precision", "hard", "error", "size", "terms", "goals", "kernels", "peers", "intact",
-        "rest", "deposition", "ploughing", "piston", "chain", "growth", "factors"})
+       {"precision", "hard", "error", "size", "terms", "goals", "kernels", "threads", "peers",
+        "intact", "rest", "deposition", "ploughing", "piston", "chain", "growth", "factors"})
     EXPECT_NE(outcome.out.find(name), std::string::npos) << name;
 }
 
