@@ -37,6 +37,9 @@ void visit_sides(const Problem& problem, const AtA& at_a, const AtB& at_b);
 
 namespace parallel {
 
+// Fewer indices than these are not worth the waking of a thread.
+inline constexpr std::size_t kWorthSharing = 3000;
+
 using Call = void (*)(const void* work, int part);
 void in_arena(int threads, Call call, const void* work);
 void in_parts(int parts, Call call, const void* work);
@@ -64,9 +67,8 @@ void share_parts(int parts, const Work& work) {
 
 template <class Work>
 void share_range(std::size_t n, const Work& work) {
-  constexpr std::size_t kLeast = 1000;  // indices that are worth a thread
-  if (n < 2 * kLeast) return work(std::size_t{0}, n);
-  const std::size_t parts = std::min(static_cast<std::size_t>(usable_threads()), n / kLeast);
+  if (n < parallel::kWorthSharing) return work(std::size_t{0}, n);
+  const auto parts = static_cast<std::size_t>(usable_threads());
   share_parts(static_cast<int>(parts), [&](int part) {
     const auto k = static_cast<std::size_t>(part);
     work(n * k / parts, n * (k + 1) / parts);
@@ -76,15 +78,22 @@ void share_range(std::size_t n, const Work& work) {
 template <class T, class Collect>
 T gather_range(std::size_t n, const Collect& collect) {
   constexpr std::size_t kBlock = 1024;
+  const std::size_t blocks = (n + kBlock - 1) / kBlock;
+  const auto collect_block = [&](std::size_t block, T& x) {
+    collect(block * kBlock, std::min(n, (block + 1) * kBlock), x);
+  };
   T sum{};
-  if (n <= kBlock) {
-    collect(std::size_t{0}, n, sum);
+  if (n < parallel::kWorthSharing) {
+    for (std::size_t block = 0; block < blocks; ++block) {
+      T x{};
+      collect_block(block, x);
+      sum.add(x);
+    }
     return sum;
   }
-  std::vector<T> of_block((n + kBlock - 1) / kBlock);
-  share_parts(static_cast<int>(of_block.size()), [&](int part) {
-    const std::size_t begin = static_cast<std::size_t>(part) * kBlock;
-    collect(begin, std::min(n, begin + kBlock), of_block[static_cast<std::size_t>(part)]);
+  std::vector<T> of_block(blocks);
+  share_parts(static_cast<int>(blocks), [&](int part) {
+    collect_block(static_cast<std::size_t>(part), of_block[static_cast<std::size_t>(part)]);
   });
   for (const T& x : of_block) sum.add(x);
   return sum;

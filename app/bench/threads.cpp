@@ -74,7 +74,7 @@ std::vector<Task> thread_tasks(const Options& options) {
                          measure(problem.make(options), options, rows);
                        }});
   tasks.push_back({"falling, larger", [options](std::vector<Row>& rows) {
-                     measure(next_problem(fresh_deposit(options, options.quick ? 3000 : 20000),
+                     measure(next_problem(fresh_deposit(options, options.quick ? 4000 : 20000),
                                           paper_scene(options).step),
                              options, rows);
                    }});

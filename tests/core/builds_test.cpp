@@ -34,7 +34,7 @@ TEST(WorldHash, IsTheSameForAnyNumberOfThreads) {
   soil.initial_bonds = InitialBonds::touching;
   soil.solver.tolerance = 1e-6;
   World deposit = make_world(soil);
-  for (int k = 0; k < 2200; ++k) {
+  for (int k = 0; k < 3200; ++k) {
     const Vec2 place = LandingSite(deposit).land(40 * deposit.random.uniform(), 0.5)->centre;
     deposit.disks.add({.position = place});
     soil.disks.push_back({.position = place});

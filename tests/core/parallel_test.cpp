@@ -17,7 +17,7 @@ TEST(Threads, AreThoseThatTheCallerGrants) {
 }
 
 TEST(SharedRange, VisitsEveryIndexOnce) {
-  for (const std::size_t n : {0, 1, 1999, 2000, 12345})
+  for (const std::size_t n : {0, 1, 2999, 3000, 12345})
     for (const int threads : {1, 2, 5}) {
       std::vector<std::atomic<int>> visits(n);
       with_threads(threads, [&] {
@@ -45,7 +45,7 @@ TEST(GatheredRange, HasTheSameBytesForAnyNumberOfThreads) {
     });
     return found.value;
   };
-  for (const std::size_t n : {0, 1000, 1025, 54321}) {
+  for (const std::size_t n : {0, 1000, 1025, 3000, 54321}) {
     EXPECT_EQ(sum(1, n), sum(2, n));
     EXPECT_EQ(sum(1, n), sum(7, n));
   }
