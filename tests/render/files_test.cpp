@@ -154,6 +154,16 @@ TEST_F(Film, IsNotTouchedByAnFfmpegThatOutlivedItsRun) {
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(written), {}), "film\n");
 }
 
+// Nor is one that begins to write when the next run makes its film already.
+TEST_F(Film, IsNotTouchedByAnFfmpegThatBeginsLate) {
+  install("for last; do :; done; (/bin/sleep 0.3; echo late > \"${last#file:}\") & exit 1\n");
+  EXPECT_EQ(film().outcome, VideoReport::Outcome::failed);
+  install("for last; do :; done; /bin/sleep 0.6; echo film >> \"${last#file:}\"\n");
+  ASSERT_EQ(film().outcome, VideoReport::Outcome::written);
+  std::ifstream written(folder_ / "film.mp4");
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(written), {}), "film\n");
+}
+
 TEST_F(Film, FailureIsReportedInTheWordsOfFfmpeg) {
   install("echo no such codec >&2; exit 3\n");
   const VideoReport report = film();
