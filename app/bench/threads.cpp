@@ -2,12 +2,12 @@
 // threads, up to all cores. The velocities must be the same to the last bit.
 #include <algorithm>
 #include <limits>
-#include <thread>
 
 #include "app/bench/bench.h"
 #include "app/bench/paper_states.h"
 #include "app/bench/precision_problems.h"
 #include "app/bench/step_problem.h"
+#include "app/threads_option.h"
 #include "core/parallel.h"
 
 namespace quicksand::bench {
@@ -18,7 +18,7 @@ namespace {
 constexpr const char* kProblems[] = {"intact, falling", "intruder mid-way", "collapse mid-way"};
 
 std::vector<int> thread_counts() {
-  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const int cores = thread_count(0);
   std::vector<int> counts;
   for (int threads = 1; threads < cores; threads *= 2) counts.push_back(threads);
   counts.push_back(cores);

@@ -51,7 +51,7 @@ class Samples : public PaperExperiment {
         .name = "samples",
         .title = "Samples: coordination number and volume fraction",
         .x = {.label = "volume fraction"},
-        .y = {.label = "coordination number"},
+        .y = {.label = "coordination number", .low = 1.9},
         .references = {{.name = "paper: volume fraction", .low = 0.40, .high = 0.43, .of_x = true},
                        {.name = "paper: coordination number", .low = 2.05, .high = 2.06}},
         .legend = LegendPlace::below};
@@ -92,7 +92,7 @@ class Samples : public PaperExperiment {
   }
 
  private:
-  // Points that lie together share a label, "1, 3, 5".
+  // Points that lie together share a label, "1, 3, 5", below them: it is longer, and more lies above.
   static std::vector<Annotation> numbered(const Curve& points,
                                           const std::vector<std::string>& numbers) {
     constexpr double kNear = 0.04;  // of what all points span
@@ -110,7 +110,7 @@ class Samples : public PaperExperiment {
       if (label == labels.end())
         labels.push_back({points.x[k], points.y[k], numbers[k]});
       else
-        label->text += ", " + numbers[k];
+        *label = {label->x, label->y, label->text + ", " + numbers[k], true};
     }
     return labels;
   }

@@ -22,7 +22,7 @@ struct Axis {
 
 struct Curve {
   enum class Kind : std::uint8_t {
-    points,  // with error bars where errors are given
+    points,  // with error bars where errors are given, also with lines
     line,    // through the points
     line_points,
     steps,      // constant from a point to the next
@@ -58,6 +58,7 @@ struct Reference {
 struct Annotation {
   double x = 0, y = 0;  // the text stands above and right of this, in the units of the axes
   std::string text{};
+  bool below = false;  // and not above
 };
 
 enum class LegendPlace : std::uint8_t {

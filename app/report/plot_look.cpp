@@ -57,6 +57,8 @@ std::string with(const Curve& curve, const Look& look, bool x_bars, bool y_bars)
     case Curve::Kind::line:
       return "with lines" + stroke + colour;
     case Curve::Kind::line_points:
+      if (x_bars) return "with xyerrorlines" + stroke + marker + colour;
+      if (y_bars) return "with yerrorlines" + stroke + marker + colour;
       return "with linespoints" + stroke + marker + colour;
     case Curve::Kind::steps:
       return "with steps" + stroke + colour;

@@ -61,12 +61,15 @@ std::string range_of(const Axis& axis, const Extent& extent) {
                text(axis.high, number_text(to + margin)));
 }
 
-// Places 1, 2 and 5 of every decade around `extent`, as gnuplot lists them.
-std::string one_two_five(const Extent& extent) {
+// Places 1, 2 and 5 of every decade around `extent`, as gnuplot lists them; within a decade 3 and 7, too.
+std::string short_logarithmic(const Extent& extent) {
+  const std::vector<const char*> digits = extent.high <= 10 * extent.low
+                                              ? std::vector{"1", "2", "3", "5", "7"}
+                                              : std::vector{"1", "2", "5"};
   std::string list;
   const int last = static_cast<int>(std::ceil(std::log10(extent.high)));
   for (int decade = static_cast<int>(std::floor(std::log10(extent.low))); decade <= last; ++decade)
-    for (const char* digit : {"1", "2", "5"})
+    for (const char* digit : digits)
       list += (list.empty() ? "" : ", ") + std::string(digit) + "e" + std::to_string(decade);
   return list;
 }
@@ -134,7 +137,7 @@ class Script {
       constexpr double kManyDecades = 1e6;
       line("set logscale " + name);
       if (extent.high > kManyDecades * extent.low) line("unset m" + name + "tics");
-      if (few_decades) line("set " + name + "tics (" + one_two_five(extent) + ")");
+      if (few_decades) line("set " + name + "tics (" + short_logarithmic(extent) + ")");
     }
     constexpr double kFewDigits = 1e-3, kManyDigits = 1e4;
     const bool powers = axis.logarithmic && !few_decades &&
@@ -158,7 +161,8 @@ class Script {
     for (const Reference& reference : plot_.references) given(reference);
     for (const Annotation& a : plot_.annotations) {
       line("set label " + gnuplot_text(a.text) + " at " + number_text(a.x) + ", " +
-           number_text(a.y) + " offset 0.6, 0.6 front" + kGreyText);
+           number_text(a.y) + (a.below ? " offset 0.6, -0.8" : " offset 0.6, 0.6") + " front" +
+           kGreyText);
     }
   }
 
@@ -224,7 +228,8 @@ class Script {
     };
     const bool x_bars = has(&PlotRow::x_low);
     const bool y_bars = has(&PlotRow::y_low);
-    const bool of_points = curve.kind == Curve::Kind::points;
+    const bool of_points =
+        curve.kind == Curve::Kind::points || curve.kind == Curve::Kind::line_points;
     const std::string axes = curve.second_axis && plot_.y2 ? " axes x1y2 " : " ";
     if (rows.empty()) {
       if (curve.name.empty()) return;

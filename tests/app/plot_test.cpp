@@ -155,6 +155,14 @@ TEST_F(PlotTest, PlacesOnAShortLogarithmicAxisAreNamedByTheirValuesHoweverSmall)
     EXPECT_NE(svg.find(place), std::string::npos) << place;
 }
 
+TEST(PlotScript, LinesThroughPointsHaveErrorBarsToo) {
+  Plot plot{.name = "bars"};
+  plot.curves.push_back({.kind = Curve::Kind::line_points, .x = {1, 2}, .y = {1, 2}});
+  EXPECT_NE(plot_script(plot).find("with linespoints"), std::string::npos);
+  plot.curves[0].y_error = {0.1, 0.2};
+  EXPECT_NE(plot_script(plot).find("with yerrorlines"), std::string::npos);
+}
+
 TEST_F(PlotTest, NamesOfLinesStandInsideThePicture) {
   Plot plot{.name = "guides", .x = {.label = "error", .logarithmic = true}};
   plot.curves.push_back({.name = "course", .x = {1e-6, 1}, .y = {1, 2}});
