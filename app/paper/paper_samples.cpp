@@ -51,7 +51,7 @@ class Samples : public PaperExperiment {
         .name = "samples",
         .title = "Samples: coordination number and volume fraction",
         .x = {.label = "volume fraction"},
-        .y = {.label = "coordination number", .low = 1.9},
+        .y = {.label = "coordination number", .low = 1.8},
         .references = {{.name = "paper: volume fraction", .low = 0.40, .high = 0.43, .of_x = true},
                        {.name = "paper: coordination number", .low = 2.05, .high = 2.06}},
         .legend = LegendPlace::below};
