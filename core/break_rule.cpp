@@ -2,12 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/delassus.h"
 
 namespace quicksand {
 
 namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// The rough solution is as good as this share of the impulse that breaks the weakest suspect, and clears
+// suspects whose opening then takes less than this share of their energy. Of 380 cleared judgements of a
+// deposition and of a collapse the exact solution found 0.66 of the energy at most.
+constexpr double kRoughShare = 0.1;
+constexpr double kClear = 0.5;
 
 // Impulse by which the turning of a pair loads its bond in a step, over dt.
 double turning_load(const World& world, const Contact& contact, double delassus) {
@@ -53,12 +61,30 @@ void EnergyRule::find_suspects(const World& world, const std::vector<Contact>& c
                           dt * turning_load(world, contact, w);
     const double energy_left =
         (contact.cohesion - tension_before) * world.law(contact.pair).cohesion_range;
-    if (impact <= std::sqrt(2 * energy_left / w)) continue;
+    const double breaking_impulse = std::sqrt(2 * energy_left / w);
+    if (impact <= breaking_impulse) continue;
     suspects_.push_back({.contact = c,
                          .tension_before = tension_before,
                          .impact = impact,
-                         .energy_left = energy_left});
+                         .energy_left = energy_left,
+                         .breaking_impulse = breaking_impulse});
   }
+}
+
+SolverSettings EnergyRule::rough_settings(const SolverSettings& settings) const {
+  double breaking_impulse = kInfinity;
+  for (const Suspect& s : suspects_)
+    breaking_impulse = std::min(breaking_impulse, s.breaking_impulse);
+  SolverSettings rough = settings;
+  rough.tolerance = kRoughShare * breaking_impulse / (problem_.force_scale * problem_.dt);
+  rough.velocity_tolerance = kInfinity;
+  return rough;
+}
+
+double EnergyRule::opening_energy(const Suspect& suspect) const {
+  const ContactRow& row = problem_.contacts[suspect.contact];
+  return suspect.impact / 2 *
+         relative_velocity(row, state_.velocity[row.a], state_.velocity[row.b]).x();
 }
 
 const std::vector<BondBreak>& EnergyRule::judge(const World& world,
@@ -70,25 +96,30 @@ const std::vector<BondBreak>& EnergyRule::judge(const World& world,
   find_suspects(world, contacts, step.dt);
   if (suspects_.empty()) return breaks_;
 
-  // The step without external forces and without the suspected bonds.
+  // The step without external forces and without the suspected bonds. Nothing moves by it: gaps do not count.
   without_ = contacts;
   for (const Suspect& s : suspects_) without_[s.contact].cohesion = 0;
   start_velocities(world, velocity_);
   build_problem(world, without_, velocity_, step, problem_);
+  for (ContactRow& row : problem_.contacts) row.gap_tolerance = kInfinity;
   state_.impulse.resize(contacts.size());
   for (std::size_t c = 0; c < contacts.size(); ++c)
     state_.impulse[c] =
         without_load(problem_.contacts[c], without_[c].cohesion, contacts[c].impulse, step.dt);
+
+  const SolverSettings rough = rough_settings(settings);
+  if (rough.tolerance > settings.tolerance) {
+    cost.add(solver.solve(problem_, rough, state_, cost.rung));
+    const auto clear = [&](const Suspect& s) { return opening_energy(s) < kClear * s.energy_left; };
+    if (cost.converged && std::ranges::all_of(suspects_, clear)) return breaks_;
+  }
   cost.add(solver.solve(problem_, settings, state_, cost.rung));
   if (!cost.converged) return breaks_;
   for (const Suspect& s : suspects_) {
-    const ContactRow& row = problem_.contacts[s.contact];
-    const double opening =
-        relative_velocity(row, state_.velocity[row.a], state_.velocity[row.b]).x();
-    const double spent = s.energy_left / (s.impact * opening / 2);
-    if (opening <= 0 || spent >= 1) continue;
+    const double energy = opening_energy(s);
+    if (energy <= s.energy_left) continue;
     const Contact& contact = contacts[s.contact];
-    const double last_impulse = s.impact * (1 - std::sqrt(1 - spent));
+    const double last_impulse = s.impact * (1 - std::sqrt(1 - s.energy_left / energy));
     const double last_force = s.tension_before + last_impulse / step.dt;
     breaks_.push_back({contact.pair, std::min(last_force, contact.cohesion)});
   }

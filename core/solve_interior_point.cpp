@@ -38,6 +38,10 @@ constexpr double kFurther = 0.3;
 constexpr double kLeastOfAim = 0.1, kMostOfAim = 10;
 // Beyond a fold of the path, products aim at this many times their mean.
 constexpr double kGrowth = 20;
+// So near acceptance, with no gain of this factor in so many factorisations, the path has jammed; sweeps do the
+// rest for less. Of 20 solutions under a piston: 78 factorisations and 410 sweeps before, 48 and 610 with it.
+constexpr double kNear = 30, kGain = 0.8;
+constexpr int kPatience = 8;
 // No product may fall below this share of the mean: one pair at the boundary would block all others.
 constexpr double kLeastShare = 1e-4;
 
@@ -209,6 +213,8 @@ SolveReport InteriorPoint::solve(const ContactProblem& problem, const SolverSett
   best_ = state.impulse;
   report.rung = shift > 1 ? Rung::far_start : Rung::interior_point;
   const double most_proximal = shift > 1 ? kProximal : kProximalAtFolds;
+  double gained = std::numeric_limits<double>::infinity();
+  std::int64_t gained_at = 0;
   int settling = 0;
   while (report.factorisations < settings.max_factorisations) {
     linearise(problem);
@@ -243,6 +249,12 @@ SolveReport InteriorPoint::solve(const ContactProblem& problem, const SolverSett
     }
     if (!std::isfinite(product)) break;
     const double distance = settings.distance(report.residual);
+    if (distance < kGain * gained) {
+      gained = distance;
+      gained_at = report.factorisations;
+    } else if (best < kNear && report.factorisations - gained_at >= kPatience) {
+      break;
+    }
     if (distance < best) {
       best = distance;
       best_ = state.impulse;

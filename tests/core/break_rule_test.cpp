@@ -1,0 +1,84 @@
+#include "core/break_rule.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/core/methods.h"
+#include "tests/support/core/scenes.h"
+
+namespace quicksand {
+namespace {
+
+constexpr double kCohesion = 1e4;
+
+// A hexagon of bonded disks, three rings around one that starts with this speed to the right.
+Scenario struck_hexagon(double speed) {
+  constexpr int kRings = 3;
+  Scenario scene = empty_scene(Method::automatic);
+  scene.grain_law = paper_law(kCohesion);
+  scene.initial_bonds = InitialBonds::touching;
+  for (int row = -kRings; row <= kRings; ++row) {
+    const int begin = std::max(-kRings, -kRings - row), end = std::min(kRings, kRings - row);
+    for (int k = begin; k <= end; ++k)
+      scene.disks.push_back({.position = {k + row / 2.0, row * std::sqrt(3.0) / 2},
+                             .velocity = {row == 0 && k == 0 ? speed : 0, 0}});
+  }
+  return scene;
+}
+
+struct Judgement {
+  std::size_t breaks = 0;
+  SolveReport cost;
+};
+
+// Of the first step, solved to 1e-9, with the judgement's own solution to `tolerance`.
+Judgement judge_first_step(const Scenario& scene, double tolerance) {
+  const World world = make_world(scene);
+  std::vector<Pair> pairs;
+  for (const Bond& bond : world.bonds.list) pairs.push_back(bond.pair);
+  std::vector<Vec3> free;
+  free_velocities(world, scene.step.dt, free);
+  std::vector<Contact> contacts;
+  find_contacts(world, pairs, free, scene.step.dt, contacts);
+  ContactProblem problem;
+  build_problem(world, contacts, free, scene.step, problem);
+  ContactSolver solver;
+  ContactState state;
+  state.impulse.assign(contacts.size(), Vec3(0, 0, 0));
+  SolverSettings settings = scene.solver;
+  settings.tolerance = 1e-9;
+  EXPECT_TRUE(solver.solve(problem, settings, state).converged);
+  for (std::size_t c = 0; c < contacts.size(); ++c) contacts[c].impulse = state.impulse[c];
+
+  Judgement judgement;
+  judgement.cost.converged = true;
+  settings.tolerance = tolerance;
+  EnergyRule rule;
+  judgement.breaks =
+      rule.judge(world, contacts, scene.step, settings, solver, judgement.cost).size();
+  EXPECT_TRUE(judgement.cost.converged);
+  return judgement;
+}
+
+// Those in front take the blow: the bonds behind are pulled, but do not open without it.
+TEST(EnergyRule, ClearsByARoughSolutionWhatHardlyOpens) {
+  const Scenario scene = struck_hexagon(10);
+  const Judgement judgement = judge_first_step(scene, 1e-9);
+  EXPECT_EQ(judgement.breaks, 0U);
+  EXPECT_GT(judgement.cost.factorisations, 0) << "no bond was suspected";
+  EXPECT_EQ(judge_first_step(scene, 1e-6).cost.factorisations, judgement.cost.factorisations)
+      << "it was solved to the tolerance";
+}
+
+// Alone with one bonded neighbour, the same blow breaks.
+TEST(EnergyRule, JudgesWhatOpensToTheToleranceOfTheStep) {
+  Scenario scene = struck_hexagon(10);
+  scene.disks.resize(2);
+  scene.disks[0].velocity = {-10, 0};
+  const Judgement judgement = judge_first_step(scene, 1e-9);
+  EXPECT_EQ(judgement.breaks, 1U);
+}
+
+}  // namespace
+}  // namespace quicksand
