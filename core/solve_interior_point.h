@@ -57,6 +57,9 @@ class InteriorPoint {
   double find_step(const ContactProblem& problem, double product, double least_product);
   bool finish(const ContactProblem& problem, const SolverSettings& settings, ContactState& state,
               SolveReport& report);
+  // Whether some sweeps from the best state were accepted; then they are the solution.
+  bool sweep_from_best(const ContactProblem& problem, const SolverSettings& settings,
+                       ContactState& state, SolveReport& report);
   double mean_product(double alpha) const;  // after a step of alpha along the direction
 
   ContactMatrix matrix_;
@@ -70,6 +73,7 @@ class InteriorPoint {
   std::vector<Vec3> velocity_;     // (nb) that the impulses of the cones give
   std::vector<Vec3> change_;       // (nb)
   std::vector<Vec3> best_;         // (nc)
+  ContactState swept_;
 };
 
 }  // namespace quicksand
