@@ -222,7 +222,7 @@ Command add_campaign(CLI::App& program) {
       ->required();
   command->add_option("--out", options->out, "folder of the results [out/<campaign name>]")
       ->type_name("DIR");
-  add_threads_option(*command, options->threads, "runs at the same time");
+  add_threads_option(*command, options->threads, kThreadsOfRuns);
   command->add_option("--engine", options->engine, "local, or slurm: an array job [local]")
       ->type_name("ENGINE");
   command->add_flag("--wait", options->wait, "with slurm: return when all runs have ended");

@@ -263,7 +263,7 @@ Command add_reproduce(CLI::App& program) {
       ->type_name("N");
   command->add_option("--out", options->out, "folder of runs and report [out/paper]")
       ->type_name("DIR");
-  add_threads_option(*command, options->threads, "runs at the same time");
+  add_threads_option(*command, options->threads, kThreadsOfRuns);
   command->add_flag("--quick", options->quick, "a small box and two realizations, in minutes");
   command->add_flag("--dry-run", options->dry_run, "list the runs");
   command->add_flag("--quiet", options->quiet, "no progress");

@@ -1,4 +1,4 @@
-// How many threads a command uses: one for each of its runs, or all for its one run.
+// How many threads a command uses: shared between its runs, or all for its one run.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -11,6 +11,9 @@ void add_threads_option(CLI::App& command, std::int64_t& threads, const char* me
 
 inline constexpr const char* kThreadsOfOneRun =
     "threads that solve contacts where there are some thousands; the results are the same";
+
+inline constexpr const char* kThreadsOfRuns =
+    "runs at the same time; where fewer are left, threads that solve their contacts";
 
 // `asked`, or all cores of the machine if that is 0.
 int thread_count(std::int64_t asked);

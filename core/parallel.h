@@ -6,6 +6,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <vector>
 
@@ -17,6 +18,9 @@ int usable_threads();
 // Calls work() such that its loops use at most so many threads, the caller's included; from 1.
 template <class Work>
 void with_threads(int threads, const Work& work);
+// The same at most with so many as `now` says, which may change meanwhile.
+template <class Work>
+void with_threads(int most, const std::atomic<int>& now, const Work& work);
 
 // work(0), ..., work(parts - 1), in any order and perhaps at the same time.
 template <class Work>
@@ -41,7 +45,7 @@ namespace parallel {
 inline constexpr std::size_t kWorthSharing = 3000;
 
 using Call = void (*)(const void* work, int part);
-void in_arena(int threads, Call call, const void* work);
+void in_arena(int threads, const std::atomic<int>* now, Call call, const void* work);
 void in_parts(int parts, Call call, const void* work);
 
 template <class Work>
@@ -54,7 +58,13 @@ void call_with_part(const void* work, int part) {
 template <class Work>
 void with_threads(int threads, const Work& work) {
   const auto call = [&](int) { work(); };
-  parallel::in_arena(threads, parallel::call_with_part<decltype(call)>, &call);
+  parallel::in_arena(threads, nullptr, parallel::call_with_part<decltype(call)>, &call);
+}
+
+template <class Work>
+void with_threads(int most, const std::atomic<int>& now, const Work& work) {
+  const auto call = [&](int) { work(); };
+  parallel::in_arena(most, &now, parallel::call_with_part<decltype(call)>, &call);
 }
 
 template <class Work>

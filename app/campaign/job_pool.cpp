@@ -1,6 +1,7 @@
 #include "app/campaign/job_pool.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 #include <chrono>
 #include <condition_variable>
@@ -74,8 +75,7 @@ class Pool {
 
   PoolReport complete() {
     const std::size_t most = std::max<std::size_t>(jobs_.size(), 1);
-    const std::size_t threads =
-        std::clamp<std::size_t>(static_cast<std::size_t>(std::max(options_.threads, 1)), 1, most);
+    const std::size_t threads = std::min(static_cast<std::size_t>(all_threads_), most);
     {
       std::vector<std::jthread> workers;
       workers.reserve(threads);
@@ -106,12 +106,13 @@ class Pool {
     std::unique_lock lock(mutex_);
     while (const std::optional<std::size_t> next = wait_for_job(lock)) {
       const Job& job = jobs_[*next];
-      states_[*next] = State::running;
+      set_state(*next, State::running);
       // What started from a state that is computed again is computed again.
       const bool anew = job.after && report_.outcomes[*job.after].computed;
       lock.unlock();
       JobOutcome outcome;
-      with_threads(1, [&] { outcome = compute(job, anew, options_.frames); });
+      with_threads(all_threads_, threads_a_run_,
+                   [&] { outcome = compute(job, anew, options_.frames); });
       lock.lock();
       end(*next, std::move(outcome));
     }
@@ -151,12 +152,19 @@ class Pool {
   }
 
   void end(std::size_t job, JobOutcome outcome) {
-    states_[job] = State::ended;
+    set_state(job, State::ended);
     progress_.count(outcome.computed, outcome.status == JobStatus::failed);
     report_.outcomes[job] = std::move(outcome);
     news_.push_back(job);
     changed_.notify_all();
   }
+
+  void set_state(std::size_t job, State state) {
+    states_[job] = state;
+    threads_a_run_ = all_threads_ / std::max(1, running());
+  }
+
+  int running() const { return static_cast<int>(std::ranges::count(states_, State::running)); }
 
   // Tells what has ended, until all workers have gone.
   void watch_workers(std::size_t threads) {
@@ -170,7 +178,7 @@ class Pool {
         if (options_.ended) options_.ended(job, outcome);
         lock.lock();
       }
-      progress_.show(static_cast<std::size_t>(std::ranges::count(states_, State::running)));
+      progress_.show(static_cast<std::size_t>(running()));
       if (workers_gone_ == threads && news_.empty()) return;
       changed_.wait_for(lock, kLook);
     }
@@ -182,6 +190,8 @@ class Pool {
   InterruptWatch watch_;  // outlives those of the runs, so that none forgets a signal
   std::span<const Job> jobs_;
   const PoolOptions& options_;
+  const int all_threads_ = std::max(options_.threads, 1);
+  std::atomic<int> threads_a_run_ = 1;
 
   std::mutex mutex_;
   std::condition_variable changed_;

@@ -16,6 +16,21 @@ TEST(Threads, AreThoseThatTheCallerGrants) {
   with_threads(3, [] { with_threads(1, [] { EXPECT_EQ(usable_threads(), 1); }); });
 }
 
+TEST(Threads, MayBecomeMoreAndFewerMeanwhile) {
+  std::atomic<int> now = 1;
+  with_threads(3, now, [&] {
+    EXPECT_EQ(usable_threads(), 1);
+    now = 2;
+    EXPECT_EQ(usable_threads(), 2);
+    now = 5;
+    EXPECT_EQ(usable_threads(), 3) << "no more than there are";
+    with_threads(2, [&] { EXPECT_EQ(usable_threads(), 2) << "granted to another"; });
+    now = 1;
+    EXPECT_EQ(usable_threads(), 1);
+  });
+  with_threads(3, [] { EXPECT_EQ(usable_threads(), 3); });
+}
+
 TEST(SharedRange, VisitsEveryIndexOnce) {
   for (const std::size_t n : {0, 1, 2999, 3000, 12345})
     for (const int threads : {1, 2, 5}) {
