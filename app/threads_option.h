@@ -13,7 +13,7 @@ inline constexpr const char* kThreadsOfOneRun =
     "threads that solve contacts where there are some thousands; the results are the same";
 
 inline constexpr const char* kThreadsOfRuns =
-    "runs at the same time; where fewer are left, threads that solve their contacts";
+    "runs at the same time; when half as many are left, threads that solve their contacts";
 
 // `asked`, or all cores of the machine if that is 0.
 int thread_count(std::int64_t asked);

@@ -13,8 +13,8 @@
 // F_s dt + J (1 - sqrt(1 - 2 E/(J u_open))), which takes just E out of the mode. (What a load that is
 // new in the step adds to J is of the order of dt, and opens nothing by itself.)
 //
-// At dt = 1e-2 a change of a force by F_c/100 makes a suspect, some fifty a step of a collapse, of which
-// hardly any opens: most steps need no more than a rough solution without them, at half the cost.
+// At dt = 1e-2 and F_c = 1e4 F_g a force that changes by 0.7 % of F_c makes a suspect, some fifty a step of a collapse,
+// of which hardly any opens: most steps need no more than a rough solution without them, at half the cost.
 #pragma once
 
 #include <vector>
@@ -43,10 +43,11 @@ class EnergyRule {
  private:
   struct Suspect {
     std::size_t contact = 0;
-    double tension_before = 0;    // F_s [F_g]
-    double impact = 0;            // J [m sqrt(g d)]
-    double energy_left = 0;       // E [F_g d]
-    double breaking_impulse = 0;  // sqrt(2 E/W), of the free pair [m sqrt(g d)]
+    double tension_before = 0;  // F_s [F_g]
+    double impact = 0;          // J [m sqrt(g d)]
+    double energy_left = 0;     // E [F_g d]
+    double telling_impulse =
+        0;  // 2 E/(W J): changes J u_open/2 of the free pair by E [m sqrt(g d)]
   };
   void find_suspects(const World& world, const std::vector<Contact>& contacts, double dt);
   // For a first solution without the suspected bonds, to the accuracy that tells most of them from breaks.

@@ -69,10 +69,15 @@ void with_threads(int most, const std::atomic<int>& now, const Work& work) {
 
 template <class Work>
 void share_parts(int parts, const Work& work) {
-  if (parts > 1 && usable_threads() > 1)
-    parallel::in_parts(parts, parallel::call_with_part<Work>, &work);
+  std::atomic<int> next = 0;
+  const auto take = [&](int) {
+    for (int part = next++; part < parts; part = next++) work(part);
+  };
+  const int threads = std::min(parts, usable_threads());
+  if (threads > 1)
+    parallel::in_parts(threads, parallel::call_with_part<decltype(take)>, &take);
   else
-    for (int k = 0; k < parts; ++k) work(k);
+    take(0);
 }
 
 template <class Work>

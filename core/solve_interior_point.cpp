@@ -202,12 +202,14 @@ bool InteriorPoint::sweep_from_best(const ContactProblem& problem, const SolverS
                                     ContactState& state, SolveReport& report) {
   swept_.impulse = best_;
   SolverSettings few = settings;
-  few.max_iterations = kTrySweeps;
+  few.max_iterations = static_cast<int>(
+      std::min<std::int64_t>(kTrySweeps, settings.max_iterations - report.iterations));
   const SolveReport sweeps = solve_gauss_seidel(problem, few, swept_);
   report.iterations += sweeps.iterations;
   if (!sweeps.converged) return false;
   state = swept_;
   report.converged = true;
+  report.velocity_change = std::numeric_limits<double>::infinity();
   finish(problem, settings, state, report);
   return true;
 }
@@ -229,7 +231,7 @@ SolveReport InteriorPoint::solve(const ContactProblem& problem, const SolverSett
   best_ = state.impulse;
   report.rung = shift > 1 ? Rung::far_start : Rung::interior_point;
   const double most_proximal = shift > 1 ? kProximal : kProximalAtFolds;
-  double gained = std::numeric_limits<double>::infinity();
+  double gained = std::numeric_limits<double>::infinity(), swept_from = gained;
   std::int64_t gained_at = 0;
   int settling = 0;
   while (report.factorisations < settings.max_factorisations) {
@@ -268,9 +270,10 @@ SolveReport InteriorPoint::solve(const ContactProblem& problem, const SolverSett
     if (distance < kGain * gained) {
       gained = distance;
       gained_at = report.factorisations;
-    } else if (best < kNear && report.factorisations - gained_at >= kPatience) {
+    } else if (best < kNear && best < kGain * swept_from &&
+               report.factorisations - gained_at >= kPatience) {
       if (sweep_from_best(problem, settings, state, report)) return report;
-      gained_at = report.factorisations;
+      swept_from = best;
     }
     if (distance < best) {
       best = distance;

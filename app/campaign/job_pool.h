@@ -1,5 +1,6 @@
-// Runs jobs over threads: each alone in its folder by run_scene, so that results do not depend on the
-// number of threads; what runs leave idle, when there are fewer, the loops of their solutions use. Runs that have finished are not repeated, interrupted ones go on from their
+// Runs jobs over threads, each alone in its folder by run_scene, so that results do not depend on the number of
+// threads. When at most half as many jobs as threads are left, the loops of their solutions share the threads.
+// Runs that have finished are not repeated, interrupted ones go on from their
 // state, failed ones are recorded and stop nothing but what starts from them.
 #pragma once
 

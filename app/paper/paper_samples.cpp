@@ -51,7 +51,7 @@ class Samples : public PaperExperiment {
         .name = "samples",
         .title = "Samples: coordination number and volume fraction",
         .x = {.label = "volume fraction"},
-        .y = {.label = "coordination number", .low = 1.8},
+        .y = {.label = "coordination number"},
         .references = {{.name = "paper: volume fraction", .low = 0.40, .high = 0.43, .of_x = true},
                        {.name = "paper: coordination number", .low = 2.05, .high = 2.06}},
         .legend = LegendPlace::below};
@@ -73,6 +73,11 @@ class Samples : public PaperExperiment {
       numbers.push_back(std::to_string(k + 1));
     }
     plot.annotations = numbered(points, numbers);
+    if (points.y.size() > 1) {
+      constexpr double kRoomForLabels = 0.15;  // below the lowest point, of what all points span
+      const auto [least, most] = std::ranges::minmax(points.y);
+      plot.y.low = least - kRoomForLabels * (most - least);
+    }
     plot.curves.push_back(std::move(points));
     section.blocks.emplace_back(std::move(table));
     section.blocks.emplace_back(

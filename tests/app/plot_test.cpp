@@ -163,6 +163,23 @@ TEST(PlotScript, LinesThroughPointsHaveErrorBarsToo) {
   EXPECT_NE(plot_script(plot).find("with yerrorlines"), std::string::npos);
 }
 
+TEST(PlotScript, AxesOfADecadeHaveMorePlacesThanLongerOnes) {
+  Plot plot{.name = "places", .x = {.label = "dt", .logarithmic = true}};
+  plot.curves.push_back({.x = {0.003, 0.01}, .y = {1, 2}});
+  EXPECT_NE(plot_script(plot).find("3e-3"), std::string::npos);
+  plot.curves[0].x = {0.0003, 0.01};
+  EXPECT_EQ(plot_script(plot).find("3e-3"), std::string::npos);
+}
+
+TEST(PlotScript, LabelsStandAboveOrBelowTheirPoints) {
+  Plot plot{.name = "labels"};
+  plot.curves.push_back({.x = {1, 2}, .y = {1, 2}});
+  plot.annotations = {{1, 1, "under", true}};
+  EXPECT_NE(plot_script(plot).find("offset 0.6, -"), std::string::npos);
+  plot.annotations = {{1, 1, "over"}};
+  EXPECT_EQ(plot_script(plot).find("offset 0.6, -"), std::string::npos);
+}
+
 TEST_F(PlotTest, NamesOfLinesStandInsideThePicture) {
   Plot plot{.name = "guides", .x = {.label = "error", .logarithmic = true}};
   plot.curves.push_back({.name = "course", .x = {1e-6, 1}, .y = {1, 2}});

@@ -6,6 +6,7 @@
 
 #include "tests/support/core/methods.h"
 #include "tests/support/core/scenes.h"
+#include "tests/support/core/tolerance.h"
 
 namespace quicksand {
 namespace {
@@ -28,7 +29,7 @@ Scenario struck_hexagon(double speed) {
 }
 
 struct Judgement {
-  std::size_t breaks = 0;
+  std::vector<BondBreak> breaks;
   SolveReport cost;
 };
 
@@ -55,8 +56,7 @@ Judgement judge_first_step(const Scenario& scene, double tolerance) {
   judgement.cost.converged = true;
   settings.tolerance = tolerance;
   EnergyRule rule;
-  judgement.breaks =
-      rule.judge(world, contacts, scene.step, settings, solver, judgement.cost).size();
+  judgement.breaks = rule.judge(world, contacts, scene.step, settings, solver, judgement.cost);
   EXPECT_TRUE(judgement.cost.converged);
   return judgement;
 }
@@ -65,19 +65,34 @@ Judgement judge_first_step(const Scenario& scene, double tolerance) {
 TEST(EnergyRule, ClearsByARoughSolutionWhatHardlyOpens) {
   const Scenario scene = struck_hexagon(10);
   const Judgement judgement = judge_first_step(scene, 1e-9);
-  EXPECT_EQ(judgement.breaks, 0U);
+  EXPECT_TRUE(judgement.breaks.empty());
   EXPECT_GT(judgement.cost.factorisations, 0) << "no bond was suspected";
   EXPECT_EQ(judge_first_step(scene, 1e-6).cost.factorisations, judgement.cost.factorisations)
       << "it was solved to the tolerance";
 }
 
-// Alone with one bonded neighbour, the same blow breaks.
-TEST(EnergyRule, JudgesWhatOpensToTheToleranceOfTheStep) {
-  Scenario scene = struck_hexagon(10);
+// A free pair that parts at this speed.
+Scenario parting_pair(double speed) {
+  Scenario scene = struck_hexagon(0);
   scene.disks.resize(2);
-  scene.disks[0].velocity = {-10, 0};
-  const Judgement judgement = judge_first_step(scene, 1e-9);
-  EXPECT_EQ(judgement.breaks, 1U);
+  scene.disks[0].velocity = {-speed, 0};
+  return scene;
+}
+
+// It parts with J = m_red u and the energy J u/2, of which the bond takes its own, E = F_c d_c.
+TEST(EnergyRule, GivesWhatBreaksTheImpulseThatTakesItsEnergy) {
+  const double energy = kCohesion * kRange;
+  for (const double share : {1.05, 2.0, 50.0}) {
+    const double speed = std::sqrt(4 * share * energy), impulse = speed / 2;
+    const Scenario scene = parting_pair(speed);
+    const Judgement judgement = judge_first_step(scene, 1e-9);
+    ASSERT_EQ(judgement.breaks.size(), 1U) << share;
+    const double last = impulse * (1 - std::sqrt(1 - 1 / share)) / scene.step.dt;
+    EXPECT_NEAR(judgement.breaks[0].last_force, last, tolerance::solved(last)) << share;
+  }
+  for (const double share : {0.55, 0.95})
+    EXPECT_TRUE(judge_first_step(parting_pair(std::sqrt(4 * share * energy)), 1e-9).breaks.empty())
+        << share;
 }
 
 }  // namespace

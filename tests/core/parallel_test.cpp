@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <numeric>
 #include <set>
 #include <stdexcept>
+#include <thread>
 
 namespace quicksand {
 namespace {
@@ -29,6 +31,23 @@ TEST(Threads, MayBecomeMoreAndFewerMeanwhile) {
     EXPECT_EQ(usable_threads(), 1);
   });
   with_threads(3, [] { EXPECT_EQ(usable_threads(), 3); });
+}
+
+TEST(SharedParts, AreNeverInMoreHandsThanNowGranted) {
+  const std::atomic<int> now = 2;
+  std::atomic<int> busy = 0, most = 0;
+  with_threads(5, now, [&] {
+    share_parts(200, [&](int) {
+      const int here = ++busy;
+      int before = most;
+      while (before < here && !most.compare_exchange_weak(before, here)) {
+      }
+      std::this_thread::sleep_for(std::chrono::microseconds(100));
+      --busy;
+    });
+  });
+  EXPECT_GE(most, 1);
+  EXPECT_LE(most, 2);
 }
 
 TEST(SharedRange, VisitsEveryIndexOnce) {
