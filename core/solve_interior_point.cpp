@@ -41,7 +41,7 @@ constexpr double kLeastOfAim = 0.1, kMostOfAim = 10;
 constexpr double kGrowth = 20;
 // Where within this distance so many factorisations gain less than this factor the path has jammed, and so many
 // sweeps, which cost less, are tried from the best state. Of 20 solutions under a piston: 78 factorisations and
-// 410 sweeps without, 59 and 480 with it. To leave all to sweeps takes thousands in debris that settles.
+// 410 sweeps without, 59 and 400 with it. To leave all to sweeps takes thousands in debris that settles.
 constexpr double kNear = 30, kGain = 0.8;
 constexpr int kPatience = 8, kTrySweeps = 100;
 // No product may fall below this share of the mean: one pair at the boundary would block all others.

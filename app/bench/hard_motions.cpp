@@ -110,9 +110,11 @@ Row heap_at_coarse_step() {
   scene.grain_law = {.friction = 0.3};
   scene.step.dt = 1;
   Random random{1};
-  for (int k = 0; k < kDisks; ++k)
+  for (int k = 0; k < kDisks; ++k) {
+    const int row = k / 5, place = k % 5;
     scene.disks.push_back(
-        {.position = {0.6 + 1.15 * (k % 5) + 0.1 * random.uniform(), 0.6 + 1.2 * (k / 5)}});
+        {.position = {0.6 + 1.15 * place + 0.1 * random.uniform(), 0.6 + 1.2 * row}});
+  }
   Course run(scene);
   run.advance(20);
   const Sample sample = measure(run.world());
