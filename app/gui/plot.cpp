@@ -46,7 +46,8 @@ std::vector<double> ticks(const Range& range, bool logarithmic) {
   if (!logarithmic) return nice_ticks(range, 3);
   const double every = std::ceil((range.high - range.low) / 3);
   std::vector<double> decades;
-  for (double d = range.low; d <= range.high; d += every) decades.push_back(d);
+  const int count = static_cast<int>((range.high - range.low) / every);
+  for (int k = 0; k <= count; ++k) decades.push_back(range.low + k * every);
   return decades;
 }
 
