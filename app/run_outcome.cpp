@@ -48,7 +48,8 @@ int tell_distrust(const std::string& reasons) {
 int tell_outcome(const RunResult& result, const RunOptions& options) {
   const std::string folder = result.folder.path.string();
   const auto steps = static_cast<long long>(result.end.computed_steps);
-  if (!result.notes.empty() && !options.quiet) std::fprintf(stderr, "%s\n", result.notes.c_str());
+  if (!options.quiet)
+    for (const std::string& note : result.notes) std::fprintf(stderr, "%s\n", note.c_str());
   switch (result.end.how) {
     case RunEnd::How::finished:
       std::printf("%lld steps in %.1f s; results are in %s\n", steps, result.end.wall_seconds,

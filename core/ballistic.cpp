@@ -7,8 +7,6 @@ namespace quicksand {
 
 namespace {
 
-bool is_floor(const Wall& wall) { return wall.normal.y() > 0.5; }
-
 // The captured disk after it was drawn to what captured it.
 Vec2 drawn_in(const World& world, const Landing& met, double radius, double capture) {
   if (is_wall(met.touched)) return met.centre - capture * world.wall(met.touched).normal;
@@ -31,7 +29,7 @@ LandingSite::LandingSite(const World& world) : world_(world) {
   constexpr double kMostStrips = 1e6;
   first_.assign(static_cast<std::size_t>(std::clamp(world.box.width, 1.0, kMostStrips)), -1);
   // Where sides are periodic, strips repeat with the box.
-  strip_ = world.box.width / static_cast<double>(first_.size());
+  if (world.box.width > 0) strip_ = world.box.width / static_cast<double>(first_.size());
   for (int i = 0; i < world.disks.size(); ++i) add(i);
 }
 

@@ -25,7 +25,7 @@ enum class BondState : std::uint8_t { active, broken };
 struct Bond {
   Pair pair;
   BondState state = BondState::active;
-  bool initial = false;  // counted among the initial bonds (see World::mark_initial_bonds)
+  bool initial = false;  // counted among the initial bonds (see Bonds::mark_initial)
 };
 
 struct Bonds {

@@ -44,7 +44,8 @@ Vec3 without_load(const ContactRow& row, double cohesion, const Vec3& p, double 
 }  // namespace
 
 void EnergyRule::find_suspects(const World& world, const std::vector<Contact>& contacts,
-                               double dt) {
+                               const StepSettings& step) {
+  const double dt = step.dt;
   suspects_.clear();
   auto before = world.contacts.begin();
   for (std::size_t c = 0; c < contacts.size(); ++c) {
@@ -55,13 +56,16 @@ void EnergyRule::find_suspects(const World& world, const std::vector<Contact>& c
     // A bond under pressure has all of its energy left.
     const double tension = known ? before->cohesion - before->impulse.x() / world.impulse_dt : 0;
     const double tension_before = std::clamp(tension, 0.0, contact.cohesion);
-    const double w = normal_delassus(world, contact);
-    // What the step adds to the tension, or takes off the pressure.
-    const double impact = dt * contact.cohesion - contact.impulse.x() - dt * tension -
-                          dt * turning_load(world, contact, w);
     const double energy_left =
         (contact.cohesion - tension_before) * world.law(contact.pair).cohesion_range;
-    if (impact <= std::sqrt(2 * energy_left / w)) continue;
+    const double w = normal_delassus(world, contact);
+    const double least_impact = std::sqrt(2 * energy_left / w);
+    // What the step adds to the tension, or takes off the pressure; the turning of the pair is no part of it.
+    const double added = dt * contact.cohesion - contact.impulse.x() - dt * tension;
+    if (added <= least_impact) continue;
+    const double impact =
+        step.curvature_term ? added - dt * turning_load(world, contact, w) : added;
+    if (impact <= least_impact) continue;
     suspects_.push_back({.contact = c,
                          .tension_before = tension_before,
                          .impact = impact,
@@ -91,7 +95,7 @@ const std::vector<BondBreak>& EnergyRule::judge(const World& world,
                                                 const SolverSettings& settings,
                                                 ContactSolver& solver, SolveReport& cost) {
   breaks_.clear();
-  find_suspects(world, contacts, step.dt);
+  find_suspects(world, contacts, step);
   if (suspects_.empty()) return breaks_;
 
   // The step without external forces and without the suspected bonds. Nothing moves by it: gaps do not count.

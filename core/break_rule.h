@@ -49,7 +49,8 @@ class EnergyRule {
     double telling_impulse =
         0;  // 2 E/(W J): changes J u_open/2 of the free pair by E [m sqrt(g d)]
   };
-  void find_suspects(const World& world, const std::vector<Contact>& contacts, double dt);
+  void find_suspects(const World& world, const std::vector<Contact>& contacts,
+                     const StepSettings& step);
   // For a first solution without the suspected bonds, to the accuracy that tells most of them from breaks.
   SolverSettings rough_settings(const SolverSettings& settings) const;
   // J u_open/2 in the last solution without the suspected bonds [F_g d].

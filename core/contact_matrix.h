@@ -24,8 +24,6 @@ class ContactMatrix {
   // Whether the determinant of the factorised matrix is negative.
   bool negative() const { return lu_.negative(); }
 
-  std::size_t fill() const { return lu_.fill(); }
-
  private:
   const ContactProblem* problem_ = nullptr;
   std::vector<int> row_of_body_;  // (nb) block row, -1 if immobile

@@ -21,13 +21,6 @@ constexpr double kLeastGapShare = 2e-5;  // over the admissible gap error
 // Admissible gap error of a loaded contact: a tenth of the cohesion range where there is one.
 constexpr double kPlainGapTolerance = 1e-3;  // [d]
 
-bool movable(const World& world, Pair pair) {
-  const auto free = [&](int body) {
-    return is_wall(body) ? world.wall(body).mass > 0 : !world.disks.fixed(body);
-  };
-  return free(pair.a) || free(pair.b);
-}
-
 }  // namespace
 
 void start_velocities(const World& world, std::vector<Vec3>& velocity) {
@@ -56,6 +49,12 @@ double fastest_turning(const World& world) {
   return fastest;
 }
 
+double fastest(const std::vector<Vec3>& velocity) {
+  double squared = 0;
+  for (const Vec3& v : velocity) squared = std::max(squared, v.head<2>().squaredNorm());
+  return std::sqrt(squared);
+}
+
 void free_velocities(const World& world, double dt, std::vector<Vec3>& velocity) {
   const Disks& disks = world.disks;
   start_velocities(world, velocity);
@@ -75,8 +74,8 @@ void free_velocities(const World& world, double dt, std::vector<Vec3>& velocity)
   if (world.drag) apply_drag(world, dt, velocity);
 }
 
-double least_reach(const World& world) {
-  double reach = kAlwaysWithin;
+double contact_reach(const World& world, const std::vector<Vec3>& free_velocity, double dt) {
+  double reach = std::max(kAlwaysWithin, 2 * dt * fastest(free_velocity));
   for (const ContactLaw* law : {&world.grain_law, &world.wall_law, &world.intruder_law})
     if (law->cohesion_force) reach = std::max(reach, law->cohesion_range);
   return reach;
@@ -86,6 +85,7 @@ void find_contacts(const World& world, const std::vector<Pair>& candidates,
                    const std::vector<Vec3>& free_velocity, double dt,
                    std::vector<Contact>& contacts) {
   contacts.clear();
+  const double reach = contact_reach(world, free_velocity, dt);
   const double scale = world.impulse_dt > 0 ? dt / world.impulse_dt : 0;
   auto old = world.contacts.begin();
   auto bond = world.bonds.list.begin();
@@ -96,19 +96,23 @@ void find_contacts(const World& world, const std::vector<Pair>& candidates,
         bond != world.bonds.list.end() && bond->pair == pair && bond->state == BondState::active;
     Vec2 normal;
     const double gap = world.gap(pair, &normal);
+    if (gap > reach) continue;
     if (!bonded && gap > kAlwaysWithin) {
       const Vec3 u = free_velocity[problem_body(world, pair.b)] - free_velocity[pair.a];
       // The normal turns while bodies pass each other, hence their whole relative speed.
       if (gap > kForesight * dt * u.head<2>().norm()) continue;
     }
-    if (!movable(world, pair)) continue;
+    if (!world.movable(pair)) continue;
     Contact& contact = contacts.emplace_back();
     contact.pair = pair;
     contact.normal = normal;
     contact.gap = gap;
-    if (bonded) contact.cohesion = world.law(pair).cohesion_force.value_or(0);
+    const ContactLaw& law = world.law(pair);
+    if (bonded) contact.cohesion = law.cohesion_force.value_or(0);
     if (old == world.contacts.end() || old->pair != pair) continue;
     contact.impulse = scale * old->impulse;
+    if (!law.friction) contact.impulse.y() = 0;
+    if (!law.rolling_friction) contact.impulse.z() = 0;
     // N includes the cohesion: a bond that came or went since takes its part along.
     contact.impulse.x() += dt * (contact.cohesion - old->cohesion);
     contact.impulse.x() = std::max(0.0, contact.impulse.x());
@@ -136,7 +140,7 @@ int add_missed_contacts(const World& world, const std::vector<Pair>& candidates,
       const Vec2 s = world.separation(pair.a, pair.b);
       after = (s + dt * u.head<2>()).norm() - (s.norm() - contact.gap);
     }
-    if (after < -tolerance && movable(world, pair)) contacts.push_back(contact);
+    if (after < -tolerance && world.movable(pair)) contacts.push_back(contact);
   }
   std::inplace_merge(contacts.begin(), contacts.begin() + known, contacts.end(),
                      [](const Contact& p, const Contact& q) { return p.pair < q.pair; });
@@ -200,9 +204,15 @@ void build_problem(const World& world, const std::vector<Contact>& contacts,
     ++mobile;
     mass += disks.mass[i];
     force += disks.mass[i] *
-             std::max((free_velocity[i] - disks.velocity[i]).head<2>().norm(),
-                      disks.velocity[i].head<2>().norm()) /
+             std::sqrt(std::max((free_velocity[i] - disks.velocity[i]).head<2>().squaredNorm(),
+                                disks.velocity[i].head<2>().squaredNorm())) /
              dt;
+  }
+  for (const Wall& wall : world.walls) {
+    if (wall.mass == 0) continue;
+    ++mobile;
+    mass += wall.mass;
+    force += std::abs(wall.force);
   }
   problem.velocity_scale = force > 0 ? dt * force / mass : 1;
   if (mobile > 0) force /= mobile;

@@ -20,17 +20,21 @@ double turning_rate(const World& world, const Contact& contact);
 // The fastest of all bonded pairs, |u_ct|/D [rad sqrt(g/d)].
 double fastest_turning(const World& world);
 
+// Of the fastest centre [sqrt(g d)].
+double fastest(const std::vector<Vec3>& velocity);
+
 // Velocities at the end of the step without contacts: gravity, applied and wall forces, cohesion not
 // included. Disks first, then walls (nd + nw).
 void free_velocities(const World& world, double dt, std::vector<Vec3>& velocity);
 
-// Candidates must hold all pairs up to this gap; then the contacts depend on the world alone, and not
-// on how many pairs farther apart a list happens to hold. [d]
-double least_reach(const World& world);
+// The widest gap of a contact of the step: what two bodies can close in it, and at least the ranges of the
+// bonds. [d]
+double contact_reach(const World& world, const std::vector<Vec3>& free_velocity, double dt);
 
-// The contacts of the step among sorted `candidates`: bonded pairs, and those that may touch within
-// the step (judged by the free velocities). Impulses are inherited from world.contacts by pair and
-// scaled to the new step. Sorted by pair.
+// The contacts of the step among sorted `candidates`, which must hold all pairs within the reach and may hold
+// others: bonded pairs, and those that may touch within the step (judged by the free velocities). They depend
+// on the world alone, not on how many pairs farther apart a list happens to hold. Impulses are inherited from
+// world.contacts by pair, as far as the law still has them, and scaled to the new step. Sorted by pair.
 void find_contacts(const World& world, const std::vector<Pair>& candidates,
                    const std::vector<Vec3>& free_velocity, double dt,
                    std::vector<Contact>& contacts);

@@ -103,7 +103,8 @@ void Elimination::find_supernodes() {
   }
 }
 
-// In two dimensions the products grow as n^1.5: a dense packing of a million bodies has ten thousand a body.
+// Of a dense packing in two dimensions the products of supernodes grow faster than the bodies: 42 a body at
+// 2500, 92 at 90 000.
 void Elimination::make_room(std::size_t bytes_of_slot) {
   std::size_t slots = 0, products = 0;
   for (const Supernode& s : supernode_) {

@@ -24,9 +24,11 @@ void add_walls(const World& world, const std::vector<Vec3>& velocity, double dt,
   for (std::size_t k = 0; k < world.walls.size(); ++k) {
     const Wall& wall = world.walls[k];
     if (wall.mass == 0) continue;
-    const Vec2 after = velocity[world.disks.position.size() + k].head<2>();
-    energy.change += wall.mass * (after + wall.velocity).dot(after - wall.velocity) / 2;
-    energy.work += dt * (wall.force * wall.normal + wall.mass * g).dot(after);
+    // It moves freely along its normal only; what it does along itself is prescribed.
+    const double after = wall.normal.dot(velocity[world.disks.position.size() + k].head<2>());
+    const double before = wall.normal.dot(wall.velocity);
+    energy.change += wall.mass * (after + before) * (after - before) / 2;
+    energy.work += dt * (wall.force + wall.mass * wall.normal.dot(g)) * after;
   }
 }
 
@@ -39,9 +41,13 @@ void add_contacts(const World& world, const std::vector<Contact>& contacts,
     const ContactRow& row = problem.contacts[c];
     const Vec3 &va = velocity[row.a], &vb = velocity[row.b];
     const Vec3 impulse = contact.impulse - Vec3(dt * contact.cohesion, 0, 0);
-    // What does not respond to forces passes the work of the contact on.
-    if (problem.inverse_mass[row.a].isZero(0)) energy.work -= momentum_of_a(row, impulse).dot(va);
-    if (problem.inverse_mass[row.b].isZero(0)) energy.work -= momentum_of_b(row, impulse).dot(vb);
+    // What does not respond to forces passes the work of the contact on; a wall with mass does along itself.
+    if (world.disks.fixed(contact.pair.a)) energy.work -= momentum_of_a(row, impulse).dot(va);
+    if (is_wall(contact.pair.b) || world.disks.fixed(contact.pair.b)) {
+      const Vec3& im = problem.inverse_mass[row.b];
+      energy.work -=
+          momentum_of_b(row, impulse).dot((im.array() == 0).select(vb.array(), 0.0).matrix());
+    }
     if (contact.cohesion == 0) continue;
     while (bond != world.bonds.list.end() && bond->pair < contact.pair) ++bond;
     const bool lasts = bond != world.bonds.list.end() && bond->pair == contact.pair &&

@@ -187,9 +187,9 @@ Sample measure(const World& world, const MeasureChoices& choices) {
   }
   if (s.contacts > 0)
     s.active_bond_fraction = static_cast<double>(s.bonds_active) / static_cast<double>(s.contacts);
-  s.remaining_bond_fraction = world.bonds.initial > 0 ? static_cast<double>(initial_active) /
-                                                            static_cast<double>(world.bonds.initial)
-                                                      : 1;
+  if (world.bonds.initial > 0)
+    s.remaining_bond_fraction =
+        static_cast<double>(initial_active) / static_cast<double>(world.bonds.initial);
   s.bonds_formed = world.bonds.formed;
   s.bonds_broken = world.bonds.broken;
   s.bonds_healed = world.bonds.healed;

@@ -1,6 +1,6 @@
 // Pairs of bodies that are close: a hashed cell grid with periodic sides, and a list with a skin
-// that is kept while nothing moved far. Memory is proportional to the number of disks, however far
-// they fly apart. Lists are sorted by pair, so that nothing depends on the search.
+// that is kept while nothing moved far. Memory is proportional to the number of pairs within
+// the distance that is asked for, however far disks fly apart. Lists are sorted by pair, so that nothing depends on the search.
 #pragma once
 
 #include <vector>

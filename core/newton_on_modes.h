@@ -23,9 +23,8 @@ namespace quicksand {
 
 class NewtonOnModes {
  public:
-  // Improves `state`, whose velocity is that of its impulses, in at most `max_iterations` and as long as
-  // the distance from acceptance shrinks and velocities have not settled; leaves the best state that it
-  // met. `matrix` must be attached to the problem.
+  // Improves `state`, whose velocity is that of its impulses, in at most `max_iterations`, and until the modes
+  // stay or velocities have settled; leaves the best state that it met. `matrix` must be attached to the problem.
   SolveReport solve(const ContactProblem& problem, const SolverSettings& settings,
                     int max_iterations, ContactMatrix& matrix, ContactState& state);
 

@@ -37,14 +37,6 @@ class RigidClusters {
   // A contact between two clusters, as they see it; a and b are numbers of clusters.
   ContactRow row_between(const ContactRow& row) const;
 
-  // Bodies after their parents, and the contact with the parent, kNone at a root.
-  const std::vector<int>& order() const { return order_; }
-  int contact_with_parent(int body) const { return parent_contact_[body]; }
-  int parent(const ContactProblem& problem, int body) const {
-    const ContactRow& row = problem.contacts[parent_contact_[body]];
-    return row.a == body ? row.b : row.a;
-  }
-
   // From the velocities of the clusters (size()) those of the bodies (nb).
   void spread(const std::vector<Vec3>& of_cluster, std::vector<Vec3>& velocity) const;
 

@@ -118,17 +118,34 @@ void check_piston(const Scenario& scenario, std::size_t phase, const std::string
     throw InputError(where, "there is nothing that the piston could press");
 }
 
+// Grains and intruders come from above, straight down to the floor or to what lies on it.
+void check_way_down(const Scenario& scenario, std::size_t phase, const std::string& where) {
+  for (std::size_t k = 0; k < scenario.walls.size(); ++k)
+    if (!is_floor(scenario.walls[k]))
+      throw InputError(where, "places bodies from above, and walls[" + std::to_string(k) +
+                                  "] may be in their way; only floors may be listed with it");
+  for (std::size_t k = 0; k < phase; ++k) {
+    const auto* piston = std::get_if<PistonPhase>(&scenario.phases[k].kind);
+    if (piston && !piston->remove)
+      throw InputError(where, "places bodies from above, and the piston of phases[" +
+                                  std::to_string(k) + "] is in their way; let it \"remove\" it");
+  }
+}
+
 void check_phases(const Scenario& scenario) {
   for (std::size_t k = 0; k < scenario.phases.size(); ++k) {
     const std::string where = "phases[" + std::to_string(k) + "]";
-    if (const auto* push = std::get_if<PushPhase>(&scenario.phases[k].kind))
+    if (const auto* push = std::get_if<PushPhase>(&scenario.phases[k].kind)) {
       check_push(scenario, *push, where);
+      check_way_down(scenario, k, where);
+    }
     if (std::holds_alternative<PullPhase>(scenario.phases[k].kind)) check_pull(scenario, k, where);
     if (std::holds_alternative<HealPhase>(scenario.phases[k].kind)) check_heal(scenario, where);
     if (std::holds_alternative<PistonPhase>(scenario.phases[k].kind))
       check_piston(scenario, k, where);
     const auto* deposit = std::get_if<DepositPhase>(&scenario.phases[k].kind);
     if (!deposit) continue;
+    check_way_down(scenario, k, where);
     if (!scenario.box.floor || scenario.box.sides == Sides::open)
       throw InputError(where, "a deposit needs a floor and sides that are periodic or walls");
     if (deposit->grains == 0 && deposit->height == 0)

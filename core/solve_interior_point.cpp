@@ -47,6 +47,27 @@ constexpr int kPatience = 8, kTrySweeps = 100;
 // No product may fall below this share of the mean: one pair at the boundary would block all others.
 constexpr double kLeastShare = 1e-4;
 
+// Whether the path has jammed.
+class Jam {
+ public:
+  // Told after each iteration, with the least distance before it. Says so once for each gain of the best.
+  bool met(double distance, double best, std::int64_t factorisations) {
+    if (distance < kGain * gained_) {
+      gained_ = distance;
+      gained_at_ = factorisations;
+      return false;
+    }
+    if (best >= kNear || best >= kGain * met_at_ || factorisations - gained_at_ < kPatience)
+      return false;
+    met_at_ = best;
+    return true;
+  }
+
+ private:
+  double gained_ = std::numeric_limits<double>::infinity(), met_at_ = gained_;
+  std::int64_t gained_at_ = 0;
+};
+
 // H velocity at a contact.
 Vec3 contact_velocity(const ContactRow& row, const std::vector<Vec3>& velocity) {
   return relative_velocity(row, velocity[row.a], velocity[row.b]);
@@ -231,8 +252,7 @@ SolveReport InteriorPoint::solve(const ContactProblem& problem, const SolverSett
   best_ = state.impulse;
   report.rung = shift > 1 ? Rung::far_start : Rung::interior_point;
   const double most_proximal = shift > 1 ? kProximal : kProximalAtFolds;
-  double gained = std::numeric_limits<double>::infinity(), swept_from = gained;
-  std::int64_t gained_at = 0;
+  Jam jam;
   int settling = 0;
   while (report.factorisations < settings.max_factorisations) {
     linearise(problem);
@@ -267,14 +287,9 @@ SolveReport InteriorPoint::solve(const ContactProblem& problem, const SolverSett
     }
     if (!std::isfinite(product)) break;
     const double distance = settings.distance(report.residual);
-    if (distance < kGain * gained) {
-      gained = distance;
-      gained_at = report.factorisations;
-    } else if (best < kNear && best < kGain * swept_from &&
-               report.factorisations - gained_at >= kPatience) {
-      if (sweep_from_best(problem, settings, state, report)) return report;
-      swept_from = best;
-    }
+    if (jam.met(distance, best, report.factorisations) &&
+        sweep_from_best(problem, settings, state, report))
+      return report;
     if (distance < best) {
       best = distance;
       best_ = state.impulse;

@@ -39,7 +39,7 @@ SolveReport climb(const ContactProblem& problem, const SolverSettings& settings,
   SolveReport report;
   if (from > Rung::locality) {
     report.residual = residual(problem, state);
-    report.converged = settings.accepts(report.residual);
+    report.converged = settings.distance(report.residual) <= SolverSettings::kAsItIs;
   } else {
     report = methods.local.solve(problem, settings, state);
   }

@@ -16,12 +16,6 @@ namespace {
 constexpr double kMissTolerance = 1e-7;
 constexpr int kMaxRepeats = 10;
 
-double fastest(const std::vector<Vec3>& velocity) {
-  double squared = 0;
-  for (const Vec3& v : velocity) squared = std::max(squared, v.head<2>().squaredNorm());
-  return std::sqrt(squared);
-}
-
 int first_not_finite(const std::vector<Vec3>& velocity) {
   const auto bad = std::ranges::find_if(velocity, [](const Vec3& v) { return !v.allFinite(); });
   return bad == velocity.end() ? -1 : static_cast<int>(bad - velocity.begin());
@@ -32,7 +26,7 @@ int first_not_finite(const std::vector<Vec3>& velocity) {
 struct Stepper::Scratch {
   NeighborList neighbors;
   std::vector<Vec3> free_velocity;
-  std::vector<Contact> contacts;
+  std::vector<Contact> contacts, solved;
   ContactProblem problem;
   ContactSolver solver;
   ContactState state;
@@ -76,10 +70,14 @@ void Stepper::solve_contacts(const World& world, const StepSettings& step,
     for (std::size_t c = 0; c < s.contacts.size(); ++c) s.contacts[c].impulse = s.state.impulse[c];
 
     const double reach = 2 * step.dt * fastest(s.state.velocity) + kMissTolerance;
-    if (add_missed_contacts(world, s.neighbors.pairs(world, reach), s.state.velocity, step.dt,
-                            kMissTolerance, s.contacts) == 0)
+    const std::vector<Pair>& near = s.neighbors.pairs(world, reach);
+    if (repeat == kMaxRepeats) s.solved = s.contacts;
+    if (add_missed_contacts(world, near, s.state.velocity, step.dt, kMissTolerance, s.contacts) ==
+        0)
       return;
   }
+  // What is still missed has no place in a problem that is not solved again.
+  std::swap(s.contacts, s.solved);
   report.solve.converged = false;
 }
 
@@ -87,18 +85,32 @@ void Stepper::solve_contacts(const World& world, const StepSettings& step,
 void Stepper::update_bonds(World& world, const StepSettings& step, StepReport& report) {
   Scratch& s = *scratch_;
   auto bond = world.bonds.list.begin();
+  const auto tear = [&](Bond& torn) {
+    if (!report.converged) {
+      ++report.breaks_withheld;
+      return;
+    }
+    torn.state = BondState::broken;
+    ++report.bonds_broken;
+  };
+  // Bonds that are no contacts: wider open than any reach, by a range that was made shorter.
+  const auto pass_to = [&](const Pair* pair) {
+    for (; bond != world.bonds.list.end() && (!pair || bond->pair < *pair); ++bond)
+      if (bond->state == BondState::active && world.movable(bond->pair)) tear(*bond);
+  };
   s.formed.clear();
   for (std::size_t c = 0; c < s.contacts.size(); ++c) {
     const ContactRow& row = s.problem.contacts[c];
     const Pair pair = s.contacts[c].pair;
-    while (bond != world.bonds.list.end() && bond->pair < pair) ++bond;
+    pass_to(&pair);
     const bool listed = bond != world.bonds.list.end() && bond->pair == pair;
     if (!listed) {
       const bool touched = s.state.impulse[c].x() > 0;
       if (world.bonding && touched && world.law(pair).cohesion_force) s.formed.push_back(pair);
       continue;
     }
-    if (bond->state == BondState::broken) continue;
+    Bond& known = *bond++;
+    if (known.state == BondState::broken) continue;
     const Vec3& va = s.state.velocity[row.a];
     const Vec3& vb = s.state.velocity[row.b];
     double gap = step.dt * (row.offset.x() + relative_velocity(row, va, vb).x());
@@ -108,13 +120,9 @@ void Stepper::update_bonds(World& world, const StepSettings& step, StepReport& r
     }
     const bool by_energy = std::ranges::binary_search(s.breaks, pair, {}, &BondBreak::pair);
     if (!by_energy && gap <= world.law(pair).cohesion_range) continue;
-    if (!report.converged) {
-      ++report.breaks_withheld;
-      continue;
-    }
-    bond->state = BondState::broken;
-    ++report.bonds_broken;
+    tear(known);
   }
+  pass_to(nullptr);
   world.bonds.broken += report.bonds_broken;
   report.bonds_formed = static_cast<std::int64_t>(s.formed.size());
   if (!s.formed.empty()) world.bonds.form(s.formed);
@@ -130,8 +138,7 @@ StepReport Stepper::advance(World& world, const StepSettings& step,
   report.finite = report.taken = report.bad_body < 0;
   if (!report.finite) return report;
 
-  const double reach =
-      std::max(least_reach(world), 2 * step.dt * fastest(s.free_velocity) + kMissTolerance);
+  const double reach = contact_reach(world, s.free_velocity, step.dt);
   find_contacts(world, s.neighbors.pairs(world, reach), s.free_velocity, step.dt, s.contacts);
   solve_contacts(world, step, settings, report);
   s.breaks.clear();

@@ -15,7 +15,7 @@ struct StepReport {
   bool finite = true;  // false: not taken
   int bad_body = -1;   // the first body whose velocity is not finite
   SolveReport solve;
-  double seconds = 0;    // that the step took
+  double seconds = 0;    // that the step took, if taken
   EnergyBalance energy;  // if taken
   std::int64_t bonds_formed = 0;
   std::int64_t bonds_broken = 0;     // always 0 if not converged

@@ -23,4 +23,7 @@ struct Wall {
   Vec3 inverse_mass() const;
 };
 
+// What bodies that fall come to lie on.
+inline bool is_floor(const Wall& wall) { return wall.normal.y() > 0.5; }
+
 }  // namespace quicksand

@@ -77,16 +77,12 @@ World make_world(const Scenario& scenario) {
 }
 
 std::vector<Pair> bondable_pairs(const World& world) {
-  const auto free = [&](int body) {
-    return is_wall(body) ? world.wall(body).mass > 0 : !world.disks.fixed(body);
-  };
   const double widest = std::max({world.grain_law.cohesion_range, world.wall_law.cohesion_range,
                                   world.intruder_law.cohesion_range});
   std::vector<Pair> pairs = pairs_within(world, widest);
   std::erase_if(pairs, [&](Pair pair) {
     const ContactLaw& law = world.law(pair);
-    return !law.cohesion_force || world.gap(pair) > law.cohesion_range ||
-           !(free(pair.a) || free(pair.b));
+    return !law.cohesion_force || world.gap(pair) > law.cohesion_range || !world.movable(pair);
   });
   return pairs;
 }

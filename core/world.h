@@ -41,6 +41,9 @@ struct World {
   double wrapped_x(double x) const;
   // Gap and normal of a pair at the present positions.
   double gap(Pair pair, Vec2* normal = nullptr) const;
+  // Whether forces move a body.
+  bool movable(int body) const { return is_wall(body) ? wall(body).mass > 0 : !disks.fixed(body); }
+  bool movable(Pair pair) const { return movable(pair.a) || movable(pair.b); }
   const Wall& wall(int body) const { return walls[static_cast<std::size_t>(body - kWallBase)]; }
   // Index of the first intruder, or -1.
   int intruder() const;

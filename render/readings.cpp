@@ -43,7 +43,9 @@ std::vector<Reading> readings(const World& world, const View& view) {
         {italic("φ") + " = " + fixed_number(sample.volume_fraction, 3), italic("φ") + " = 0.000"});
   }
   if (!world.bonds.list.empty() || world.grain_law.cohesion_force) {
-    all.push_back({"active bonds " + percent(sample.active_bond_fraction), "active bonds 100.0 %"});
+    const std::optional<double>& active = sample.active_bond_fraction;
+    all.push_back(
+        {"active bonds " + (active ? percent(*active) : std::string("-")), "active bonds 100.0 %"});
   }
   all.push_back(depth(sample));
   return all;

@@ -19,9 +19,7 @@ StepProblem next_problem(const World& world, const StepSettings& settings) {
   }
   std::vector<Vec3> free;
   free_velocities(world, step.dt, free);
-  double fastest = 0;
-  for (const Vec3& v : free) fastest = std::max(fastest, v.head<2>().norm());
-  const double reach = std::max(least_reach(world), 2 * step.dt * fastest);
+  const double reach = contact_reach(world, free, step.dt);
   std::vector<Contact> contacts;
   find_contacts(world, pairs_within(world, reach), free, step.dt, contacts);
   build_problem(world, contacts, free, step, result.problem);

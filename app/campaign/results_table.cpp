@@ -11,8 +11,8 @@ namespace {
 
 constexpr auto kFirst = std::to_array<std::string_view>({"run"});
 constexpr auto kMiddle = std::to_array<std::string_view>({"seed", "status", "failure"});
-constexpr auto kLast =
-    std::to_array<std::string_view>({"steps", "wall_seconds", "version", "world_hash"});
+constexpr auto kLast = std::to_array<std::string_view>(
+    {"missed_rest", "steps", "wall_seconds", "version", "world_hash"});
 
 std::string cell(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;

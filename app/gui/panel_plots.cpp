@@ -34,10 +34,7 @@ void show_plots(PanelFrame& frame) {
   const std::vector<Row>& history = loaded ? frame.session.history() : empty;
   const char* none = loaded ? "no samples yet" : "no scene";
 
-  Curve bonds = curve_of(history, [](const Row& r) -> std::optional<double> {
-    if (r.sample.contacts == 0) return std::nullopt;
-    return r.sample.active_bond_fraction;
-  });
+  Curve bonds = curve_of(history, [](const Row& r) { return r.sample.active_bond_fraction; });
   bonds.nothing = loaded ? "no contacts yet" : none;
   w.plot("active bonds", "Active bonds / contacts", bonds);
 

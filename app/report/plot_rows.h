@@ -18,7 +18,7 @@ struct PlotRow {
   double x_low = kNone, x_high = kNone, y_low = kNone, y_high = kNone;  // ends of bars, or the band
 };
 
-// The points of a curve that its axes can show.
+// The points of a curve that its axes can show; an empty row where its line is interrupted.
 std::vector<PlotRow> rows_of(const Plot& plot, const Curve& curve);
 
 }  // namespace quicksand

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "app/json/json_reader.h"
 #include "app/report/plot.h"
@@ -166,9 +168,24 @@ class Script {
     }
   }
 
-  // Where a name to the right of its line would leave the picture.
-  bool in_right_half(double x) const {
-    return plot_.x.logarithmic ? x * x > x_.low * x_.high : 2 * x > x_.low + x_.high;
+  // The name of a guide stands above the graph, to the right of its line or, where it would leave the picture,
+  // to the left; just inside where others stand there already.
+  std::string place_of_name(const Reference& reference) {
+    constexpr double kCharacter = 0.015;  // about its width, over the graph's
+    const auto at = [&](double x) { return plot_.x.logarithmic ? std::log(x) : x; };
+    const double width = kCharacter * static_cast<double>(reference.name.size() + 1);
+    const double extent = at(x_.high) - at(x_.low);
+    const double from = extent > 0 ? (at(reference.low) - at(x_.low)) / extent : 0;
+    const bool to_the_left = from + width > 1;
+    const std::pair taken =
+        to_the_left ? std::pair(from - width, from) : std::pair(from, from + width);
+    const auto overlaps = [&](const std::pair<double, double>& other) {
+      return other.first < taken.second && taken.first < other.second;
+    };
+    const bool inside = std::ranges::any_of(names_, overlaps);
+    if (!inside) names_.push_back(taken);
+    return "first " + number_text(reference.low) + ", graph 1 " + (to_the_left ? "right" : "left") +
+           (inside ? " offset character 0, -0.7" : " offset character 0, 0.7");
   }
 
   void given(const Reference& reference) {
@@ -185,10 +202,8 @@ class Script {
     }
     if (guide && !reference.name.empty()) {
       line("set label " + gnuplot_text(reference.name) + " at " +
-           (reference.of_x
-                ? "first " + low + ", graph 1 " +
-                      (in_right_half(reference.low) ? "right" : "left") + " offset character 0, 0.7"
-                : "graph 0.99, first " + high + " right offset character 0, 0.5") +
+           (reference.of_x ? place_of_name(reference)
+                           : "graph 0.99, first " + high + " right offset character 0, 0.5") +
            kGreyText);
     }
   }
@@ -307,7 +322,8 @@ class Script {
   std::vector<Look> looks_;
   std::vector<std::vector<PlotRow>> rows_;  // of each curve
   Extent x_, y_, y2_;
-  std::vector<std::string> elements_;  // of the plot command
+  std::vector<std::pair<double, double>> names_;  // from and to, over the graph's width
+  std::vector<std::string> elements_;             // of the plot command
   std::string plot_command_;
   bool uses_bars_ = false;
   std::string script_;

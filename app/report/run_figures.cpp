@@ -93,6 +93,15 @@ std::vector<double> values_of(const RunResults& run, const PhaseCourse& course, 
   return values;
 }
 
+// Samples at which a search has gone back to its stored state.
+std::vector<std::size_t> returns_to_base(const RunResults& run) {
+  std::vector<std::size_t> samples;
+  const std::vector<double>& trial = run.column("trial");
+  for (std::size_t i = 1; i < trial.size(); ++i)
+    if (std::isfinite(trial[i - 1]) && trial[i] != trial[i - 1]) samples.push_back(i);
+  return samples;
+}
+
 // Where a phase begins that is not the first.
 std::vector<Reference> phase_guides(const RunResults& run) {
   std::vector<Reference> guides;
@@ -133,7 +142,8 @@ std::vector<Figure> run_figures(std::span<const RunResults> runs) {
         plot.curves.push_back({.name = single ? course.name : names[r],
                                .kind = described.kind,
                                .x = runs[r].column("time"),
-                               .y = values_of(runs[r], course, described.per_step)});
+                               .y = values_of(runs[r], course, described.per_step),
+                               .begins = returns_to_base(runs[r])});
       }
     }
     // Without its main course a plot says nothing: there is no intruder.

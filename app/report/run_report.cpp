@@ -26,8 +26,8 @@ struct Named {
 };
 constexpr auto kComputing = std::to_array<Named>(
     {{"steps", "time steps of this run", "1"},
-     {"wall_seconds", "computing time, pictures included", "s"},
-     {"steps_per_second", "time steps per second", "1/s"},
+     {"wall_seconds", "computing time since it was last resumed, pictures included", "s"},
+     {"steps_per_second", "time steps per second since then", "1/s"},
      {"total_factorisations", "factorisations", "1"},
      {"total_iterations", "iterations of the solver", "1"},
      {"worst_residual", "worst residual", "1"},
@@ -41,12 +41,8 @@ double number_or(const RunResults& run, const char* key, double otherwise) {
 }
 
 std::string value_text(const RunResults& run, const std::string& key) {
-  constexpr int kDigits = 5;
   const auto found = run.summary().find(key);
-  if (found == run.summary().end() || found->is_null()) return "-";
-  if (found->is_string()) return found->get<std::string>();
-  if (found->is_number_integer()) return found->dump();
-  return found->is_number() ? typeset(found->get<double>(), kDigits) : found->dump();
+  return found == run.summary().end() ? "-" : cell_text(*found);
 }
 
 std::vector<Column> columns_of(const std::vector<std::string>& first,
@@ -194,6 +190,8 @@ std::vector<std::string> run_warnings(const RunResults& run) {
     warnings.push_back("The run failed: " + summary["failure"].get<std::string>());
   }
   if (summary.value("interrupted", false)) warnings.emplace_back("The run was interrupted.");
+  if (summary.value("missed_rest", false))
+    warnings.emplace_back("The last phase ended at its max_time, before it came to rest.");
   const double unconverged = number_or(run, "unconverged_steps", 0);
   if (unconverged > 0) {
     warnings.push_back(typeset(unconverged) + " steps did not converge; the worst residual is " +
@@ -241,6 +239,7 @@ Report run_report(std::span<const RunResults> runs) {
     result.blocks.emplace_back(
         Remark{Remark::Kind::note, "Ended as its scene says; every step converged."});
   }
+  for (Block& block : found_by_searches(runs, names)) result.blocks.push_back(std::move(block));
   result.blocks.emplace_back(final_values(runs, names));
   report.sections.push_back(std::move(result));
 

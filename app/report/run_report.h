@@ -3,8 +3,10 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
+#include "app/json/json_text.h"
 #include "app/report/report.h"
 #include "app/report/run_results.h"
 
@@ -18,6 +20,13 @@ Report run_report(std::span<const RunResults> runs);
 
 // Its plots: each quantity over time, all runs in one, with the phases of a single run.
 std::vector<Figure> run_figures(std::span<const RunResults> runs);
+
+// What its searches found: tables of critical forces and of adiabatic deposits, where there are any.
+std::vector<Block> found_by_searches(std::span<const RunResults> runs,
+                                     const std::vector<std::string>& names);
+
+// A value of summary.json in a cell of a table; "-" where there is none.
+std::string cell_text(const Json& value);
 
 // Unfinished, failed and unconverged computing, and overlaps; a sentence each.
 std::vector<std::string> run_warnings(const RunResults& run);

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
+#include <variant>
+#include <vector>
 
 #include "app/json/json_reader.h"
 #include "app/scene/scenario_json.h"
@@ -26,6 +29,41 @@ Json scene_of(const Checkpoint& checkpoint, const std::filesystem::path& state) 
   }
 }
 
+constexpr std::size_t kShort = 200;
+
+[[noreturn]] void refuse(const std::string& where, const std::string& why,
+                         const std::filesystem::path& state, const Json& before, const Json& now,
+                         const std::string& key) {
+  throw InputError(where, "differs from the scene of " + state.string() + " (there " +
+                              text_at(before, key).substr(0, kShort) + ", here " +
+                              text_at(now, key).substr(0, kShort) + "); " + why);
+}
+
+// What a phase sets up when it begins.
+std::vector<std::string> set_up_by(const Phase& phase) {
+  if (std::holds_alternative<PushPhase>(phase.kind)) return {"type", "diameter", "density", "x"};
+  if (std::holds_alternative<PistonPhase>(phase.kind)) return {"type", "mass"};
+  return {"type"};
+}
+
+// Phases that have finished stay as they were, and so does what the one under way has set up.
+void check_phases(const Json& before, const Json& now, const Scenario& scenario,
+                  const ProtocolState& state, const std::filesystem::path& file) {
+  const auto phase = static_cast<std::size_t>(state.phase);
+  for (std::size_t k = 0; k < scenario.phases.size() && k < before.size(); ++k) {
+    const std::string where = "phases[" + std::to_string(k) + "]";
+    if (k < phase && before[k] != now[k])
+      for (const Json* of : {&now[k], &before[k]})
+        for (const auto& [key, value] : of->items())
+          if (text_at(before[k], key) != text_at(now[k], key))
+            refuse(where + "." + key, "the phase has finished there", file, before[k], now[k], key);
+    if (k != phase || !state.entered) continue;
+    for (const std::string& key : set_up_by(scenario.phases[k]))
+      if (text_at(before[k], key) != text_at(now[k], key))
+        refuse(where + "." + key, "the phase is under way there", file, before[k], now[k], key);
+  }
+}
+
 }  // namespace
 
 Checkpoint read_continuation(const std::filesystem::path& state, const Scenario& scenario) {
@@ -36,11 +74,8 @@ Checkpoint read_continuation(const std::filesystem::path& state, const Scenario&
     for (const auto& [key, value] : scene->items()) {
       if (std::ranges::find(kMayDiffer, key) != kMayDiffer.end()) continue;
       if (text_at(before, key) == text_at(now, key)) continue;
-      constexpr std::size_t kShort = 200;
-      throw InputError(key, "differs from the scene of " + state.string() + " (there " +
-                                text_at(before, key).substr(0, kShort) + ", here " +
-                                text_at(now, key).substr(0, kShort) +
-                                "); a continued run may change only step, solver and phases");
+      refuse(key, "a continued run may change only step, solver and phases", state, before, now,
+             key);
     }
   }
   const auto phase = static_cast<std::size_t>(checkpoint.protocol.phase);
@@ -48,6 +83,7 @@ Checkpoint read_continuation(const std::filesystem::path& state, const Scenario&
     throw InputError("phases", "are " + std::to_string(scenario.phases.size()) + ", but " +
                                    state.string() + " has finished " + std::to_string(phase));
   }
+  check_phases(before.at("phases"), now.at("phases"), scenario, checkpoint.protocol, state);
   return checkpoint;
 }
 

@@ -48,6 +48,7 @@ class Run {
         series_(folder.series(), earlier ? earlier->rows : 0),
         course_(scenario, std::move(start), options.every,
                 [this](const Row& row, const World& world) { record(row, world); }) {
+    if (options.continued_from) course_.protocol().change(scenario);
     if (earlier) course_.go_on(earlier->samples);
     if (options.frames) film_.emplace(folder, scenario, options.view, series_.rows());
   }
@@ -57,8 +58,13 @@ class Run {
     try {
       result.end.how = compute();
       if (result.end.how == RunEnd::How::failed) result.end.failure = protocol().failure();
-      const std::string film = finish_film(), missed = missed_rest();
-      result.notes = missed + (missed.empty() || film.empty() ? "" : "\n") + film;
+      // Phases before the last are often cut short on purpose.
+      result.end.missed_rest = result.end.how == RunEnd::How::finished && protocol().missed_rest();
+      if (result.end.missed_rest)
+        result.notes.push_back("the last phase (" +
+                               std::string(phase_name(scenario_.phases.back())) +
+                               ") ended at its max_time, before it came to rest");
+      if (const std::string film = finish_film(); !film.empty()) result.notes.push_back(film);
     } catch (const InputError& error) {
       fail(result.end, error);
     }
@@ -118,13 +124,6 @@ class Run {
     if (how == RunEnd::How::finished) write_state();
     progress.end();
     return how;
-  }
-
-  // Phases before the last are often cut short on purpose.
-  std::string missed_rest() const {
-    if (protocol().phase() || scenario_.phases.empty() || !protocol().missed_rest()) return {};
-    return "the last phase (" + std::string(phase_name(scenario_.phases.back())) +
-           ") ended at its max_time, before it came to rest";
   }
 
   // The state speaks of rows and frames, so these are on the disk before it.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/run/run_folder.h"
 #include "app/run/run_options.h"
@@ -13,8 +14,8 @@ namespace quicksand {
 struct RunResult {
   RunFolder folder;
   RunEnd end;
-  std::string distrust;  // by --strict, a sentence; empty: nothing is wrong
-  std::string notes;     // lines about what the user may miss, such as a film
+  std::string distrust;            // by --strict, a sentence; empty: nothing is wrong
+  std::vector<std::string> notes;  // lines about what the user may miss, such as a film
 };
 
 // Throws InputError or RenderError before anything is computed. Later failures are in the result.

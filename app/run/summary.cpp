@@ -46,6 +46,7 @@ Json summary(const Scenario& scenario, const World& world, const ProtocolState& 
                {"finished", end.how == RunEnd::How::finished},
                {"interrupted", end.how == RunEnd::How::interrupted},
                {"failure", end.failure.empty() ? Json(nullptr) : Json(end.failure)},
+               {"missed_rest", end.missed_rest},
                {"phases_finished", state.phase},
                {"phases", scenario.phases.size()}};
   for (const Quantity& quantity : quantities()) {

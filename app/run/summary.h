@@ -14,6 +14,7 @@ struct RunEnd {
   enum class How : std::uint8_t { finished, interrupted, failed };
   How how = How::finished;
   std::string failure;              // a sentence, if failed
+  bool missed_rest = false;         // the last phase ended at its max_time instead
   bool unwritable = false;          // failed because results could not be written
   std::int64_t steps = 0;           // of this run, before it was interrupted too
   std::int64_t computed_steps = 0;  // of its last part, since it was last resumed

@@ -6,6 +6,7 @@
 
 #include "tests/support/core/methods.h"
 #include "tests/support/core/scenes.h"
+#include "tests/support/core/simulation.h"
 #include "tests/support/core/tolerance.h"
 
 namespace quicksand {
@@ -69,6 +70,29 @@ TEST(EnergyRule, ClearsByARoughSolutionWhatHardlyOpens) {
   EXPECT_GT(judgement.cost.factorisations, 0) << "no bond was suspected";
   EXPECT_EQ(judge_first_step(scene, 1e-6).cost.factorisations, judgement.cost.factorisations)
       << "it was solved to the tolerance";
+}
+
+// A row on a fixed disk, each faster than the one before, as if pulled long: the bond to the fixed disk, the
+// only weak one, must hold all of their momentum J, and opens with the speed J/n if it does not. The judgement
+// starts from no load, which is no solution, however roughly it is to be solved.
+TEST(EnergyRule, BreaksWhatManyPullTogether) {
+  constexpr int kRow = 50;
+  constexpr double kEnergy = kCohesion * kRange;
+  for (const double share : {0.5, 2.0, 8.0}) {
+    const double momentum = std::sqrt(2 * share * kEnergy * kRow);
+    Scenario scene = empty_scene(Method::automatic);
+    scene.grain_law = {.cohesion_force = kCohesion, .cohesion_range = 0.05};
+    scene.intruder_law = ContactLaw{.cohesion_force = kCohesion, .cohesion_range = kRange};
+    scene.initial_bonds = InitialBonds::touching;
+    scene.disks = {{.position = {0, 0}, .role = Role::intruder, .fixed = true}};
+    for (int k = 1; k <= kRow; ++k)
+      scene.disks.push_back(
+          {.position = {k, 0}, .velocity = {2 * momentum * k / (kRow * (kRow + 1)), 0}});
+    EXPECT_EQ(judge_first_step(scene, 1e-6).breaks.size(), share > 1 ? 1U : 0U) << share;
+    Simulation run(scene);
+    run.advance();
+    EXPECT_EQ(run.bonds_broken, share > 1 ? 1 : 0) << share;
+  }
 }
 
 // A free pair that parts at this speed.

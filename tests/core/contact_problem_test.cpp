@@ -133,6 +133,22 @@ TEST(ContactProblem, ImpulsesAreInheritedByPairAndScaleWithTheStep) {
   EXPECT_EQ(distance(contacts[1].impulse, Vec3(0, 0, 0)), 0) << "a new contact";
 }
 
+// Friction that is not modelled any more must not act on.
+TEST(ContactProblem, InheritsOnlyWhatTheLawHas) {
+  World world = make_world(pile());
+  world.impulse_dt = 1e-2;
+  world.contacts = {{.pair = {0, 1}, .impulse = {0.5, 0.2, 0.1}, .cohesion = 7}};
+  std::vector<Vec3> free;
+  free_velocities(world, 1e-2, free);
+  std::vector<Contact> contacts;
+  world.grain_law.rolling_friction.reset();
+  find_contacts(world, kPilePairs, free, 1e-2, contacts);
+  EXPECT_EQ(contacts[0].impulse, Vec3(0.5, 0.2, 0));
+  world.grain_law.friction.reset();
+  find_contacts(world, kPilePairs, free, 1e-2, contacts);
+  EXPECT_EQ(contacts[0].impulse, Vec3(0.5, 0, 0));
+}
+
 TEST(ContactProblem, ABondThatBrokeTakesItsPartOfTheImpulseAlong) {
   World world = make_world(pile());
   world.impulse_dt = 1e-2;

@@ -70,6 +70,29 @@ TEST_P(Energy, IncludesTheWorkOfPrescribedMotion) {
   EXPECT_NEAR(protocol.state().energy_gained, 0, 1e-4);
 }
 
+// A belt, which has a mass across itself, drags a disk along: its drive works against the friction.
+TEST_P(Energy, IncludesTheWorkOfAWallThatGlidesAlongItself) {
+  double dissipated[2];
+  for (const bool heavy : {false, true}) {
+    Scenario scene;
+    scene.box = {.width = 0, .height = 10, .sides = Sides::open, .floor = false};
+    scene.solver.method = GetParam();
+    scene.gravity = Vec2(0, -1);
+    scene.grain_law.friction = 0.3;
+    scene.disks = {{.position = {0, 0.5}}};
+    // Carried by a force that balances both weights.
+    scene.walls = {{.velocity = {2, 0}, .mass = heavy ? 3.0 : 0, .force = heavy ? 4.0 : 0}};
+    scene.phases = {{SettlePhase{.max_time = 0.5, .until_rest = false}}};
+    Protocol protocol(scene, make_world(scene));
+    while (protocol.advance() == Progress::running) {
+    }
+    EXPECT_NEAR(protocol.state().external_work, 0.3 * 2 * 0.5, 1e-9) << heavy;
+    EXPECT_NEAR(protocol.state().energy_gained, 0, 1e-9) << heavy;
+    dissipated[heavy ? 1 : 0] = protocol.state().energy_dissipated;
+  }
+  EXPECT_NEAR(dissipated[0], dissipated[1], 1e-9);
+}
+
 // Overlaps that are pushed apart give energy: that is what `energy_gained` is there to show.
 TEST_P(Energy, ThatOverlapsBringIsSeen) {
   Scenario scene;

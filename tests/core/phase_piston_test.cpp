@@ -181,6 +181,21 @@ TEST(SlowPistonCollapse, MakesALoosePackingDenser) {
   EXPECT_LT(after.remaining_bond_fraction, 0.5);
 }
 
+// Nothing but the piston loads the disks: its force is what errors are measured by.
+TEST(Piston, PressesWithoutGravity) {
+  for (const double force : {1.0, 1e6}) {
+    Scenario scene = empty_scene(Method::automatic);
+    scene.box = {.width = 4, .height = 10, .sides = Sides::walls, .floor = true};
+    scene.grain_law = {.friction = 0.3, .rolling_friction = 0.1};
+    for (int row = 0; row < 3; ++row)
+      for (int k = 0; k < 4; ++k) scene.disks.push_back({.position = {0.5 + k, 0.5 + row}});
+    scene.phases = {{PistonPhase{.force = force, .ramp_time = 0, .max_time = 0.2}}};
+    Protocol protocol(scene, make_world(scene));
+    ASSERT_EQ(finish_phase(protocol), Progress::phase_ended) << protocol.failure();
+    EXPECT_EQ(protocol.state().halved_steps, 0);
+  }
+}
+
 TEST(Validation, RefusesAPistonWithoutFloorSidesOrBodies) {
   Scenario scene = pressed_column(Method::automatic, kPiston);
   EXPECT_NO_THROW(validate(scene));

@@ -67,7 +67,7 @@ TEST(Regions, ThatFillTheSampleAddUpToTheWhole) {
   EXPECT_NEAR(neighbours, whole.coordination * static_cast<double>(grains),
               tolerance::rounding(100));
   EXPECT_EQ(initial, static_cast<double>(world.bonds.initial));
-  EXPECT_NEAR(remaining, whole.remaining_bond_fraction * initial, tolerance::rounding(100));
+  EXPECT_NEAR(remaining, whole.remaining_bond_fraction.value() * initial, tolerance::rounding(100));
 }
 
 TEST(Regions, CountWallsAsNeighboursOfTheirGrain) {

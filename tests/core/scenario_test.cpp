@@ -105,6 +105,21 @@ TEST(Validation, RefusesAPistonThatIsTilted) {
   EXPECT_EQ(verdict(scene), "valid");
 }
 
+TEST(Validation, RefusesWallsInTheWayOfWhatComesFromAbove) {
+  for (const Phase& phase : {Phase{DepositPhase{.grains = 3}}, Phase{PushPhase{}}}) {
+    Scenario scene = small_collapse(Method::automatic);
+    scene.phases = {{DepositPhase{.grains = 3}}, {PistonPhase{}}, phase};
+    EXPECT_EQ(verdict(scene), "valid");
+    std::get<PistonPhase>(scene.phases[1].kind).remove = false;
+    EXPECT_TRUE(starts_with(verdict(scene), "phases[2]")) << verdict(scene);
+    scene.phases = {phase};
+    scene.walls = {{.point = {5, 0}, .normal = {1, 0}}};
+    EXPECT_TRUE(starts_with(verdict(scene), "phases[0]")) << verdict(scene);
+    scene.walls = {{.point = {0, 1}}};
+    EXPECT_EQ(verdict(scene), "valid") << "a second floor";
+  }
+}
+
 TEST(ModelTerms, ListOnlyWhatTheSceneNames) {
   Scenario scene = empty_scene(Method::automatic);
   EXPECT_EQ(model_terms(scene), (std::vector<std::string>{"volume exclusion"}));
