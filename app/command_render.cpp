@@ -7,6 +7,7 @@
 #include "app/picture_options.h"
 #include "app/run/film.h"
 #include "app/run/state_file.h"
+#include "core/errors.h"
 #include "render/png.h"
 
 namespace quicksand {
@@ -20,6 +21,8 @@ struct RenderArguments {
 };
 
 int render(const RenderArguments& options) {
+  if (options.out.extension() != ".png")
+    throw InputError(options.out.string(), "must end in .png; that is what is written");
   const View view = view_from(options.picture);
   const StateFile state = read_state(options.state);
   const std::string caption[] = {state.scenario.name, state.phase};

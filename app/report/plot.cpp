@@ -31,6 +31,8 @@ std::string csv_row(int id, const PlotRow& row, const std::string& name) {
   for (const double value : {row.x, row.y, row.x_low, row.x_high, row.y_low, row.y_high}) {
     text += "," + cell(value);
   }
+  // What is empty is passed over; a line stops where a point is no number.
+  if (id < kFirstReference && !std::isfinite(row.x)) text = std::to_string(id) + ",nan,nan,,,,";
   return text + "," + csv_text(name) + "\n";
 }
 

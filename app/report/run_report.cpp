@@ -190,8 +190,6 @@ std::vector<std::string> run_warnings(const RunResults& run) {
     warnings.push_back("The run failed: " + summary["failure"].get<std::string>());
   }
   if (summary.value("interrupted", false)) warnings.emplace_back("The run was interrupted.");
-  if (summary.value("missed_rest", false))
-    warnings.emplace_back("The last phase ended at its max_time, before it came to rest.");
   const double unconverged = number_or(run, "unconverged_steps", 0);
   if (unconverged > 0) {
     warnings.push_back(typeset(unconverged) + " steps did not converge; the worst residual is " +
@@ -238,6 +236,12 @@ Report run_report(std::span<const RunResults> runs) {
   if (result.blocks.empty()) {
     result.blocks.emplace_back(
         Remark{Remark::Kind::note, "Ended as its scene says; every step converged."});
+  }
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (runs[i].summary().value("missed_rest", false))
+      result.blocks.emplace_back(Remark{
+          Remark::Kind::warning, (runs.size() > 1 ? names[i] + ": the" : std::string("The")) +
+                                     " last phase ended at its max_time, before it came to rest."});
   }
   for (Block& block : found_by_searches(runs, names)) result.blocks.push_back(std::move(block));
   result.blocks.emplace_back(final_values(runs, names));

@@ -60,6 +60,15 @@ TEST(PlotData, AreOneRowAPointWithEndsOfBars) {
             "102,,0.43,,,,,\"interval\"\n");
 }
 
+TEST(PlotData, HaveAnEmptyRowWhereALineIsInterrupted) {
+  const Plot plot{
+      .name = "trials",
+      .curves = {{.kind = Curve::Kind::line, .x = {1, 2, 3}, .y = {4, 5, 6}, .begins = {0, 2}}}};
+  EXPECT_EQ(plot_csv(plot),
+            "id,x,y,x_low,x_high,y_low,y_high,name\n1,1,4,,,,,\"\"\n1,2,5,,,,,\"\"\n1,nan,nan,,,,,"
+            "\"\"\n1,3,6,,,,,\"\"\n");
+}
+
 TEST(PlotData, LeaveOutWhatTheAxisCannotShow) {
   Plot plot{.name = "log", .y = {.label = "residual", .logarithmic = true}};
   plot.curves.push_back({.name = "r", .x = {0, 1, 2, 3}, .y = {0, 1e-7, std::nan(""), -1}});
@@ -178,6 +187,24 @@ TEST(PlotScript, LabelsStandAboveOrBelowTheirPoints) {
   EXPECT_NE(plot_script(plot).find("offset 0.6, -"), std::string::npos);
   plot.annotations = {{1, 1, "over"}};
   EXPECT_EQ(plot_script(plot).find("offset 0.6, -"), std::string::npos);
+}
+
+// What begins shortly before something else has its name beside it, not under it.
+TEST(PlotScript, NamesOfLinesNearEachOtherStandApart) {
+  Plot plot{.name = "near", .curves = {{.x = {0, 100}, .y = {0, 1}}}};
+  for (const double x : {50.0, 62.0, 63.0, 98.0})
+    plot.references.push_back(
+        {.name = "settle", .low = x, .high = x, .of_x = true, .role = Reference::Role::guide});
+  const std::string script = plot_script(plot);
+  const auto place = [&](const char* x) {
+    const std::size_t at =
+        script.find(std::string("at first ") + x + ", graph 1 ", script.find("set label"));
+    return script.substr(at + 3, script.find(" textcolor", at) - at - 3);
+  };
+  EXPECT_EQ(place("50"), "first 50, graph 1 left offset character 0, 0.7");
+  EXPECT_EQ(place("62"), "first 62, graph 1 left offset character 0, 0.7");
+  EXPECT_EQ(place("63"), "first 63, graph 1 left offset character 0, -0.7");
+  EXPECT_EQ(place("98"), "first 98, graph 1 right offset character 0, 0.7");
 }
 
 TEST_F(PlotTest, NamesOfLinesStandInsideThePicture) {

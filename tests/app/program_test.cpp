@@ -10,6 +10,7 @@
 #include "app/json/json_text.h"
 #include "app/run/quantities.h"
 #include "app/run/series.h"
+#include "core/checkpoint.h"
 #include "tests/support/files.h"
 #include "tests/support/program_fixture.h"
 
@@ -189,6 +190,36 @@ TEST_F(ProgramTest, ARunGoesOnUnderItsOwnPhysicsOnly) {
                                    "out/small/state.cbor", "--set", "contact.friction=0.5"});
   EXPECT_EQ(other.exit_code, 2);
   EXPECT_NE(other.err.find("contact: differs"), std::string::npos) << other.err;
+}
+
+// Phases may differ from the present one on; what has been done is done.
+TEST_F(ProgramTest, ARunThatGoesOnTakesTheForceOfItsScene) {
+  folder_.write("push.json", R"({"gravity": {}, "box": {"width": 8, "height": 10},
+    "contact": {"friction": 0.3, "cohesion_force": 100},
+    "phases": [{"type": "deposit", "grains": 20, "interval": 0.02},
+               {"type": "push", "diameter": 2, "force": 50, "max_time": 0.4}]})");
+  folder_.write("half.json", R"({"commands": [{"command": "load", "scene": "push.json"},
+    {"command": "run", "phase_end": true}, {"command": "run", "time": 0.2},
+    {"command": "save", "file": "half.cbor"}]})");
+  ASSERT_EQ(quicksand({"session", "half.json"}).exit_code, 0);
+  const auto go_on = [&](const std::string& change) {
+    return quicksand(
+        {"run", "push.json", "--no-frames", "--continue", "out/half/half.cbor", "--set", change});
+  };
+  const auto force = [&] {
+    return read_checkpoint(at("out/push/state.cbor")).world.disks.applied.back().y();
+  };
+  ASSERT_EQ(go_on("phases[1].force=50").exit_code, 0);
+  EXPECT_EQ(force(), -50);
+  ASSERT_EQ(go_on("phases[1].force=70").exit_code, 0);
+  EXPECT_EQ(force(), -70);
+  for (const auto& [change, place] : {std::pair{"phases[0].grains=25", "phases[0].grains: "},
+                                      {"phases[1].diameter=2.5", "phases[1].diameter: "},
+                                      {"phases[1]={\"type\": \"settle\"}", "phases[1].type: "}}) {
+    const Outcome refused = go_on(change);
+    EXPECT_EQ(refused.exit_code, 2) << change;
+    EXPECT_NE(refused.err.find(place), std::string::npos) << refused.err;
+  }
 }
 
 TEST_F(ProgramTest, ASceneMayStartFromTheStateOfAnother) {

@@ -114,6 +114,18 @@ TEST_F(RunReportTest, WarnsOfWhatDidNotConverge) {
   EXPECT_EQ(first->text, warnings[0]);
 }
 
+TEST_F(RunReportTest, SaysThatTheEndIsNotAtRest) {
+  EXPECT_EQ(RunResults(at("soft")).summary()["missed_rest"], true);
+  ASSERT_EQ(report({"soft"}).exit_code, 0);
+  const std::string words = "before it came to rest";
+  EXPECT_NE(file("soft/report.md").find(words), std::string::npos);
+  run({"--no-frames", "--out", "calm", "--set", "phases[1].rest_speed=100", "--set",
+       "phases[1].rest_time=0.01"});
+  EXPECT_EQ(RunResults(at("calm")).summary()["missed_rest"], false);
+  ASSERT_EQ(report({"calm"}).exit_code, 0);
+  EXPECT_EQ(file("calm/report.md").find(words), std::string::npos);
+}
+
 TEST_F(RunReportTest, ValuesAreReadBackByName) {
   const RunResults soft(at("soft"));
   EXPECT_EQ(soft.final_value("grains"), 20);

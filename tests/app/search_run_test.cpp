@@ -72,6 +72,17 @@ TEST_F(SearchRun, LeavesTheCriticalForcesAsTableAndInTheSummary) {
   EXPECT_NE(text("series.csv").find("trial,trial_force,"), std::string::npos);
 }
 
+// Each trial begins where the one before began: no line leads back there.
+TEST_F(SearchRun, StandsInItsReport) {
+  ASSERT_EQ(run(kSearchRunScene).exit_code, 0);
+  ASSERT_EQ(run_program({"report", "out"}, folder_.path()).exit_code, 0);
+  const std::string report = text("report.md");
+  EXPECT_NE(report.find("Critical forces"), std::string::npos);
+  EXPECT_EQ(std::ranges::count(text("critical_forces.csv"), '\n') - 1, 3);
+  EXPECT_NE(report.find("| pull | 2 | 14 | 1 |"), std::string::npos) << report;
+  EXPECT_NE(text("plots/kinetic_energy.csv").find("\n1,nan,nan,,,,,"), std::string::npos);
+}
+
 TEST_F(SearchRun, LeavesTheSequenceOfAnAdiabaticDeposit) {
   const Outcome outcome = run(kAdiabatic);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
