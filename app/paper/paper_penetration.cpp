@@ -35,8 +35,8 @@ class Penetration : public PaperExperiment {
               Findings& findings) const override {
     add_pictures(results, pictures, section);
     Table table{.caption =
-                    "After the push, when everything rests. Channel: where the intruder has "
-                    "passed; intact: farther from its way than six of its diameters.",
+                    "At the end of each push: at rest, or after its max_time. Channel: where the "
+                    "intruder has passed; intact: farther from its way than six of its diameters.",
                 .columns = {{"push force [F_c]", true}}};
     for (const Shown& column : kShown) table.columns.push_back({column.title, true});
     for (std::size_t k = 0; k < curve_.forces.size(); ++k) {
@@ -53,9 +53,7 @@ class Penetration : public PaperExperiment {
  private:
   void add_pictures(const PaperResults& results, const std::filesystem::path& folder,
                     Section& section) const {
-    Gallery gallery{.caption =
-                        "Final states, coloured by active bonds: with a third of the cohesion "
-                        "force, with the cohesion force, and with a strong force."};
+    Gallery gallery{.caption = "Final states, coloured by active bonds."};
     for (std::size_t k = 0; k < curve_.forces.size(); ++k) {
       if (curve_.forces[k] != kWeak && curve_.forces[k] != kEqual && curve_.forces[k] != kStrong)
         continue;

@@ -92,11 +92,28 @@ class Samples : public PaperExperiment {
     find("unperturbed.active_bond_fraction", 0, "active_bond_fraction");
     find("unperturbed.cohesion_1e2.volume_fraction", all.size() - 2, "volume_fraction");
     find("unperturbed.cohesion_1e2.coordination", all.size() - 2, "coordination");
-    find("literature.ballistic.volume_fraction", all.size() - 1, "volume_fraction");
-    find("literature.ballistic.coordination", all.size() - 1, "coordination");
+    // Before it is let go: in a high box it falls in.
+    const RunGroup& sticking = groups_[all.size() - 1];
+    note(findings, "literature.ballistic.volume_fraction",
+         when_deposited(results, sticking, "volume_fraction"));
+    note(findings, "literature.ballistic.coordination",
+         when_deposited(results, sticking, "coordination"));
   }
 
  private:
+  // At the end of the deposit.
+  static std::optional<Measured> when_deposited(const PaperResults& results, const RunGroup& group,
+                                                const std::string& quantity) {
+    std::vector<double> values;
+    for (const RunResults* run : results.runs(group)) {
+      const std::vector<std::string>& phases = run->phases();
+      const auto end = std::find(phases.rbegin(), phases.rend(), "deposit").base();
+      if (end != phases.begin())
+        values.push_back(run->column(quantity)[static_cast<std::size_t>(end - phases.begin()) - 1]);
+    }
+    return mean_over(values);
+  }
+
   // Points that lie together share a label, "1, 3, 5", below them: it is longer, and more lies above.
   static std::vector<Annotation> numbered(const Curve& points,
                                           const std::vector<std::string>& numbers) {
