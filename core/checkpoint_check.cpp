@@ -47,7 +47,7 @@ bool possible(const Contact& contact) {
          finite(contact.gap, contact.cohesion);
 }
 
-// A search has its base, and its targets are bodies of it.
+// A search has its base, its targets are bodies of it, and a trial has a target.
 bool possible(const Search& search) {
   const ForceBracket& bracket = search.bracket;
   if (search.kind > SearchKind::adiabatic || (search.kind != SearchKind::none) != !!search.base)
@@ -56,6 +56,8 @@ bool possible(const Search& search) {
       !positive(bracket.high.value_or(1)) || !not_negative(search.interval) ||
       !not_negative(search.force))
     return false;
+  const bool of_force = search.kind == SearchKind::pull || search.kind == SearchKind::shear;
+  if (of_force && search.trial_runs && search.targets.empty()) return false;
   return std::ranges::all_of(search.targets, [&](const SearchTarget& target) {
     return target.body >= 0 && search.base && target.body < search.base->disks.size() &&
            finite(target.depth, target.weight_above);

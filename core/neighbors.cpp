@@ -10,6 +10,9 @@ namespace quicksand {
 namespace {
 
 constexpr double kLeastSkin = 0.25;  // [d], a list serves for about ten steps of a fast scene
+// A list looks this much farther than asked for, over that distance, but not farther than so many d: where one
+// body flies off, there would be too many pairs of all the others.
+constexpr double kFarther = 1.5, kFarthest = 4;
 
 struct Cell {
   int x = 0, y = 0;
@@ -163,7 +166,7 @@ const std::vector<Pair>& NeighborList::pairs(const World& world, double distance
     if (world.disks.size() > static_cast<int>(built_at_.size())) append_new_disks(world);
     return pairs_;
   }
-  skin_ = std::max(kLeastSkin, 2.5 * distance);
+  skin_ = std::max(kLeastSkin, distance + std::min(kFarther * distance, kFarthest));
   pairs_ = pairs_within(world, skin_);
   built_at_ = world.disks.position;
   radius_ = world.disks.radius;

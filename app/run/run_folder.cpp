@@ -31,8 +31,9 @@ void make_writable(const RunFolder& folder) {
 
 void remove_earlier_results(const RunFolder& folder) {
   std::error_code ignored;
-  for (const fs::path& file : {folder.state(), folder.summary(), folder.film(),
-                               folder.critical_forces(), folder.adiabatic()}) {
+  for (const fs::path& file :
+       {folder.state(), folder.summary(), folder.film(), folder.critical_forces(),
+        folder.adiabatic(), folder.report_page(), folder.report_text()}) {
     fs::remove(file, ignored);
   }
   std::vector<fs::path> frames;

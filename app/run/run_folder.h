@@ -17,13 +17,15 @@ struct RunFolder {
   std::filesystem::path adiabatic() const { return path / "adiabatic.csv"; }
   std::filesystem::path summary() const { return path / "summary.json"; }
   std::filesystem::path state() const { return path / "state.cbor"; }
+  std::filesystem::path report_page() const { return path / "report.html"; }
+  std::filesystem::path report_text() const { return path / "report.md"; }
 };
 
 // Makes the folder and tries to write in it, so that nothing is computed in vain. Throws InputError.
 void make_writable(const RunFolder& folder);
 
 // Removes the files of an earlier run that this run may not write again: its film, summary, state,
-// tables of searches and frames. Other files are left alone.
+// tables of searches, report and frames. Other files are left alone.
 void remove_earlier_results(const RunFolder& folder);
 
 }  // namespace quicksand

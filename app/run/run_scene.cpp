@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/interrupt.h"
+#include "app/json/json_reader.h"
 #include "app/run/continuation.h"
 #include "app/run/course.h"
 #include "app/run/film.h"
@@ -16,6 +17,7 @@
 #include "app/scene/scenario_json.h"
 #include "app/scene/scene_file.h"
 #include "core/errors.h"
+#include "core/measures.h"
 #include "core/whole_file.h"
 
 namespace quicksand {
@@ -64,6 +66,9 @@ class Run {
         result.notes.push_back("the last phase (" +
                                std::string(phase_name(scenario_.phases.back())) +
                                ") ended at its max_time, before it came to rest");
+      if (film_ && higher_than_the_picture())
+        result.notes.push_back("the packing is higher than box.height, " +
+                               number_text(scenario_.box.height) + " d, where the pictures end");
       if (const std::string film = finish_film(); !film.empty()) result.notes.push_back(film);
     } catch (const InputError& error) {
       fail(result.end, error);
@@ -124,6 +129,11 @@ class Run {
     if (how == RunEnd::How::finished) write_state();
     progress.end();
     return how;
+  }
+
+  bool higher_than_the_picture() const {
+    const Box& box = scenario_.box;
+    return box.width > 0 && box.height > 0 && packing_top(course_.world()) > box.height + 1;
   }
 
   // The state speaks of rows and frames, so these are on the disk before it.

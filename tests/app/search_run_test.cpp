@@ -98,9 +98,12 @@ TEST_F(SearchRun, LeavesTheSequenceOfAnAdiabaticDeposit) {
   EXPECT_EQ(samples[2]["grains"], 20);
 }
 
-TEST_F(SearchRun, RemovesTheTablesOfAnEarlierRun) {
+TEST_F(SearchRun, RemovesTheTablesAndTheReportOfAnEarlierRun) {
   ASSERT_EQ(run(kSearchRunScene).exit_code, 0);
+  ASSERT_EQ(run_program({"report", "out"}, folder_.path()).exit_code, 0);
+  ASSERT_TRUE(has("report.html"));
   ASSERT_EQ(run(kAdiabatic).exit_code, 0);
+  EXPECT_FALSE(has("report.html") || has("report.md"));
   EXPECT_FALSE(has("critical_forces.csv"));
   EXPECT_TRUE(has("adiabatic.csv"));
 }

@@ -125,6 +125,7 @@ TEST(SearchCheckpoint, OfAnImpossibleSearchIsRefused) {
       [](ProtocolState& p) { p.search.kind = SearchKind::none; },
       [](ProtocolState& p) { p.search.targets.at(0).body = 1000; },
       [](ProtocolState& p) { p.search.bracket.first = 0; },
+      [](ProtocolState& p) { p.search.trial_runs = true, p.search.targets.clear(); },
       [](ProtocolState& p) { p.search.bracket.low = -1; },
       [](ProtocolState& p) { p.critical_forces.at(0).force_low = std::nan(""); },
       [](ProtocolState& p) { p.trial_start = std::nan(""); },
