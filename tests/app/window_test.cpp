@@ -41,17 +41,22 @@ TEST_F(WindowTest, WhatIsDoneByHandReplaysToTheSameWorld) {
     GTEST_SKIP() << "built without SDL2 (package libsdl2-dev)";
   const auto [run_x, run_y] = place_of("Controls/Run");
   const auto [step_x, step_y] = place_of("Controls/Step");
-  const ProgramEnd hand = run_external({(kSource / "tests/support/window_by_hand.sh").string(),
-                                        QUICKSAND_PROGRAM, run_x, run_y, step_x, step_y},
-                                       folder_.path());
-  if (hand.code == 77) GTEST_SKIP() << "Xvfb or xdotool is not installed";
-  ASSERT_TRUE(hand.fine()) << hand.problem;
-
-  const Json recorded = parse_json(contents(at("by_hand.json")));
-  const Json& commands = recorded["commands"];
-  const auto steps = std::count_if(commands.begin(), commands.end(), [](const Json& c) {
-    return c == Json{{"command", "run"}, {"steps", 1}};
-  });
+  Json recorded, commands;
+  std::ptrdiff_t steps = 0;
+  // A hand may be too quick for a busy machine; then it tries again, and takes its time.
+  for (const char* times : {"1", "5"}) {
+    const ProgramEnd hand = run_external({(kSource / "tests/support/window_by_hand.sh").string(),
+                                          QUICKSAND_PROGRAM, run_x, run_y, step_x, step_y, times},
+                                         folder_.path());
+    if (hand.code == 77) GTEST_SKIP() << "Xvfb or xdotool is not installed";
+    ASSERT_TRUE(hand.fine()) << hand.problem;
+    recorded = parse_json(contents(at("by_hand.json")));
+    commands = recorded["commands"];
+    steps = std::count_if(commands.begin(), commands.end(), [](const Json& c) {
+      return c == Json{{"command", "run"}, {"steps", 1}};
+    });
+    if (steps == 2) break;
+  }
   EXPECT_EQ(steps, 2) << recorded.dump(1);
   EXPECT_EQ(commands[1]["command"], "run") << "what the run button started";
   EXPECT_GT(commands[1]["steps"], 1);  // how many is a matter of the machine

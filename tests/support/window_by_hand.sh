@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
-# A hand in a real window, on a screen of its own: window_by_hand.sh PROGRAM RUN_X RUN_Y STEP_X STEP_Y
-# clicks Run, lets it run, pauses with the space key, clicks Step twice, drags a grain and turns the wheel.
+# A hand in a real window, on a screen of its own: window_by_hand.sh PROGRAM RUN_X RUN_Y STEP_X STEP_Y TIMES
+# with its pauses so many TIMES as long, clicks Run, lets it run, pauses with the space key, clicks Step twice, drags a grain and turns the wheel.
 # Leaves by_hand.json in the present folder. Exit code 77: Xvfb or xdotool is not installed.
 set -uo pipefail
-program=$1 run_x=$2 run_y=$3 step_x=$4 step_y=$5
+program=$1 run_x=$2 run_y=$3 step_x=$4 step_y=$5 times=$6
+pause() { sleep "$(awk "BEGIN { print $1 * $times }")"; }
 command -v Xvfb >/dev/null && command -v xdotool >/dev/null || exit 77
 
+rm -f display
 exec 3> >(cat >display)
 Xvfb -displayfd 3 -screen 0 1100x800x24 >/dev/null 2>&1 &
 screen=$!
@@ -29,19 +31,19 @@ for _ in $(seq 100); do
 done
 [ -n "$id" ] || { cat window.log >&2; exit 1; }
 xdotool windowfocus "$id"
-sleep 1
+pause 1
 
-click() { xdotool mousemove --window "$id" "$1" "$2"; sleep 0.2; xdotool click 1; sleep 0.3; }
+click() { xdotool mousemove --window "$id" "$1" "$2"; pause 0.2; xdotool click 1; pause 0.3; }
 click "$run_x" "$run_y"
-sleep 2
+pause 2
 xdotool mousemove --window "$id" 800 300 key space
-sleep 0.5
+pause 0.5
 click "$step_x" "$step_y"
 click "$step_x" "$step_y"
 xdotool mousemove --window "$id" 600 690 mousedown 1 mousemove --window "$id" 640 600
-sleep 0.3
+pause 0.3
 xdotool mouseup 1 click 4
-sleep 0.5
+pause 0.5
 kill -INT $window
 wait $window
 code=$?
