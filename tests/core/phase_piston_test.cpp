@@ -192,7 +192,8 @@ TEST(Piston, PressesWithoutGravity) {
     scene.phases = {{PistonPhase{.force = force, .ramp_time = 0, .max_time = 0.2}}};
     Protocol protocol(scene, make_world(scene));
     ASSERT_EQ(finish_phase(protocol), Progress::phase_ended) << protocol.failure();
-    EXPECT_EQ(protocol.state().halved_steps, 0);
+    EXPECT_EQ(protocol.state().halved_steps, 0) << force;
+    EXPECT_EQ(protocol.state().unconverged_steps, 0) << force;
   }
 }
 

@@ -121,7 +121,7 @@ TEST_P(Step, ThatMissesMoreAndMoreContactsIsNotConverged) {
   EXPECT_FALSE(run.last.converged);
   EXPECT_TRUE(run.last.taken);
   EXPECT_LT(run.world.contacts.size(), 59U) << "those that were solved";
-  for (const Contact& contact : run.world.contacts) EXPECT_TRUE(contact.impulse.allFinite());
+  EXPECT_GT(run.world.contacts.back().impulse.x(), 0) << "none that was not solved";
 }
 
 // A range made shorter than a bond is wide, as by a scene that starts from another's state.
@@ -132,7 +132,8 @@ TEST_P(Step, BreaksABondThatIsWiderThanItsRange) {
     scene.disks = {{.position = {0, 0}, .fixed = true}, {.position = {1 + gap, 0}}};
     scene.initial_bonds = InitialBonds::touching;
     Simulation run(scene);
-    run.world.grain_law.cohesion_range = 1e-4;
+    scene.grain_law.cohesion_range = 1e-4;
+    take_laws(run.world, scene);
     run.advance();
     EXPECT_EQ(run.bonds_broken, 1) << gap;
   }
