@@ -39,6 +39,11 @@ constexpr std::size_t kShort = 200;
                               text_at(now, key).substr(0, kShort) + "); " + why);
 }
 
+Json phases_of(const Json& scene) {
+  const auto found = scene.find("phases");
+  return found != scene.end() && found->is_array() ? *found : Json::array();
+}
+
 // What a phase sets up when it begins.
 std::vector<std::string> set_up_by(const Phase& phase) {
   if (std::holds_alternative<PushPhase>(phase.kind)) return {"type", "diameter", "density", "x"};
@@ -50,7 +55,7 @@ std::vector<std::string> set_up_by(const Phase& phase) {
 void check_phases(const Json& before, const Json& now, const Scenario& scenario,
                   const ProtocolState& state, const std::filesystem::path& file) {
   const auto phase = static_cast<std::size_t>(state.phase);
-  for (std::size_t k = 0; k < scenario.phases.size() && k < before.size(); ++k) {
+  for (std::size_t k = 0; k < now.size() && k < before.size(); ++k) {
     const std::string where = "phases[" + std::to_string(k) + "]";
     if (k < phase && before[k] != now[k])
       for (const Json* of : {&now[k], &before[k]})
@@ -83,7 +88,7 @@ Checkpoint read_continuation(const std::filesystem::path& state, const Scenario&
     throw InputError("phases", "are " + std::to_string(scenario.phases.size()) + ", but " +
                                    state.string() + " has finished " + std::to_string(phase));
   }
-  check_phases(before.at("phases"), now.at("phases"), scenario, checkpoint.protocol, state);
+  check_phases(phases_of(before), phases_of(now), scenario, checkpoint.protocol, state);
   return checkpoint;
 }
 
