@@ -16,11 +16,12 @@ std::string cell_text(const Json& value) {
 
 namespace {
 
-// What the searches of the runs found, a row a force or a sample; none if there is nothing.
 struct Finding {
   const char* key;  // of an entry in summary.json
   const char* title;
 };
+
+// The entries of a list in the summaries, a row each; none if there are none.
 std::optional<Table> findings(std::span<const RunResults> runs,
                               const std::vector<std::string>& names, const char* list,
                               std::span<const Finding> columns, const char* caption) {

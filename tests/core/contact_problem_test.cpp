@@ -39,6 +39,15 @@ Built build(const Scenario& scene, const std::vector<Pair>& candidates) {
 
 const std::vector<Pair> kPilePairs{{0, 1}, {0, kWallBase}};
 
+// Of the pile, in a step of dt.
+std::vector<Contact> pile_contacts(const World& world, double dt) {
+  std::vector<Vec3> free;
+  free_velocities(world, dt, free);
+  std::vector<Contact> contacts;
+  find_contacts(world, kPilePairs, free, dt, contacts);
+  return contacts;
+}
+
 TEST(ContactProblem, FreeVelocitiesAreThoseWithoutContactsAndBonds) {
   Scenario scene = pile();
   scene.disks[1].fixed = true;
@@ -124,10 +133,7 @@ TEST(ContactProblem, ImpulsesAreInheritedByPairAndScaleWithTheStep) {
   World world = make_world(pile());
   world.impulse_dt = 1e-2;
   world.contacts = {{.pair = {0, 1}, .impulse = {0.5, 0.2, 0.1}, .cohesion = 7}};
-  std::vector<Vec3> free;
-  free_velocities(world, 5e-3, free);
-  std::vector<Contact> contacts;
-  find_contacts(world, kPilePairs, free, 5e-3, contacts);
+  const std::vector<Contact> contacts = pile_contacts(world, 5e-3);
   ASSERT_EQ(contacts.size(), 2U);
   EXPECT_LE(distance(contacts[0].impulse, Vec3(0.25, 0.1, 0.05)), tolerance::rounding());
   EXPECT_EQ(distance(contacts[1].impulse, Vec3(0, 0, 0)), 0) << "a new contact";
@@ -138,15 +144,10 @@ TEST(ContactProblem, InheritsOnlyWhatTheLawHas) {
   World world = make_world(pile());
   world.impulse_dt = 1e-2;
   world.contacts = {{.pair = {0, 1}, .impulse = {0.5, 0.2, 0.1}, .cohesion = 7}};
-  std::vector<Vec3> free;
-  free_velocities(world, 1e-2, free);
-  std::vector<Contact> contacts;
   world.grain_law.rolling_friction.reset();
-  find_contacts(world, kPilePairs, free, 1e-2, contacts);
-  EXPECT_EQ(contacts[0].impulse, Vec3(0.5, 0.2, 0));
+  EXPECT_EQ(pile_contacts(world, 1e-2)[0].impulse, Vec3(0.5, 0.2, 0));
   world.grain_law.friction.reset();
-  find_contacts(world, kPilePairs, free, 1e-2, contacts);
-  EXPECT_EQ(contacts[0].impulse, Vec3(0.5, 0, 0));
+  EXPECT_EQ(pile_contacts(world, 1e-2)[0].impulse, Vec3(0.5, 0, 0));
 }
 
 TEST(ContactProblem, ABondThatBrokeTakesItsPartOfTheImpulseAlong) {
@@ -154,10 +155,7 @@ TEST(ContactProblem, ABondThatBrokeTakesItsPartOfTheImpulseAlong) {
   world.impulse_dt = 1e-2;
   world.contacts = {{.pair = {0, 1}, .impulse = {0.08, 0, 0}, .cohesion = 7}};
   world.bonds.list[0].state = BondState::broken;
-  std::vector<Vec3> free;
-  free_velocities(world, 1e-2, free);
-  std::vector<Contact> contacts;
-  find_contacts(world, kPilePairs, free, 1e-2, contacts);
+  const std::vector<Contact> contacts = pile_contacts(world, 1e-2);
   EXPECT_EQ(contacts[0].cohesion, 0);
   EXPECT_NEAR(contacts[0].impulse.x(), 0.01, tolerance::rounding());
 }

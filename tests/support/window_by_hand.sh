@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # A hand in a real window, on a screen of its own: window_by_hand.sh PROGRAM RUN_X RUN_Y STEP_X STEP_Y TIMES
-# with its pauses so many TIMES as long, clicks Run, lets it run, pauses with the space key, clicks Step twice, drags a grain and turns the wheel.
+# clicks Run, lets it run, pauses with the space key, clicks Step twice, drags a grain and turns the wheel,
+# waiting between these TIMES as long as a quick hand would.
 # Leaves by_hand.json in the present folder. Exit code 77: Xvfb or xdotool is not installed.
 set -uo pipefail
 program=$1 run_x=$2 run_y=$3 step_x=$4 step_y=$5 times=$6
