@@ -44,8 +44,7 @@ std::vector<PlotRow> rows_of(const Plot& plot, const Curve& curve) {
   const Axis& y_axis = curve.second_axis && plot.y2 ? *plot.y2 : plot.y;
   std::vector<PlotRow> rows;
   for (std::size_t i = 0; i < curve.x.size(); ++i) {
-    if (!rows.empty() && std::ranges::find(curve.begins, i) != curve.begins.end())
-      rows.emplace_back();
+    if (!rows.empty() && std::ranges::binary_search(curve.begins, i)) rows.emplace_back();
     PlotRow row{.x = curve.x[i], .y = at(curve.y, i)};
     row.y_low = at(curve.y_low, i);
     row.y_high = at(curve.y_high, i);

@@ -41,7 +41,7 @@ struct Curve {
   std::vector<double> x_error{};  // (n) half lengths of error bars, or empty
   std::vector<double> y_error{};
   std::vector<double> y_low{}, y_high{};  // (n) of a band, or ends of uneven error bars, or empty
-  std::vector<std::size_t> begins{};      // points that no line joins to the one before
+  std::vector<std::size_t> begins{};      // points that no line joins to the one before, ascending
 };
 
 // A value or an interval that is given, over the whole width (of y) or height (of x).

@@ -61,6 +61,18 @@ void require_intruder(const Scenario& scenario, const World& state) {
   }
 }
 
+void require_way_down(const Scenario& scenario, const World& state) {
+  if (std::ranges::find(state.walls, WallRole::piston, &Wall::role) == state.walls.end()) return;
+  for (std::size_t k = 0; k < scenario.phases.size(); ++k) {
+    const Phase& phase = scenario.phases[k];
+    if (!std::holds_alternative<PushPhase>(phase.kind) &&
+        !std::holds_alternative<DepositPhase>(phase.kind))
+      continue;
+    throw InputError(scenario.start_from, "has a piston in the way of phases[" + std::to_string(k) +
+                                              "], which places bodies from above");
+  }
+}
+
 // For the bodies of the scene besides those that are there already.
 void require_memory(const Scenario& scenario, int present) {
   const std::int64_t bodies = size_of(scenario).bodies() + present;
@@ -118,6 +130,7 @@ World start_world(const Scenario& scenario) {
   require_memory(scenario, state.disks.size());
   require_same_box(scenario, state);
   require_intruder(scenario, state);
+  require_way_down(scenario, state);
   world.disks = std::move(state.disks);
   world.walls = std::move(state.walls);
   world.bonds = std::move(state.bonds);

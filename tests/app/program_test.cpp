@@ -233,6 +233,17 @@ TEST_F(ProgramTest, ASceneMayStartFromTheStateOfAnother) {
   const Outcome narrow = quicksand({"run", "next.json", "--no-frames", "--set", "box.width=7"});
   EXPECT_EQ(narrow.exit_code, 2);
   EXPECT_NE(narrow.err.find("another width (6 d)"), std::string::npos) << narrow.err;
+
+  const std::string piston =
+      R"([{"type": "piston", "mass": 5, "force": 10, "max_time": 1.1, "remove": false}])";
+  ASSERT_EQ(quicksand({"run", "next.json", "--no-frames", "--set", "phases=" + piston}).exit_code,
+            0);
+  const Outcome pushed = quicksand({"run", "next.json", "--no-frames", "--out", "out/pushed",
+                                    "--set", "start_from=\"out/next/state.cbor\"", "--set",
+                                    R"(phases=[{"type": "push", "diameter": 1.5, "force": 1}])"});
+  EXPECT_EQ(pushed.exit_code, 2);
+  EXPECT_NE(pushed.err.find("has a piston in the way of phases[0]"), std::string::npos)
+      << pushed.err;
 }
 
 TEST_F(ProgramTest, ARunThatCannotConvergeFailsWithACheckpointAndSaysHowToGoOn) {
