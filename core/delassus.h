@@ -16,8 +16,9 @@ inline Vec3 delassus_diagonal(const ContactRow& c, const Vec3& ima, const Vec3& 
           along(ima, t) + along(imb, t) + turning(c.spin_a.y(), c.spin_b.y()), ima.z() + imb.z()};
 }
 
-// Component-wise 1/w, and 0 where a component cannot move.
-inline Vec3 inverse_or_zero(const Vec3& w) {
+// 1 over it, and 0 where a component cannot move.
+inline Vec3 inverse_delassus(const ContactProblem& problem, const ContactRow& c) {
+  const Vec3 w = delassus_diagonal(c, problem.inverse_mass[c.a], problem.inverse_mass[c.b]);
   return {w.x() > 0 ? 1 / w.x() : 0, w.y() > 0 ? 1 / w.y() : 0, w.z() > 0 ? 1 / w.z() : 0};
 }
 

@@ -103,6 +103,7 @@ bool Protocol::make_step(const Phase& phase) {
 bool Protocol::try_step(const StepSettings& step, int halvings_left) {
   SolverSettings solver = scenario_.solver;
   solver.tolerance = phase()->solver_tolerance.value_or(solver.tolerance);
+  solver.patient = halvings_left == 0 || !step.stop_if_unconverged;
   report_ = stepper_.advance(world_, step, solver);
   state_.iterations += report_.solve.iterations;
   state_.factorisations += report_.solve.factorisations;

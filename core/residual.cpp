@@ -76,7 +76,7 @@ Residual residual(const ContactProblem& problem, ContactState& state) {
           const Vec3& p = state.impulse[c];
           const Vec3 u =
               row.offset + relative_velocity(row, state.velocity[row.a], state.velocity[row.b]);
-          const double r = contact_residual(problem, row, p, u);
+          const double r = contact_residual(problem, row, inverse_delassus(problem, row), p, u);
           part.finite = part.finite && std::isfinite(r);
           part.worst.natural = std::max(part.worst.natural, r);
           if (p.x() > 0)

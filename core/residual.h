@@ -16,11 +16,9 @@
 namespace quicksand {
 
 // The largest of the three of one contact with impulse p and relative velocity u = H v + offset, given
-// the masses of its bodies. [impulse]
-inline double contact_residual(const ContactProblem& problem, const ContactRow& row, const Vec3& p,
-                               const Vec3& u) {
-  const Vec3 step = inverse_or_zero(
-      delassus_diagonal(row, problem.inverse_mass[row.a], problem.inverse_mass[row.b]));
+// its inverse_delassus. [impulse]
+inline double contact_residual(const ContactProblem& problem, const ContactRow& row,
+                               const Vec3& step, const Vec3& p, const Vec3& u) {
   double r = std::abs(p.x() - std::max(0.0, p.x() - u.x() * step.x()));
   const double n = std::max(0.0, p.x());
   if (problem.components >= 2) {

@@ -33,6 +33,11 @@ class InteriorPoint {
   SolveReport solve(const ContactProblem& problem, const SolverSettings& settings, double shift,
                     ContactState& state);
 
+  // Relaxes state.impulse (see solve_relaxation.h); where that converges, some iterations of Newton's method
+  // on the modes follow, which also tell the change of velocity.
+  SolveReport relax(const ContactProblem& problem, const SolverSettings& settings,
+                    ContactState& state);
+
  private:
   // Of some of the pairs.
   struct Products {
@@ -58,8 +63,8 @@ class InteriorPoint {
   bool finish(const ContactProblem& problem, const SolverSettings& settings, ContactState& state,
               SolveReport& report);
   // Whether some sweeps from the best state were accepted; then they are the solution.
-  bool sweep_from_best(const ContactProblem& problem, const SolverSettings& settings,
-                       ContactState& state, SolveReport& report);
+  bool relax_best(const ContactProblem& problem, const SolverSettings& settings,
+                  ContactState& state, SolveReport& report);
   double mean_product(double alpha) const;  // after a step of alpha along the direction
 
   ContactMatrix matrix_;
@@ -73,7 +78,7 @@ class InteriorPoint {
   std::vector<Vec3> velocity_;     // (nb) that the impulses of the cones give
   std::vector<Vec3> change_;       // (nb)
   std::vector<Vec3> best_;         // (nc)
-  ContactState swept_;
+  ContactState relaxed_;
 };
 
 }  // namespace quicksand

@@ -164,7 +164,8 @@ int LocalSolver::activate_violated(const ContactProblem& problem, double admissi
     const ContactRow& row = problem.contacts[c];
     const Vec3 u =
         row.offset + relative_velocity(row, state.velocity[row.a], state.velocity[row.b]);
-    const double v = contact_residual(problem, row, state.impulse[c], u);
+    const double v =
+        contact_residual(problem, row, inverse_delassus(problem, row), state.impulse[c], u);
     if (v <= admissible) continue;
     if (role_[c] == Role::open) {
       if (clusters_.inside(row)) return -1;

@@ -22,20 +22,20 @@ namespace {
 // The ladder:
 //   1. locality, which also takes the inherited impulses as they are if they solve the problem already
 //      (a packing at rest);
-//   2. interior point from near the inherited impulses, and Gauss-Seidel sweeps from where it jams;
+//   2. interior point from near the inherited impulses, and relaxation from where it jams;
 //   3. both again from farther inside.
-// In a jammed packing the interior point ends at folds of its path, where some hundred sweeps still
-// gain a factor of 20 to 30, the more of them the larger the packing. What has jammed is a bad start
-// for another path: each begins at the inherited impulses, and ends elsewhere. If all fall short, the
-// best state counts, and the step is repeated with half the time step (see protocols.h).
+// In a jammed packing the interior point ends at folds of its path, where some ten to some hundred sweeps
+// of relaxation gain the last factor of 10 to 30. What has jammed is a bad start for another path: each
+// begins at the inherited impulses, and ends elsewhere. If all fall short, the best state counts, and the
+// step is repeated with half the time step (see protocols.h).
 template <class Methods>
 SolveReport climb(const ContactProblem& problem, const SolverSettings& settings, Rung from,
                   Methods& methods, ContactState& state) {
   constexpr double kNearShift = 1, kFarShift = 100;
-  // So many sweeps at once, and again while the distance falls below this share of what it was. Patience
-  // pays: of a jammed piston run, steps that no halving repaired at 0.7 need no halving at 0.98.
-  constexpr std::int64_t kPolishSweeps = 1000;
-  constexpr double kPolishGain = 0.98;
+  // So many sweeps of relaxation; whoever is patient goes on while the distance falls below this share of
+  // what it was. Under a piston most jams that ever end do so within 300, and half a step is cheaper than more.
+  constexpr int kPolishSweeps = 300, kPatientSweeps = 1000;
+  constexpr double kPatientGain = 0.98;
   SolveReport report;
   if (from > Rung::locality) {
     report.residual = residual(problem, state);
@@ -47,19 +47,25 @@ SolveReport climb(const ContactProblem& problem, const SolverSettings& settings,
   methods.inherited = state.impulse;
   methods.best = state;
   Residual least = report.residual;
+  // Settings for a part of the work; all parts together keep to the scene's.
+  const auto sweeps_left = [&](std::int64_t most) {
+    SolverSettings part = settings;
+    const std::int64_t left = settings.max_iterations - report.iterations;
+    part.max_iterations = static_cast<int>(std::clamp<std::int64_t>(left, 0, most));
+    return part;
+  };
   for (const double shift : {kNearShift, kFarShift}) {
     state.impulse = methods.inherited;
-    report.add(methods.interior_point.solve(problem, settings, shift, state));
+    report.add(
+        methods.interior_point.solve(problem, sweeps_left(settings.max_iterations), shift, state));
     if (report.converged) return report;
     double before = 0;
     do {
-      SolverSettings polish = settings;
-      polish.max_iterations =
-          static_cast<int>(std::min(kPolishSweeps, settings.max_iterations - report.iterations));
       before = settings.distance(report.residual);
-      report.add(solve_gauss_seidel(problem, polish, state));
+      const int most = settings.patient ? kPatientSweeps : kPolishSweeps;
+      report.add(methods.interior_point.relax(problem, sweeps_left(most), state));
       if (report.converged) return report;
-    } while (settings.distance(report.residual) < kPolishGain * before);
+    } while (settings.patient && settings.distance(report.residual) < kPatientGain * before);
     if (settings.distance(report.residual) > settings.distance(least)) continue;
     least = report.residual;
     methods.best = state;

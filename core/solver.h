@@ -82,6 +82,7 @@ struct SolverSettings {
   double velocity_tolerance = 0.1;  // on SolveReport::velocity_change [1]
   int max_iterations = 20000;       // sweeps of Gauss-Seidel
   int max_factorisations = 80;      // of one interior-point attempt
+  bool patient = true;              // of `automatic`: goes on as long as anything is gained
 
   bool operator==(const SolverSettings&) const = default;
 

@@ -66,7 +66,7 @@ void Stepper::solve_contacts(const World& world, const StepSettings& step,
     report.solve.add(s.solver.solve(s.problem, settings, s.state, report.solve.rung));
     report.bad_body = first_not_finite(s.state.velocity);
     report.finite = report.bad_body < 0;
-    if (!report.finite) return;
+    if (!report.finite || (!report.solve.converged && step.stop_if_unconverged)) return;
     for (std::size_t c = 0; c < s.contacts.size(); ++c) s.contacts[c].impulse = s.state.impulse[c];
 
     const double reach = 2 * step.dt * fastest(s.state.velocity) + kMissTolerance;

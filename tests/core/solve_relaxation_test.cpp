@@ -1,0 +1,95 @@
+// Gauss-Seidel where it is needed: the same solution for less work.
+#include "core/solve_relaxation.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "core/residual.h"
+#include "core/solve_gauss_seidel.h"
+#include "tests/support/core/agreement.h"
+#include "tests/support/core/tolerance.h"
+
+namespace quicksand {
+namespace {
+
+// `columns` columns of two disks on the ground, each disk about to fall through what is below it.
+ContactProblem columns(int columns) {
+  ContactProblem problem{.dt = 1, .components = 1};
+  problem.inverse_mass.push_back({0, 0, 0});
+  problem.free_velocity.push_back({0, 0, 0});
+  for (int k = 0; k < columns; ++k) {
+    int below = 0;
+    for (int disk = 0; disk < 2; ++disk) {
+      const int above = static_cast<int>(problem.inverse_mass.size());
+      problem.inverse_mass.push_back({1, 1, 8});
+      problem.free_velocity.push_back({0, -1, 0});
+      problem.contacts.push_back({.a = below,
+                                  .b = above,
+                                  .normal = {0, 1},
+                                  .gap_tolerance = std::numeric_limits<double>::infinity()});
+      below = above;
+    }
+  }
+  return problem;
+}
+
+TEST(Relaxation, SolvesAColumnExactly) {
+  const ContactProblem problem = columns(1);
+  ContactState state = zero_state(problem);
+  EXPECT_TRUE(solve_relaxation(problem, {.tolerance = 1e-11}, state).converged);
+  EXPECT_NEAR(state.impulse[0].x(), 2, 1e-10);
+  EXPECT_NEAR(state.impulse[1].x(), 1, 1e-10);
+}
+
+// One of a thousand columns is off; sweeps go over all of them each time.
+TEST(Relaxation, LooksOnlyWhereTheLawIsViolated) {
+  const ContactProblem problem = columns(1000);
+  ContactState start = zero_state(problem);
+  for (std::size_t c = 0; c < start.impulse.size(); ++c) start.impulse[c].x() = c % 2 == 0 ? 2 : 1;
+  start.impulse[0].x() = 0;
+  const SolverSettings settings{.tolerance = 1e-10};
+  ContactState state = start;
+  const SolveReport relaxed = solve_relaxation(problem, settings, state);
+  EXPECT_TRUE(relaxed.converged);
+  EXPECT_LE(relaxed.iterations, 2);
+  state = start;
+  const SolveReport swept = solve_gauss_seidel(problem, settings, state);
+  EXPECT_TRUE(swept.converged);
+  EXPECT_GE(swept.iterations, 20);
+}
+
+TEST(Relaxation, HasTheVelocitiesOfTheReference) {
+  Random random{1};
+  int compared = 0;
+  for (int k = 0; k < 200; ++k) {
+    const ContactProblem problem =
+        random_problem({.bodies = 4, .contacts = 3, .components = 3}, random);
+    const auto reference = reference_solutions(problem);
+    if (!reference.complete || reference.solutions.size() != 1) continue;
+    ContactState state = zero_state(problem);
+    if (!solve_relaxation(problem, tight(Method::gauss_seidel), state).converged) continue;
+    ++compared;
+    EXPECT_LE(distance_to_nearest(reference.solutions, state.velocity), tolerance::solved());
+  }
+  EXPECT_GE(compared, 60);
+}
+
+TEST(Relaxation, EndsWhereItIsNotAllowedToWorkOrCannot) {
+  const ContactProblem problem = columns(10);
+  for (const int sweeps : {-1, 0, 1}) {
+    ContactState state = zero_state(problem);
+    const SolveReport report =
+        solve_relaxation(problem, {.tolerance = 1e-11, .max_iterations = sweeps}, state);
+    EXPECT_FALSE(report.converged);
+    EXPECT_EQ(report.iterations, std::max(0, sweeps));
+    EXPECT_EQ(report.residual.natural, residual(problem, state).natural);
+  }
+  ContactProblem broken = problem;
+  broken.free_velocity[1].y() = std::numeric_limits<double>::quiet_NaN();
+  ContactState state = zero_state(broken);
+  EXPECT_FALSE(solve_relaxation(broken, {.tolerance = 1e-11}, state).converged);
+}
+
+}  // namespace
+}  // namespace quicksand
