@@ -115,7 +115,8 @@ void describe_solver(Fields& f, SolverSettings& solver) {
     f.integer(field, 1, kMaxIterations, wide);
     value = static_cast<int>(wide);
   };
-  count({"max_iterations", "Gauss-Seidel sweeps per step after which it gives up"},
+  count({"max_iterations",
+         "Gauss-Seidel sweeps, or as much relaxation, after which a solution is given up"},
         solver.max_iterations);
   count({"max_factorisations", "factorisations after which the interior point gives up"},
         solver.max_factorisations);

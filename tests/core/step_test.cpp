@@ -68,6 +68,21 @@ TEST_P(Step, AStepThatMustConvergeAndDoesNotIsNotTaken) {
   EXPECT_EQ(world_hash(run.world), before);
 }
 
+// Where a step can be halved, that is cheaper than to go on with it.
+TEST(Patience, EndsSoonerWhereTheStepCanBeHalved) {
+  const auto sweeps = [](bool patient) {
+    Simulation run(hanging_chain(Method::automatic, 200, 3));
+    run.solver.max_factorisations = 1;  // so that relaxation has to do it, and cannot
+    run.solver.patient = patient;
+    run.step.stop_if_unconverged = true;
+    run.advance();
+    EXPECT_FALSE(run.last.converged);
+    return run.last.solve.iterations;
+  };
+  EXPECT_LE(sweeps(false), 2 * 300);
+  EXPECT_GE(sweeps(true), 2 * 1000);
+}
+
 TEST_P(Step, SettingsLimitTheWork) {
   Simulation run(hanging_chain(GetParam(), 60, 3));
   run.solver.max_iterations = 3;
