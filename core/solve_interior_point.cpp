@@ -222,8 +222,8 @@ bool InteriorPoint::finish(const ContactProblem& problem, const SolverSettings& 
 SolveReport InteriorPoint::relax(const ContactProblem& problem, const SolverSettings& settings,
                                  ContactState& state) {
   SolveReport report = solve_relaxation(problem, settings, state);
-  report.velocity_change = std::numeric_limits<double>::infinity();
   if (!report.converged) return report;
+  report.velocity_change = std::numeric_limits<double>::infinity();
   matrix_.attach(problem);
   finish(problem, settings, state, report);
   return report;

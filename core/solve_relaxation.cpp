@@ -12,7 +12,7 @@ namespace {
 
 // Contacts are solved that are off by this share of the tolerance. At 0.5 it is ten times the work under a
 // piston.
-constexpr double kShare = 0.9;
+constexpr double kViolatedShare = 0.9;
 
 // A set of contacts that is emptied while others come in.
 class WorkList {
@@ -82,14 +82,14 @@ SolveReport solve_relaxation(const ContactProblem& problem, const SolverSettings
   const std::size_t nc = problem.contacts.size();
   const std::vector<Vec3> inverse = inverse_delassus(problem);
   const ContactsOfBody contacts(problem);
-  const double admissible = kShare * settings.tolerance * problem.force_scale * problem.dt;
+  const double admissible = kViolatedShare * settings.tolerance * problem.force_scale * problem.dt;
   const auto is_off = [&](std::size_t c) {
     const ContactRow& row = problem.contacts[c];
     const Vec3& p = state.impulse[c];
     const Vec3 u =
         row.offset + relative_velocity(row, state.velocity[row.a], state.velocity[row.b]);
     return contact_residual(problem, row, inverse[c], p, u) > admissible ||
-           (p.x() > 0 && std::abs(u.x()) * problem.dt > kShare * row.gap_tolerance);
+           (p.x() > 0 && std::abs(u.x()) * problem.dt > kViolatedShare * row.gap_tolerance);
   };
   const std::size_t most = nc * static_cast<std::size_t>(settings.max_iterations);
   std::size_t seen = 0, solved = 0;
@@ -103,6 +103,7 @@ SolveReport solve_relaxation(const ContactProblem& problem, const SolverSettings
         if (is_off(c)) {
           ++solved;
           relax_contact<Components>(problem, c, inverse[c], state);
+          // Itself among them: where radii differ N, R_t and T act on each other.
           const ContactRow& row = problem.contacts[c];
           for (const int body : {row.a, row.b})
             contacts.visit(body, [&](std::size_t other) { list.add(other); });
