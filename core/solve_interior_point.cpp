@@ -40,8 +40,8 @@ constexpr double kLeastOfAim = 0.1, kMostOfAim = 10;
 // Beyond a fold of the path, products aim at this many times their mean.
 constexpr double kGrowth = 20;
 // Where within this distance so many factorisations gain less than this factor the path has jammed, and so many
-// sweeps of relaxation, which cost less, are tried from the best state. Of 62 solutions under a piston, as much
-// work within 300, 5 and 100.
+// sweeps of relaxation, which cost less, are tried from the best state. 62 solutions under a piston are as much
+// work where that begins within 300, after 5 factorisations.
 constexpr double kNear = 30, kGain = 0.8;
 constexpr int kPatience = 8, kTrySweeps = 100;
 // No product may fall below this share of the mean: one pair at the boundary would block all others.

@@ -62,7 +62,7 @@ class InteriorPoint {
   double find_step(const ContactProblem& problem, double product, double least_product);
   bool finish(const ContactProblem& problem, const SolverSettings& settings, ContactState& state,
               SolveReport& report);
-  // Whether some sweeps from the best state were accepted; then they are the solution.
+  // Whether some relaxation of the best state was accepted; then it is the solution.
   bool relax_best(const ContactProblem& problem, const SolverSettings& settings,
                   ContactState& state, SolveReport& report);
   double mean_product(double alpha) const;  // after a step of alpha along the direction

@@ -80,7 +80,7 @@ struct SolverSettings {
   Method method = Method::automatic;
   double tolerance = 1e-6;          // on Residual::natural [1]
   double velocity_tolerance = 0.1;  // on SolveReport::velocity_change [1]
-  int max_iterations = 20000;       // sweeps of Gauss-Seidel
+  int max_iterations = 20000;       // sweeps of Gauss-Seidel, or as much relaxation
   int max_factorisations = 80;      // of one interior-point attempt
   bool patient = true;              // of `automatic`: goes on as long as anything is gained
 

@@ -45,6 +45,23 @@ TEST_P(Step, FindsContactsThatOnlyAnotherContactCauses) {
   EXPECT_GT(run.world.disks.velocity[2].x(), 1) << "the third must have been hit";
 }
 
+// What is repeated with half the time step need not be solved again with what its lost solution would hit.
+TEST(Patience, ALostStepIsNotSolvedAgain) {
+  const auto sweeps = [](bool stop_if_unconverged) {
+    Scenario scene = hanging_chain(Method::gauss_seidel, 60, 3);
+    for (const double x : {50.0, 51.0, 52.1}) scene.disks.push_back({.position = {x, 0}});
+    scene.disks[scene.disks.size() - 3].velocity = {40, 0};
+    Simulation run(scene);
+    run.solver.max_iterations = 1;
+    run.step.stop_if_unconverged = stop_if_unconverged;
+    run.advance();
+    EXPECT_FALSE(run.last.converged);
+    return run.last.solve.iterations;
+  };
+  EXPECT_EQ(sweeps(true), 1);
+  EXPECT_GE(sweeps(false), 2);
+}
+
 TEST_P(Step, AVelocityThatIsNotFiniteStopsBeforeTheWorldIsTouched) {
   Simulation run(column(GetParam(), 3));
   run.advance(2);
