@@ -48,7 +48,8 @@ class CampaignRun {
         jobs_(campaign_jobs(campaign_, options.file, out_)),
         records_(jobs_.size()) {}
 
-  int dry_run() const {
+  int dry_run() {
+    look();
     for (const Job& job : jobs_) std::printf("%s\n", job_name(job).c_str());
     std::printf("%zu runs would go to %s\n", jobs_.size(), (out_ / "runs").c_str());
     return kFine;
@@ -81,7 +82,7 @@ class CampaignRun {
   // A part of the campaign, whose table is somebody else's business.
   int run_task(std::int64_t task) {
     const std::span<const Job> jobs = task_jobs(jobs_, campaign_.chunk, task);
-    for (const Job& job : jobs) record_of(job);
+    for (const Job& job : jobs) own_record(job);
     const PoolReport pool =
         run_jobs(jobs, {thread_count(options_.threads), campaign_.frames, options_.quiet, {}});
     for (std::size_t i = 0; i < jobs.size(); ++i) {
@@ -115,17 +116,7 @@ class CampaignRun {
  private:
   fs::path results() const { return out_ / "results.csv"; }
 
-  // What is in the folder. Throws InputError if that is the run of another scene, which would be lost.
-  static RunRecord record_of(const Job& job) {
-    RunRecord record = read_record(job);
-    if (!record.other_scene) return record;
-    throw InputError(job.folder.scene().string(),
-                     "is not the scene of run " + job_name(job) +
-                         ": the folder holds another campaign, or this one was changed; choose "
-                         "another folder with --out, or remove it");
-  }
-
-  void look() { std::ranges::transform(jobs_, records_.begin(), record_of); }
+  void look() { std::ranges::transform(jobs_, records_.begin(), own_record); }
 
   void prepare() const {
     make_writable({out_});

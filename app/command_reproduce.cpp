@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/campaign/job_pool.h"
+#include "app/campaign/run_record.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/json/json_reader.h"
@@ -203,6 +204,7 @@ int reproduce(const ReproduceArguments& options) {
   std::vector<Chosen> all = chosen(options);
   PaperJobs jobs(scale_of(options), options.out);
   for (Chosen& c : all) c.experiment->plan(jobs);
+  std::ranges::for_each(jobs.jobs(), own_record);
   if (options.dry_run) {
     for (const Job& job : jobs.jobs()) std::printf("%s\n", job.id.c_str());
     std::printf("%zu runs would go to %s\n", jobs.jobs().size(), (options.out / "runs").c_str());

@@ -10,6 +10,9 @@ namespace quicksand {
 
 namespace {
 
+// Beyond, shorter steps are no answer to what does not converge. [1]
+constexpr int kManyHalvings = 16;
+
 // Goes on with other settings than those that failed.
 std::string continue_command(const RunFolder& folder, const RunOptions& options) {
   return "quicksand run " + shell_text(folder.scene()) + " --continue " +
@@ -28,12 +31,20 @@ int tell_failure(const RunResult& result, const RunOptions& options) {
                  shell_text(result.folder.path).c_str());
     return kRunFailed;
   }
+  const std::string command = continue_command(result.folder, options);
+  std::fprintf(stderr, "quicksand: the run failed: %s\n  results so far are in %s\n",
+               result.end.failure.c_str(), folder.c_str());
+  if (result.most_halvings < kManyHalvings)
+    std::fprintf(stderr, "  continue with: %s --set step.max_halvings=%d\n", command.c_str(),
+                 kManyHalvings);
+  else
+    std::fprintf(
+        stderr,
+        "  continue with a larger tolerance, here or as solver_tolerance of the phase: %s --set "
+        "solver.tolerance=1e-4\n",
+        command.c_str());
   std::fprintf(stderr,
-               "quicksand: the run failed: %s\n  results so far are in %s\n"
-               "  continue with: %s --set step.max_halvings=16\n"
-               "  or, to take such steps as they are, with --set step.on_unconverged=continue\n",
-               result.end.failure.c_str(), folder.c_str(),
-               continue_command(result.folder, options).c_str());
+               "  or, to take such steps as they are, with --set step.on_unconverged=continue\n");
   return kRunFailed;
 }
 

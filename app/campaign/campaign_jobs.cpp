@@ -26,11 +26,12 @@ constexpr std::uint64_t kMaxSeed = std::uint64_t{1} << 53U;  // as in a scene
 // Listed bodies of all runs together, which are in memory at the same time.
 constexpr std::size_t kMaxListedBodies = 5'000'000;
 
-std::string id_of(std::size_t number) {
-  // Always five digits, so that a longer grid keeps the names of the runs that are there already.
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%05zu", number);
-  return text.data();
+// 00012 is the first run of point 12, 00012_3 its fourth: a longer grid and more realizations keep the names of
+// the runs that are there already.
+std::string id_of(std::size_t point, std::int64_t realization) {
+  std::array<char, 48> text{};
+  std::snprintf(text.data(), text.size(), "%05zu", point);
+  return text.data() + (realization > 0 ? "_" + std::to_string(realization) : std::string());
 }
 
 // Each path is given in one place only, and none is also a column of its own in results.csv.
@@ -56,7 +57,7 @@ void check_paths(const Campaign& campaign) {
   }
 }
 
-std::int64_t number_of_runs(const Campaign& campaign) {
+void check_number_of_runs(const Campaign& campaign) {
   std::int64_t runs = campaign.realizations;
   const auto times = [&](std::size_t count) {
     if (count > static_cast<std::size_t>(kMaxRuns / runs)) {
@@ -67,7 +68,6 @@ std::int64_t number_of_runs(const Campaign& campaign) {
   };
   if (campaign.list.is_array()) times(campaign.list.size());
   for (const Json& values : campaign.grid) times(values.size());
-  return runs;
 }
 
 // All combinations of an entry of the list with values of the grid, the last path varying fastest.
@@ -100,34 +100,61 @@ class Expansion {
   std::vector<Job> jobs() {
     try {
       check_paths(campaign_);
-      jobs_.reserve(static_cast<std::size_t>(number_of_runs(campaign_)));
+      check_number_of_runs(campaign_);
     } catch (const InputError& error) {
       throw InputError(file_.string() + (error.where().empty() ? "" : ": " + error.where()),
                        error.what());
     }
     for (const ParameterValues& point : points_of(campaign_)) add(point);
-    return std::move(jobs_);
+    std::vector<Job> jobs;
+    for (std::size_t p = 0; p < points_.size(); ++p)
+      for (std::int64_t k = 0; k < campaign_.realizations; ++k)
+        jobs.push_back(realization(points_[p], k, id_of(p, k)));
+    return jobs;
   }
 
  private:
-  void add(const ParameterValues& point) {
+  struct Point {
+    ParameterValues values;
+    Job first;                // its first realization
+    std::size_t physics = 0;  // hash of its scene but for the seed
+  };
+
+  void add(const ParameterValues& values) {
     Job job;
     try {
       Json scene = campaign_.scene;
       for (const auto& [path, value] : campaign_.set.items()) set_value(scene, path, value, path);
-      for (const auto& [path, value] : point) set_value(scene, path, value, path);
+      for (const auto& [path, value] : values) set_value(scene, path, value, path);
       job.scenario = scenario_from_json(scene);
       validate(job.scenario);
       check_start(job.scenario);
       job.values = columns(scene);
-      add_realizations(job);
+      check_realizations(job.scenario);
     } catch (const InputError& error) {
-      const std::string& where = error.where();
-      const std::string place = where.empty() ? "(" : where + " (" + origin(where) + "; ";
-      const std::string values = point.empty() ? std::string() : ": " + values_text(point);
-      throw InputError(file_.string() + ": " + place + "run " + id_of(jobs_.size()) + values + ")",
-                       error.what());
+      refuse(error, values, id_of(points_.size(), 0));
     }
+    Scenario physics = job.scenario;
+    physics.seed = 0;
+    points_.push_back({values, std::move(job), std::hash<std::string>()(to_text(physics))});
+  }
+
+  Job realization(const Point& point, std::int64_t k, const std::string& id) {
+    Job job = point.first;
+    job.scenario.seed += static_cast<std::uint64_t>(k);
+    job.id = id;
+    job.folder = {out_ / "runs" / id};
+    const auto [known, is_new] = known_.try_emplace({point.physics, job.scenario.seed}, id);
+    if (!is_new) refuse(InputError("", "is the same as run " + known->second), point.values, id);
+    return job;
+  }
+
+  [[noreturn]] void refuse(const InputError& error, const ParameterValues& point,
+                           const std::string& id) const {
+    const std::string& where = error.where();
+    const std::string place = where.empty() ? "(" : where + " (" + origin(where) + "; ";
+    const std::string values = point.empty() ? std::string() : ": " + values_text(point);
+    throw InputError(file_.string() + ": " + place + "run " + id + values + ")", error.what());
   }
 
   // What the runs' parameters are at this point, also where only another point of the list names them.
@@ -139,26 +166,15 @@ class Expansion {
     return values;
   }
 
-  void add_realizations(Job& job) {
-    const std::uint64_t first = job.scenario.seed;
-    if (first + static_cast<std::uint64_t>(campaign_.realizations - 1) > kMaxSeed) {
+  void check_realizations(const Scenario& first) {
+    if (first.seed + static_cast<std::uint64_t>(campaign_.realizations - 1) > kMaxSeed) {
       throw InputError(kSeed, "is too large for " + std::to_string(campaign_.realizations) +
                                   " realizations; at most 2^53 is possible");
     }
-    bodies_ += job.scenario.disks.size() * static_cast<std::size_t>(campaign_.realizations);
+    bodies_ += first.disks.size() * static_cast<std::size_t>(campaign_.realizations);
     if (bodies_ > kMaxListedBodies) {
       throw InputError("bodies", "are too many to hold for all runs at once; at most " +
                                      std::to_string(kMaxListedBodies) + " are possible");
-    }
-    job.scenario.seed = 0;
-    const std::size_t physics = std::hash<std::string>()(to_text(job.scenario));
-    for (std::int64_t k = 0; k < campaign_.realizations; ++k) {
-      job.scenario.seed = first + static_cast<std::uint64_t>(k);
-      job.id = id_of(jobs_.size());
-      job.folder = {out_ / "runs" / job.id};
-      const auto [known, is_new] = known_.try_emplace({physics, job.scenario.seed}, job.id);
-      if (!is_new) throw InputError("", "is the same as run " + known->second);
-      jobs_.push_back(job);
     }
   }
 
@@ -195,7 +211,7 @@ class Expansion {
   const Campaign& campaign_;
   fs::path file_, out_;
   std::vector<std::string> paths_ = parameter_paths(campaign_);
-  std::vector<Job> jobs_;
+  std::vector<Point> points_;
   std::size_t bodies_ = 0;
   std::map<std::pair<std::size_t, std::uint64_t>, std::string> known_;  // runs by scene and seed
   std::set<std::string> checked_;

@@ -75,4 +75,13 @@ RunRecord read_record(const Job& job) {
   return record;
 }
 
+RunRecord own_record(const Job& job) {
+  RunRecord record = read_record(job);
+  if (!record.other_scene) return record;
+  throw InputError(job.folder.scene().string(),
+                   "is not the scene of run " + job_name(job) +
+                       ": the folder holds the runs of something else, or of other settings; "
+                       "choose another folder with --out, or remove it");
+}
+
 }  // namespace quicksand

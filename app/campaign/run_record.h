@@ -25,4 +25,8 @@ struct RunRecord {
 
 RunRecord read_record(const Job& job);
 
+// The same, of a folder that is to be the job's. Throws InputError if it holds the run of another scene, which would
+// be lost.
+RunRecord own_record(const Job& job);
+
 }  // namespace quicksand

@@ -169,7 +169,7 @@ class Script {
   }
 
   // The name of a guide stands above the graph, to the right of its line or, where it would leave the picture,
-  // to the left; just inside where others stand there already.
+  // to the left; where others stand there already inside the graph, as many lines down as needed.
   std::string place_of_name(const Reference& reference) {
     constexpr double kCharacter = 0.015;  // about its width, over the graph's
     const auto at = [&](double x) { return plot_.x.logarithmic ? std::log(x) : x; };
@@ -179,13 +179,17 @@ class Script {
     const bool to_the_left = from + width > 1;
     const std::pair taken =
         to_the_left ? std::pair(from - width, from) : std::pair(from, from + width);
-    const auto overlaps = [&](const std::pair<double, double>& other) {
-      return other.first < taken.second && taken.first < other.second;
+    const auto fits = [&](const std::vector<std::pair<double, double>>& line) {
+      return std::ranges::none_of(line, [&](const std::pair<double, double>& other) {
+        return other.first < taken.second && taken.first < other.second;
+      });
     };
-    const bool inside = std::ranges::any_of(names_, overlaps);
-    if (!inside) names_.push_back(taken);
+    auto line = std::ranges::find_if(names_, fits);
+    if (line == names_.end()) line = names_.emplace(names_.end());
+    line->push_back(taken);
+    const auto down = static_cast<double>(line - names_.begin());
     return "first " + number_text(reference.low) + ", graph 1 " + (to_the_left ? "right" : "left") +
-           (inside ? " offset character 0, -0.7" : " offset character 0, 0.7");
+           " offset character 0, " + number_text(down == 0 ? 0.7 : 0.3 - down);
   }
 
   void given(const Reference& reference) {
@@ -322,8 +326,9 @@ class Script {
   std::vector<Look> looks_;
   std::vector<std::vector<PlotRow>> rows_;  // of each curve
   Extent x_, y_, y2_;
-  std::vector<std::pair<double, double>> names_;  // from and to, over the graph's width
-  std::vector<std::string> elements_;             // of the plot command
+  std::vector<std::vector<std::pair<double, double>>>
+      names_;                          // of guides, line by line, over the graph's width
+  std::vector<std::string> elements_;  // of the plot command
   std::string plot_command_;
   bool uses_bars_ = false;
   std::string script_;

@@ -7,7 +7,9 @@
 
 #include "app/json/json_reader.h"
 #include "app/report/typeset_number.h"
+#include "app/run/distrust.h"
 #include "app/run/quantities.h"
+#include "app/run/search_results.h"
 #include "app/scene/scenario_json.h"
 #include "app/scene/scene_report.h"
 #include "core/errors.h"
@@ -15,9 +17,6 @@
 namespace quicksand {
 
 namespace {
-
-// Deeper overlaps are not the solver's rounding any more. [d]
-constexpr double kSmallOverlap = 1e-3;
 
 struct Named {
   const char* key;  // of summary.json
@@ -204,11 +203,11 @@ std::vector<std::string> run_warnings(const RunResults& run) {
     warnings.push_back(typeset(withheld) +
                        " breaks of bonds were withheld in steps that did not converge.");
   }
-  double overlap = 0;
-  for (const double value : run.column("max_overlap")) overlap = std::max(overlap, value);
-  if (overlap > kSmallOverlap) {
-    warnings.push_back("Bodies overlap by up to " + typeset(overlap, 2) + " d.");
+  const double overlap = number_or(run, "worst_overlap", 0);
+  if (overlap > StrictBounds{}.max_overlap) {
+    warnings.push_back("Bodies overlapped by up to " + typeset(overlap, 2) + " d.");
   }
+  std::ranges::move(search_warnings(summary), std::back_inserter(warnings));
   return warnings;
 }
 

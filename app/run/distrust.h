@@ -1,4 +1,4 @@
-// --strict: what makes a run that went through to its end one that should not be believed.
+// What makes a run that went through to its end one that should not be believed.
 #pragma once
 
 #include <string>

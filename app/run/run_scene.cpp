@@ -56,7 +56,8 @@ class Run {
   }
 
   RunResult complete() {
-    RunResult result{folder_, {}, {}, {}};
+    RunResult result{.folder = folder_};
+    result.most_halvings = scenario_.step.max_halvings;
     try {
       result.end.how = compute();
       if (result.end.how == RunEnd::How::failed) result.end.failure = protocol().failure();
@@ -66,6 +67,12 @@ class Run {
         result.notes.push_back("the last phase (" +
                                std::string(phase_name(scenario_.phases.back())) +
                                ") ended at its max_time, before it came to rest");
+      if (const std::string doubts = distrust_now({}); !options_.strict && !doubts.empty())
+        result.notes.push_back("not to be believed: " + doubts);
+      std::ranges::move(moving_bases_, std::back_inserter(result.notes));
+      for (const std::string& warning :
+           search_warnings(search_results(scenario_, protocol().state())))
+        result.notes.push_back(warning);
       if (film_ && higher_than_the_picture())
         result.notes.push_back("the packing is higher than box.height, " +
                                number_text(scenario_.box.height) + " d, where the pictures end");
@@ -85,8 +92,7 @@ class Run {
     } catch (const InputError& error) {
       fail(result.end, error);
     }
-    if (options_.strict)
-      result.distrust = distrust(protocol().state(), last.sample.max_overlap, *options_.strict);
+    if (options_.strict) result.distrust = distrust_now(*options_.strict);
     return result;
   }
 
@@ -99,6 +105,10 @@ class Run {
   }
 
   const Protocol& protocol() const { return course_.protocol(); }
+
+  std::string distrust_now(const StrictBounds& bounds) const {
+    return distrust(protocol().state(), course_.last().sample.max_overlap, bounds);
+  }
 
   void record(const Row& row, const World& world) {
     series_.add(row);
@@ -119,6 +129,7 @@ class Run {
         how = RunEnd::How::failed;
         break;
       }
+      if (made == Progress::phase_ended) look_at_base();
       if (made == Progress::phase_ended ||
           seconds_since(checkpointed_) >= options_.checkpoint_every)
         write_state();
@@ -129,6 +140,17 @@ class Run {
     if (how == RunEnd::How::finished) write_state();
     progress.end();
     return how;
+  }
+
+  // Trials compare forces only if what they begin from would stand by itself.
+  void look_at_base() {
+    const Phase* next = protocol().phase();
+    if (!next || !protocol().missed_rest()) return;
+    const SearchKind kind = search_kind(*next);
+    if (kind != SearchKind::pull && kind != SearchKind::shear) return;
+    moving_bases_.push_back("phase " + std::to_string(protocol().state().phase - 1) +
+                            " ended at its max_time, before it came to rest: the trials of " +
+                            std::string(phase_name(*next)) + " begin with bodies that move");
   }
 
   bool higher_than_the_picture() const {
@@ -160,6 +182,7 @@ class Run {
   Series series_;
   std::optional<Film> film_;
   Course course_;
+  std::vector<std::string> moving_bases_;  // a sentence for each search that begins in motion
   Clock::time_point began_ = Clock::now();
   Clock::time_point checkpointed_ = Clock::now();
 };

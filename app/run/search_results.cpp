@@ -1,5 +1,6 @@
 #include "app/run/search_results.h"
 
+#include "app/json/json_reader.h"
 #include "core/shear_strength.h"
 #include "core/whole_file.h"
 
@@ -100,6 +101,28 @@ Json search_results(const Scenario& scenario, const ProtocolState& state) {
         json_of(shear_strength(state.critical_forces, phase, shear->depths), phase));
   }
   return json;
+}
+
+std::vector<std::string> search_warnings(const Json& results) {
+  std::vector<std::string> warnings;
+  int never = 0, always = 0;
+  for (const Json& found : results.value("critical_forces", Json::array())) {
+    if (found.at("force_high").is_null()) ++never;
+    if (found.at("force_low") == 0) ++always;
+  }
+  const auto bodies = [](int n) { return std::to_string(n) + (n == 1 ? " body" : " bodies"); };
+  const std::string times =
+      "2^" + std::to_string(ForceBracket::kMostDoublings) + " times first_force";
+  if (never > 0) warnings.push_back(bodies(never) + " moved at no force up to " + times + ".");
+  if (always > 0)
+    warnings.push_back(bodies(always) + " moved at every force down to first_force/2^" +
+                       std::to_string(ForceBracket::kMostDoublings) + ".");
+  for (const Json& shear : results.value("shear_strength", Json::array()))
+    for (const Json& at : shear.at("depths"))
+      if (at.at("grains") == 0 && at.at("never_moved") == 0)
+        warnings.push_back("No grain was found within 0.5 d of the depth " +
+                           number_text(at.at("depth").get<double>()) + " d.");
+  return warnings;
 }
 
 void write_search_tables(const RunFolder& folder, const ProtocolState& state) {

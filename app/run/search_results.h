@@ -12,6 +12,10 @@ namespace quicksand {
 // there is nothing to say under it.
 Json search_results(const Scenario& scenario, const ProtocolState& state);
 
+// What a reader of these results (or of a summary that holds them) must know, a sentence each: critical forces
+// without a bound, depths without grains.
+std::vector<std::string> search_warnings(const Json& results);
+
 // Writes the tables that have rows. Throws InputError.
 void write_search_tables(const RunFolder& folder, const ProtocolState& state);
 

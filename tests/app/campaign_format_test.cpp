@@ -59,16 +59,16 @@ TEST(CampaignFormat, TheFirstPathOfAGridVariesSlowestAndSeedsFastest) {
   EXPECT_EQ(job_name(jobs[0]),
             "00000 (contact.friction=0.3, phases[1].force_over_cohesion=0.33, seed=4)");
   EXPECT_EQ(job_name(jobs[1]),
-            "00001 (contact.friction=0.3, phases[1].force_over_cohesion=0.33, seed=5)");
+            "00000_1 (contact.friction=0.3, phases[1].force_over_cohesion=0.33, seed=5)");
   EXPECT_EQ(job_name(jobs[11]),
-            "00011 (contact.friction=0.6, phases[1].force_over_cohesion=3, seed=5)");
+            "00005_1 (contact.friction=0.6, phases[1].force_over_cohesion=3, seed=5)");
   const Scenario& last = jobs[11].scenario;
   EXPECT_EQ(last.grain_law.friction, 0.6);
   EXPECT_EQ(std::get<DepositPhase>(last.phases[0].kind).grains, 7);
   EXPECT_EQ(std::get<PushPhase>(last.phases[1].kind).force, 300);
   EXPECT_EQ(last.seed, 5U);
   EXPECT_EQ(last.name, "base");
-  EXPECT_EQ(jobs[11].folder.path, fs::path("out/runs/00011"));
+  EXPECT_EQ(jobs[11].folder.path, fs::path("out/runs/00005_1"));
 }
 
 TEST(CampaignFormat, AListIsMultipliedWithTheGridAndShowsEveryParameter) {
@@ -167,7 +167,7 @@ const Mistake kMistakes[] = {
      {"contact.frction (from grid; run 00000: contact.friction=0.3", "did you mean \"friction\""}},
     {"OutOfRange",
      R"({"grid": {"contact.friction": [0.3, -0.6]}})",
-     {"contact.friction (from grid; run 00006: contact.friction=-0.6", "is -0.6",
+     {"contact.friction (from grid; run 00003: contact.friction=-0.6", "is -0.6",
       "a number from 0 to 100"}},
     {"NoSuchEntry", R"({"list": [{"phases[2].dt": 1}]})", {"phases[2].dt (from list", "entry 2"}},
     {"BadSet", R"({"set": {"step.dt": 0}})", {"step.dt (from set; run 00000", "a number above 0"}},
@@ -181,10 +181,10 @@ const Mistake kMistakes[] = {
     {"SeedsTwice", R"({"grid": {"seed": [1, 2]}})", {"grid: seed", "realizations"}},
     {"SameRuns",
      R"({"grid": {"contact.friction": [0.3, 0.3]}})",
-     {"force.json: (run 00006: contact.friction=0.3", "is the same as run 00000"}},
+     {"force.json: (run 00003: contact.friction=0.3", "is the same as run 00000"}},
     {"OverlappingSeeds",
      R"({"list": [{"seed": 3}, {"seed": 4}]})",
-     {"run 00012", "is the same as run 00001"}},
+     {"run 00006", "is the same as run 00000_1"}},
     {"ColumnOfItsOwn", R"({"grid": {"step": [{}]}})", {"grid: step", "column of results.csv"}},
     {"AbsentStart",
      R"({"set": {"start_from": "no.cbor"}})",

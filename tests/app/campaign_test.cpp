@@ -101,7 +101,8 @@ TEST_F(CampaignTest, LeavesATableWithARowARunWhateverTheNumberOfThreads) {
   const std::string table = contents(at("one/results.csv"));
   EXPECT_EQ(physics(contents(at("two/results.csv"))), physics(table));
   using Cells = std::vector<std::string>;
-  EXPECT_EQ(column(table, "run"), (Cells{"00000", "00001", "00002", "00003", "00004", "00005"}));
+  EXPECT_EQ(column(table, "run"),
+            (Cells{"00000", "00000_1", "00000_2", "00001", "00001_1", "00001_2"}));
   EXPECT_EQ(column(table, "contact.friction"), (Cells{"0.3", "0.3", "0.3", "0.6", "0.6", "0.6"}));
   EXPECT_EQ(column(table, "seed"), (Cells{"5", "6", "7", "5", "6", "7"}));
   EXPECT_EQ(column(table, "status"), Cells(6, "finished"));
@@ -111,9 +112,35 @@ TEST_F(CampaignTest, LeavesATableWithARowARunWhateverTheNumberOfThreads) {
                        "contact.friction=0.6", "--out", "alone"})
                 .exit_code,
             0);
-  EXPECT_EQ(contents(at("one/runs/00005/series.csv")), contents(at("alone/series.csv")));
+  EXPECT_EQ(contents(at("one/runs/00001_2/series.csv")), contents(at("alone/series.csv")));
   EXPECT_EQ(column(table, "world_hash")[5],
             parse_json(contents(at("alone/summary.json")))["world_hash"]);
+}
+
+// More realizations compute only what is new.
+TEST_F(CampaignTest, GrowsInItsFolder) {
+  const auto campaign = [&](const std::string& realizations) {
+    folder_.write("grows.json", R"({"scene": "small.json", "grid": {"contact.friction": [0.3, 0.6]},
+                                    "realizations": )" +
+                                    realizations + "}");
+    return quicksand({"campaign", "grows.json", "--out", "grown"});
+  };
+  ASSERT_EQ(campaign("1").exit_code, 0);
+  const std::string before = contents(at("grown/runs/00001/series.csv"));
+  const auto written = fs::last_write_time(at("grown/runs/00001/summary.json"));
+  const Outcome more = campaign("3");
+  ASSERT_EQ(more.exit_code, 0) << more.err;
+  EXPECT_NE(more.out.find("6 runs, 6 finished"), std::string::npos) << more.out;
+  EXPECT_EQ(contents(at("grown/runs/00001/series.csv")), before);
+  EXPECT_EQ(fs::last_write_time(at("grown/runs/00001/summary.json")), written);
+}
+
+TEST_F(CampaignTest, ADryRunSeesTheRunsOfAnotherCampaign) {
+  ASSERT_EQ(quicksand({"campaign", "many.json", "--out", "used"}).exit_code, 0);
+  folder_.write("other.json", R"({"scene": "small.json", "grid": {"contact.friction": [0.1]}})");
+  const Outcome dry = quicksand({"campaign", "other.json", "--dry-run", "--out", "used"});
+  EXPECT_EQ(dry.exit_code, 2) << dry.out;
+  EXPECT_NE(dry.err.find("is not the scene of run 00000"), std::string::npos) << dry.err;
 }
 
 TEST_F(CampaignTest, ADryRunListsTheRunsAndLeavesNothing) {
@@ -138,10 +165,10 @@ TEST_F(CampaignTest, SlowAfterAKillFinishedRunsAreNotRepeated) {
   write_long();
   ASSERT_EQ(quicksand({"campaign", "many.json", "--out", "whole"}).exit_code, 0);
   Program program({"campaign", "many.json", "--threads", "1"}, folder_.path());
-  wait_until([&] { return fs::exists(at("out/many/runs/00001/series.csv")); });
+  wait_until([&] { return fs::exists(at("out/many/runs/00000_1/series.csv")); });
   program.signal(SIGKILL);
   EXPECT_EQ(program.wait().exit_code, 128 + SIGKILL);
-  EXPECT_FALSE(fs::exists(at("out/many/runs/00001/summary.json")));
+  EXPECT_FALSE(fs::exists(at("out/many/runs/00000_1/summary.json")));
   const auto finished = fs::last_write_time(at("out/many/runs/00000/summary.json"));
 
   const Outcome status = quicksand({"campaign", "many.json", "--status"});
@@ -161,7 +188,7 @@ TEST_F(CampaignTest, SlowAfterAKillFinishedRunsAreNotRepeated) {
 TEST_F(CampaignTest, RunsOfAnEarlierFormatAreComputedAgain) {
   write_long();
   ASSERT_EQ(quicksand({"campaign", "many.json"}).exit_code, 0);
-  const std::string state = "out/many/runs/00001/state.cbor";
+  const std::string state = "out/many/runs/00000_1/state.cbor";
   const std::string before = contents(at(state));
   folder_.write(state, of_an_older_version(before));
   EXPECT_EQ(quicksand({"campaign", "many.json", "--status"}).out,
@@ -178,18 +205,18 @@ TEST_F(CampaignTest, SlowInterruptedRunsGoOnFromTheirStates) {
     const std::string series = contents(at("out/many/runs/" + run + "/series.csv"));
     return std::count(series.begin(), series.end(), '\n');
   };
-  wait_until([&] { return rows("00000") > 50 && rows("00001") > 50; });
+  wait_until([&] { return rows("00000") > 50 && rows("00000_1") > 50; });
   program.signal(SIGINT);
   const Outcome interrupted = program.wait();
   EXPECT_EQ(interrupted.exit_code, 130) << interrupted.err;
   EXPECT_NE(interrupted.out.find("2 interrupted, 1 missing"), std::string::npos) << interrupted.out;
-  const Json before = summary("00001");
+  const Json before = summary("00000_1");
   EXPECT_EQ(before["interrupted"], true);
 
   ASSERT_EQ(quicksand({"campaign", "many.json"}).exit_code, 0);
   const auto hashes = column(contents(at("out/many/results.csv")), "world_hash");
   EXPECT_EQ(hashes, column(contents(at("whole/results.csv")), "world_hash"));
-  const Json after = summary("00001");
+  const Json after = summary("00000_1");
   EXPECT_EQ(after["steps"], after["step"]);
   // The second part did not compute the first again.
   const double second =
@@ -218,17 +245,17 @@ TEST_F(CampaignTest, RunsOfAnotherCampaignAreNotOverwritten) {
                     "realizations": 3})");
   const Outcome changed = quicksand({"campaign", "many.json"});
   EXPECT_EQ(changed.exit_code, 2);
-  EXPECT_NE(changed.err.find("out/many/runs/00003/scene.json: is not the scene of run 00003"),
+  EXPECT_NE(changed.err.find("out/many/runs/00001/scene.json: is not the scene of run 00001"),
             std::string::npos)
       << changed.err;
   // A longer grid keeps what is there.
   folder_.write("many.json",
                 R"({"scene": "small.json", "grid": {"contact.friction": [0.3, 0.6, 0.9]},
                     "realizations": 3})");
-  const auto before = fs::last_write_time(at("out/many/runs/00003/summary.json"));
+  const auto before = fs::last_write_time(at("out/many/runs/00001/summary.json"));
   EXPECT_EQ(quicksand({"campaign", "many.json"}).exit_code, 0);
-  EXPECT_EQ(fs::last_write_time(at("out/many/runs/00003/summary.json")), before);
-  EXPECT_TRUE(fs::exists(at("out/many/runs/00008/summary.json")));
+  EXPECT_EQ(fs::last_write_time(at("out/many/runs/00001/summary.json")), before);
+  EXPECT_TRUE(fs::exists(at("out/many/runs/00002_2/summary.json")));
 }
 
 TEST_F(CampaignTest, ATaskComputesItsChunkOnly) {
@@ -236,9 +263,9 @@ TEST_F(CampaignTest, ATaskComputesItsChunkOnly) {
                 R"({"scene": "small.json", "grid": {"contact.friction": [0.3, 0.6]},
                     "realizations": 3, "chunk": 4})");
   ASSERT_EQ(quicksand({"campaign", "many.json", "--task", "1"}).exit_code, 0);
-  EXPECT_FALSE(fs::exists(at("out/many/runs/00003")));
-  EXPECT_TRUE(fs::exists(at("out/many/runs/00004/summary.json")));
-  EXPECT_TRUE(fs::exists(at("out/many/runs/00005/summary.json")));
+  EXPECT_FALSE(fs::exists(at("out/many/runs/00001")));
+  EXPECT_TRUE(fs::exists(at("out/many/runs/00001_1/summary.json")));
+  EXPECT_TRUE(fs::exists(at("out/many/runs/00001_2/summary.json")));
   const Outcome beyond = quicksand({"campaign", "many.json", "--task", "2"});
   EXPECT_EQ(beyond.exit_code, 2);
   EXPECT_NE(beyond.err.find("from 0 to 1"), std::string::npos) << beyond.err;
@@ -306,8 +333,8 @@ TEST_F(CampaignTest, SbatchReceivesWordsThatNoShellReads) {
       std::system(("sh " + shell_text(fs::path(folder) / "slurm.sh") + " >/dev/null").c_str());
   unsetenv("SLURM_ARRAY_TASK_ID");
   EXPECT_EQ(ended, 0);
-  EXPECT_TRUE(fs::exists(fs::path(folder) / "runs/00006/summary.json"));
-  EXPECT_FALSE(fs::exists(fs::path(folder) / "runs/00005"));
+  EXPECT_TRUE(fs::exists(fs::path(folder) / "runs/00000_6/summary.json"));
+  EXPECT_FALSE(fs::exists(fs::path(folder) / "runs/00000_5"));
 }
 
 TEST(Slurm, TasksAreGivenAsRanges) {

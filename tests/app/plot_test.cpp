@@ -192,7 +192,7 @@ TEST(PlotScript, LabelsStandAboveOrBelowTheirPoints) {
 // What begins shortly before something else has its name beside it, not under it.
 TEST(PlotScript, NamesOfLinesNearEachOtherStandApart) {
   Plot plot{.name = "near", .curves = {{.x = {0, 100}, .y = {0, 1}}}};
-  for (const double x : {50.0, 62.0, 63.0, 98.0})
+  for (const double x : {50.0, 62.0, 63.0, 64.0, 98.0})
     plot.references.push_back(
         {.name = "settle", .low = x, .high = x, .of_x = true, .role = Reference::Role::guide});
   const std::string script = plot_script(plot);
@@ -204,6 +204,7 @@ TEST(PlotScript, NamesOfLinesNearEachOtherStandApart) {
   EXPECT_EQ(place("50"), "first 50, graph 1 left offset character 0, 0.7");
   EXPECT_EQ(place("62"), "first 62, graph 1 left offset character 0, 0.7");
   EXPECT_EQ(place("63"), "first 63, graph 1 left offset character 0, -0.7");
+  EXPECT_EQ(place("64"), "first 64, graph 1 left offset character 0, -1.7");
   EXPECT_EQ(place("98"), "first 98, graph 1 right offset character 0, 0.7");
 }
 

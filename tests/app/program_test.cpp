@@ -255,11 +255,24 @@ TEST_F(ProgramTest, ARunThatCannotConvergeFailsWithACheckpointAndSaysHowToGoOn) 
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_NE(run.err.find("did not converge"), std::string::npos) << run.err;
   EXPECT_NE(run.err.find("--continue out/small/state.cbor"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("--set step.max_halvings=16"), std::string::npos) << run.err;
   EXPECT_TRUE(parse_json(contents(at("out/small/summary.json")))["failure"].is_string());
   const Outcome continued =
       quicksand({"run", "out/small/scene.json", "--continue", "out/small/state.cbor", "--no-frames",
                  "--set", "solver={}"});
   EXPECT_EQ(continued.exit_code, 0) << continued.err;
+}
+
+TEST_F(ProgramTest, WhereHalvingDidNotHelpALargerToleranceIsProposed) {
+  write_scene();
+  const Outcome run =
+      quicksand({"run", "small.json", "--no-frames", "--set", "solver.method=gauss_seidel", "--set",
+                 "solver.max_iterations=1", "--set", "solver.tolerance=1e-300", "--set",
+                 "step.on_unconverged=halve", "--set", "step.max_halvings=30"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.err.find("even with a time step of 9.31e-12"), std::string::npos) << run.err;
+  EXPECT_EQ(run.err.find("max_halvings"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("--set solver.tolerance=1e-4"), std::string::npos) << run.err;
 }
 
 TEST_F(ProgramTest, UnusableOutputFoldersAreRefusedBeforeAnythingIsComputed) {

@@ -204,6 +204,21 @@ TEST_F(Reproduce, ATooSmallBoxIsRefused) {
   EXPECT_NE(outcome.err.find("from 12 to 1000"), std::string::npos) << outcome.err;
 }
 
+TEST_F(Reproduce, RunsOfOtherSettingsAreNotOverwritten) {
+  const std::string scene = "paper/runs/sample/00/scene.json";
+  folder_.write(scene, "{}\n");
+  const std::string out = (folder_.path() / "paper").string();
+  for (const bool dry : {true, false}) {
+    std::vector<std::string> words{"piston", "--quick", "--realizations", "1", "--out", out};
+    if (dry) words.emplace_back("--dry-run");
+    const Outcome outcome = reproduce(words);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
+    EXPECT_NE(outcome.err.find("is not the scene of run sample/00"), std::string::npos)
+        << outcome.err;
+  }
+  EXPECT_EQ(contents(folder_.path() / scene), "{}\n");
+}
+
 TEST_F(Reproduce, SlowReportsOnWhatRanAndRepeatsNothing) {
   const std::string out = (folder_.path() / "paper").string();
   const std::vector<std::string> words{"piston", "--quick",        "--width", "12",      "--height",

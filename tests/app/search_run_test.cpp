@@ -83,6 +83,30 @@ TEST_F(SearchRun, StandsInItsReport) {
   EXPECT_NE(text("plots/kinetic_energy.csv").find("\n1,nan,nan,,,,,"), std::string::npos);
 }
 
+TEST_F(SearchRun, SaysWhatWasNotFoundAndFromWhatItBegan) {
+  const std::string none = "No grain was found within 0.5 d of the depth 7 d.";
+  const std::string held = "1 body moved at no force up to 2^20 times first_force.";
+  const Outcome whole = run(kSearchRunScene);
+  EXPECT_NE(whole.err.find(none), std::string::npos) << whole.err;
+  EXPECT_EQ(whole.err.find(held), std::string::npos) << whole.err;
+  EXPECT_EQ(whole.err.find("that move"), std::string::npos) << whole.err;
+  // Too weak a first force, and the intruder still in free fall.
+  std::string falling = kSearchRunScene;
+  falling.replace(falling.find("[14, 1]"), 7, "[14, 5]");
+  falling.replace(falling.find("{\"type\": \"pull\""), 15,
+                  R"({"type": "settle", "max_time": 0.1}, {"type": "pull")");
+  falling.replace(falling.find("\"first_force\": 1.5"), 18, "\"first_force\": 1e-9");
+  const Outcome weak = run(falling.c_str());
+  ASSERT_EQ(weak.exit_code, 0) << weak.err;
+  EXPECT_NE(weak.err.find(held), std::string::npos) << weak.err;
+  EXPECT_NE(weak.err.find("phase 0 ended at its max_time, before it came to rest: the trials of "
+                          "pull begin with bodies that move"),
+            std::string::npos)
+      << weak.err;
+  ASSERT_EQ(run_program({"report", "out"}, folder_.path()).exit_code, 0);
+  EXPECT_NE(text("report.md").find("1 body moved at no force up to"), std::string::npos);
+}
+
 TEST_F(SearchRun, LeavesTheSequenceOfAnAdiabaticDeposit) {
   const Outcome outcome = run(kAdiabatic);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
