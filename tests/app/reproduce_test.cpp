@@ -206,6 +206,7 @@ TEST_F(Reproduce, ATooSmallBoxIsRefused) {
 
 TEST_F(Reproduce, RunsOfOtherSettingsAreNotOverwritten) {
   const std::string scene = "paper/runs/sample/00/scene.json";
+  std::filesystem::create_directories((folder_.path() / scene).parent_path());
   folder_.write(scene, "{}\n");
   const std::string out = (folder_.path() / "paper").string();
   for (const bool dry : {true, false}) {
