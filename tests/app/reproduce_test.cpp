@@ -73,6 +73,19 @@ TEST_F(Reproduce, LawsOfASampleHoldForAllThatFollows) {
   EXPECT_EQ(jobs.jobs()[usual.runs[0]].scenario.grain_law.friction, 0.3);
 }
 
+TEST_F(Reproduce, AHigherSampleIsPressedMoreSlowly) {
+  const auto ramp = [&](double height) {
+    PaperScale scale = small();
+    scale.height = height;
+    PaperJobs jobs(scale, folder_.path());
+    const RunGroup pressed = jobs.pistons(jobs.samples());
+    const Scenario& scene = jobs.jobs()[pressed.runs[0]].scenario;
+    return std::get<PistonPhase>(scene.phases[0].kind).ramp_time;
+  };
+  EXPECT_DOUBLE_EQ(ramp(199), 2 * ramp(99.5));
+  EXPECT_GE(ramp(199), 19);
+}
+
 TEST_F(Reproduce, EveryFigureIsMadeOfScenesThatCanRun) {
   for (const PaperFigure& figure : paper_figures()) {
     PaperJobs jobs(PaperScale{}, folder_.path());
