@@ -52,6 +52,9 @@ void check_paths(const Campaign& campaign) {
   add(campaign.set, "set");
   for (const Json& point : campaign.list) add(point, "list");
   add(campaign.grid, "grid");
+  for (const auto& [path, values] : campaign.grid.items())
+    if (!values.is_array() || values.empty())
+      throw InputError("grid: " + path, "must be a list of at least one value");
   if (campaign.realizations > 1 && campaign.grid.contains(kSeed)) {
     throw InputError("grid: seed", "clashes with realizations, which count seeds up themselves");
   }
