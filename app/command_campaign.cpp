@@ -48,8 +48,8 @@ class CampaignRun {
         jobs_(campaign_jobs(campaign_, options.file, out_)),
         records_(jobs_.size()) {}
 
-  int dry_run() {
-    look();
+  int dry_run() const {
+    std::ranges::for_each(jobs_, require_own_scene);
     for (const Job& job : jobs_) std::printf("%s\n", job_name(job).c_str());
     std::printf("%zu runs would go to %s\n", jobs_.size(), (out_ / "runs").c_str());
     return kFine;
@@ -82,7 +82,7 @@ class CampaignRun {
   // A part of the campaign, whose table is somebody else's business.
   int run_task(std::int64_t task) {
     const std::span<const Job> jobs = task_jobs(jobs_, campaign_.chunk, task);
-    for (const Job& job : jobs) own_record(job);
+    std::ranges::for_each(jobs, require_own_scene);
     const PoolReport pool =
         run_jobs(jobs, {thread_count(options_.threads), campaign_.frames, options_.quiet, {}});
     for (std::size_t i = 0; i < jobs.size(); ++i) {
@@ -116,7 +116,10 @@ class CampaignRun {
  private:
   fs::path results() const { return out_ / "results.csv"; }
 
-  void look() { std::ranges::transform(jobs_, records_.begin(), own_record); }
+  void look() {
+    std::ranges::for_each(jobs_, require_own_scene);
+    std::ranges::transform(jobs_, records_.begin(), read_record);
+  }
 
   void prepare() const {
     make_writable({out_});
@@ -230,8 +233,9 @@ Command add_campaign(CLI::App& program) {
   command->footer(
       "DIR receives a folder a run in runs/, results.csv (a row a run) and campaign.json. The "
       "same\n"
-      "command again repeats no run that has finished. Ctrl-C ends all runs after their present "
-      "step.\n\n"
+      "command again repeats no run that has finished; of more realizations or a longer grid it "
+      "computes\n"
+      "what is new. Ctrl-C ends all runs after their present step.\n\n"
       "Example:\n"
       "  quicksand campaign assets/campaigns/packing.json --threads 2");
   return {command, [options] { return run(*options); }};

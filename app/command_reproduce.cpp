@@ -204,7 +204,7 @@ int reproduce(const ReproduceArguments& options) {
   std::vector<Chosen> all = chosen(options);
   PaperJobs jobs(scale_of(options), options.out);
   for (Chosen& c : all) c.experiment->plan(jobs);
-  std::ranges::for_each(jobs.jobs(), own_record);
+  std::ranges::for_each(jobs.jobs(), require_own_scene);
   if (options.dry_run) {
     for (const Job& job : jobs.jobs()) std::printf("%s\n", job.id.c_str());
     std::printf("%zu runs would go to %s\n", jobs.jobs().size(), (options.out / "runs").c_str());
@@ -271,7 +271,9 @@ Command add_reproduce(CLI::App& program) {
   command->add_flag("--quiet", options->quiet, "no progress");
   command->footer(
       "Runs that have finished are not repeated: the same command goes on after an interruption.\n"
-      "DIR receives report.html, report.md, plots/ and a folder for each run.\n\n"
+      "DIR receives report.html, report.md, plots/ and a folder for each run; where it holds runs "
+      "of\n"
+      "other settings, they stay and nothing is computed.\n\n"
       "Example:\n  quicksand reproduce --quick --out out/quick");
   return {command, [options] { return reproduce(*options); }};
 }

@@ -2,10 +2,19 @@
 // values in a StepReport; our own mistakes are assertions.
 #pragma once
 
+#include <array>
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 
 namespace quicksand {
+
+// A number as messages show it.
+inline std::string message_number(double x) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g", x);
+  return text.data();
+}
 
 // Thrown for bad input only. `where` names the place inside the input ("phases[1].force",
 // "state.cbor"); `what()` says what is wrong, the allowed range and, if a name is unknown, the

@@ -1,23 +1,12 @@
 #include "core/protocols.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "core/contact_problem.h"
+#include "core/errors.h"
 
 namespace quicksand {
-
-namespace {
-
-std::string short_text(double x) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g", x);
-  return text.data();
-}
-
-}  // namespace
 
 // Times are sums of steps: a moment that is due within rounding is due.
 bool Protocol::due(double moment) const {
@@ -127,7 +116,7 @@ bool Protocol::try_step(const StepSettings& step, int halvings_left) {
   if (!report_.taken) {
     if (halvings_left == 0) {
       failure_ = "the solver did not converge in step " + std::to_string(world_.step + 1) +
-                 ", even with a time step of " + short_text(step.dt);
+                 ", even with a time step of " + message_number(step.dt);
       return false;
     }
     ++state_.halved_steps;

@@ -1,7 +1,6 @@
 #include "core/scenario.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "core/errors.h"
 #include "core/grain_sizes.h"
@@ -45,12 +44,6 @@ namespace {
 // Overlaps up to this are rounding of touching bodies. [d]
 constexpr double kOverlapTolerance = 1e-9;
 
-std::string number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", x);
-  return text;
-}
-
 std::string place(int disk) { return "bodies[" + std::to_string(disk) + "]"; }
 
 void check_overlaps(const Scenario& scenario) {
@@ -62,7 +55,7 @@ void check_overlaps(const Scenario& scenario) {
     const double gap = world.gap(pair);
     const std::string other =
         is_wall(pair.b) ? "wall " + std::to_string(pair.b - kWallBase) : place(pair.b);
-    throw InputError(place(pair.a), "overlaps " + other + " by " + number(-gap) +
+    throw InputError(place(pair.a), "overlaps " + other + " by " + message_number(-gap) +
                                         " d; bodies must not overlap by more than 1e-9 d");
   }
 }
@@ -80,9 +73,10 @@ void check_push(const Scenario& scenario, const PushPhase& push, const std::stri
   if (scenario.box.sides != Sides::walls || !push.x) return;
   const double least = push.diameter / 2, most = scenario.box.width - least;
   if (*push.x < least || *push.x > most)
-    throw InputError(where + ".x", "is " + number(*push.x) +
+    throw InputError(where + ".x", "is " + message_number(*push.x) +
                                        " d; between the side walls there is room from " +
-                                       number(least) + " to " + number(most) + " d");
+                                       message_number(least) + " to " + message_number(most) +
+                                       " d");
 }
 
 void check_pull(const Scenario& scenario, std::size_t phase, const std::string& where) {
@@ -168,14 +162,14 @@ void validate(const Scenario& scenario) {
   }
   // Two bodies must never touch both directly and through the periodic image.
   if (scenario.box.sides == Sides::periodic && scenario.box.width < 3 * largest)
-    throw InputError("box.width", "is " + number(scenario.box.width) +
+    throw InputError("box.width", "is " + message_number(scenario.box.width) +
                                       " d; periodic sides need at least three times the largest "
                                       "diameter, " +
-                                      number(3 * largest) + " d");
+                                      message_number(3 * largest) + " d");
   if (scenario.box.sides == Sides::walls && scenario.box.width < largest)
-    throw InputError("box.width", "is " + number(scenario.box.width) +
-                                      " d; the largest body has a diameter of " + number(largest) +
-                                      " d");
+    throw InputError("box.width", "is " + message_number(scenario.box.width) +
+                                      " d; the largest body has a diameter of " +
+                                      message_number(largest) + " d");
   check_walls(scenario);
   check_overlaps(scenario);
   check_phases(scenario);

@@ -13,10 +13,9 @@ constexpr std::size_t kMaxOptions = 100;
 
 bool is_values(const Json& value) { return value.is_array() && !value.empty(); }
 
+// That each path has a list is checked, and said of that path, when the runs are made.
 constexpr Shape kGrid{"an object of scene paths, each with a list of at least one value",
-                      // That each has a list is said of its path, when the runs are made.
-                      [](const Json& v) { return kSetShape.fits(v); },
-                      [] {
+                      kSetShape.fits, [] {
                         Json schema = kSetShape.schema();
                         schema["additionalProperties"] = {{"type", "array"}, {"minItems", 1}};
                         return schema;

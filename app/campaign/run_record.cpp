@@ -75,9 +75,9 @@ RunRecord read_record(const Job& job) {
   return record;
 }
 
-RunRecord own_record(const Job& job) {
-  RunRecord record = read_record(job);
-  if (!record.other_scene) return record;
+void require_own_scene(const Job& job) {
+  const std::string scene = text_in(job.folder.scene());
+  if (scene.empty() || scene == to_text(job.scenario)) return;
   throw InputError(job.folder.scene().string(),
                    "is not the scene of run " + job_name(job) +
                        ": the folder holds the runs of something else, or of other settings; "

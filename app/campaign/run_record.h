@@ -25,8 +25,7 @@ struct RunRecord {
 
 RunRecord read_record(const Job& job);
 
-// The same, of a folder that is to be the job's. Throws InputError if it holds the run of another scene, which would
-// be lost.
-RunRecord own_record(const Job& job);
+// Throws InputError if the folder of the job holds the run of another scene, which would be lost.
+void require_own_scene(const Job& job);
 
 }  // namespace quicksand

@@ -80,7 +80,7 @@ class Shear : public PaperExperiment {
               .title = title,
               .x = {.label = "depth", .unit = "d", .low = 0},
               .y = std::move(strength_axis),
-              .legend = LegendPlace::top_left};
+              .legend = LegendPlace::below};
     for (const auto& [curve, strength] : all)
       for (Curve& part : strength_curves(*strength, curve)) plot.curves.push_back(std::move(part));
     return plot;

@@ -168,6 +168,8 @@ class Script {
     }
   }
 
+  using Span = std::pair<double, double>;  // from and to, over the graph's width
+
   // The name of a guide stands above the graph, to the right of its line or, where it would leave the picture,
   // to the left; where others stand there already inside the graph, as many lines down as needed.
   std::string place_of_name(const Reference& reference) {
@@ -177,10 +179,9 @@ class Script {
     const double extent = at(x_.high) - at(x_.low);
     const double from = extent > 0 ? (at(reference.low) - at(x_.low)) / extent : 0;
     const bool to_the_left = from + width > 1;
-    const std::pair taken =
-        to_the_left ? std::pair(from - width, from) : std::pair(from, from + width);
-    const auto fits = [&](const std::vector<std::pair<double, double>>& line) {
-      return std::ranges::none_of(line, [&](const std::pair<double, double>& other) {
+    const Span taken = to_the_left ? Span(from - width, from) : Span(from, from + width);
+    const auto fits = [&](const std::vector<Span>& line) {
+      return std::ranges::none_of(line, [&](const Span& other) {
         return other.first < taken.second && taken.first < other.second;
       });
     };
@@ -326,9 +327,8 @@ class Script {
   std::vector<Look> looks_;
   std::vector<std::vector<PlotRow>> rows_;  // of each curve
   Extent x_, y_, y2_;
-  std::vector<std::vector<std::pair<double, double>>>
-      names_;                          // of guides, line by line, over the graph's width
-  std::vector<std::string> elements_;  // of the plot command
+  std::vector<std::vector<Span>> names_;  // of guides, line by line
+  std::vector<std::string> elements_;     // of the plot command
   std::string plot_command_;
   bool uses_bars_ = false;
   std::string script_;

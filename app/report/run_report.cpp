@@ -207,7 +207,8 @@ std::vector<std::string> run_warnings(const RunResults& run) {
   if (overlap > StrictBounds{}.max_overlap) {
     warnings.push_back("Bodies overlapped by up to " + typeset(overlap, 2) + " d.");
   }
-  std::ranges::move(search_warnings(summary), std::back_inserter(warnings));
+  std::ranges::move(search_warnings(summary, summary.value("phases_finished", 0)),
+                    std::back_inserter(warnings));
   return warnings;
 }
 

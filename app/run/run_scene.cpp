@@ -70,9 +70,9 @@ class Run {
       if (const std::string doubts = distrust_now({}); !options_.strict && !doubts.empty())
         result.notes.push_back("not to be believed: " + doubts);
       std::ranges::move(moving_bases_, std::back_inserter(result.notes));
-      for (const std::string& warning :
-           search_warnings(search_results(scenario_, protocol().state())))
-        result.notes.push_back(warning);
+      std::ranges::move(
+          search_warnings(search_results(scenario_, protocol().state()), protocol().state().phase),
+          std::back_inserter(result.notes));
       if (film_ && higher_than_the_picture())
         result.notes.push_back("the packing is higher than box.height, " +
                                number_text(scenario_.box.height) + " d, where the pictures end");

@@ -103,7 +103,7 @@ Json search_results(const Scenario& scenario, const ProtocolState& state) {
   return json;
 }
 
-std::vector<std::string> search_warnings(const Json& results) {
+std::vector<std::string> search_warnings(const Json& results, int phases_finished) {
   std::vector<std::string> warnings;
   int never = 0, always = 0;
   for (const Json& found : results.value("critical_forces", Json::array())) {
@@ -117,11 +117,13 @@ std::vector<std::string> search_warnings(const Json& results) {
   if (always > 0)
     warnings.push_back(bodies(always) + " moved at every force down to first_force/2^" +
                        std::to_string(ForceBracket::kMostDoublings) + ".");
-  for (const Json& shear : results.value("shear_strength", Json::array()))
+  for (const Json& shear : results.value("shear_strength", Json::array())) {
+    if (shear.at("phase") >= phases_finished) continue;
     for (const Json& at : shear.at("depths"))
       if (at.at("grains") == 0 && at.at("never_moved") == 0)
         warnings.push_back("No grain was found within 0.5 d of the depth " +
                            number_text(at.at("depth").get<double>()) + " d.");
+  }
   return warnings;
 }
 

@@ -13,8 +13,8 @@ namespace quicksand {
 Json search_results(const Scenario& scenario, const ProtocolState& state);
 
 // What a reader of these results (or of a summary that holds them) must know, a sentence each: critical forces
-// without a bound, depths without grains.
-std::vector<std::string> search_warnings(const Json& results);
+// without a bound, and depths without grains in the first `phases_finished` phases.
+std::vector<std::string> search_warnings(const Json& results, int phases_finished);
 
 // Writes the tables that have rows. Throws InputError.
 void write_search_tables(const RunFolder& folder, const ProtocolState& state);

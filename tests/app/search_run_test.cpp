@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/json/json_text.h"
+#include "app/run/search_results.h"
 #include "tests/support/files.h"
 #include "tests/support/program.h"
 
@@ -105,6 +106,13 @@ TEST_F(SearchRun, SaysWhatWasNotFoundAndFromWhatItBegan) {
       << weak.err;
   ASSERT_EQ(run_program({"report", "out"}, folder_.path()).exit_code, 0);
   EXPECT_NE(text("report.md").find("1 body moved at no force up to"), std::string::npos);
+}
+
+TEST_F(SearchRun, OfADepthThatIsStillToComeNothingIsSaid) {
+  ASSERT_EQ(run(kSearchRunScene).exit_code, 0);
+  const Json summary = parse_json(text("summary.json"));
+  EXPECT_EQ(search_warnings(summary, 2).size(), 1U);
+  EXPECT_TRUE(search_warnings(summary, 1).empty());
 }
 
 TEST_F(SearchRun, LeavesTheSequenceOfAnAdiabaticDeposit) {
