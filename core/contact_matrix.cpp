@@ -6,41 +6,65 @@ namespace quicksand {
 
 namespace {
 
-// Rows n, t, r of H for the two bodies: u = of_a v_a + of_b v_b. Directions in which a body cannot
-// move are left out.
-struct Jacobian {
-  Mat3 of_a, of_b;
+// What a contact adds to the blocks of its bodies: X^T D Y, up to a sign, where X and Y take the motion of a body to
+// that of its contact point, [R s; 0 1] with the rows n and t of R and s the velocity there of a unit spin. Of D only
+// the first column and the diagonal are not zero (see interior_point_cone.h). Directions in which a body cannot move
+// are left out.
+class ContactBlocks {
+ public:
+  ContactBlocks(const ContactProblem& problem, const ContactRow& row, const Mat3& d)
+      : row_(row),
+        d_(d),
+        inverse_mass_a_(problem.inverse_mass[row.a]),
+        inverse_mass_b_(problem.inverse_mass[row.b]),
+        held_((inverse_mass_a_.array() == 0).any() || (inverse_mass_b_.array() == 0).any()) {
+    const Vec2 n = row.normal, t = perpendicular(n);
+    const Vec2 along_n = d(0, 0) * n + d(1, 0) * t, along_t = d(1, 1) * t;
+    xx_ = along_n.x() * n.x() + along_t.x() * t.x();
+    yx_ = along_n.y() * n.x() + along_t.y() * t.x();
+    xy_ = along_n.x() * n.y() + along_t.x() * t.y();
+    yy_ = along_n.y() * n.y() + along_t.y() * t.y();
+  }
+  void add_aa(BlockLu::Entry sum) const {
+    add(1, row_.spin_a, row_.spin_a, inverse_mass_a_, inverse_mass_a_, sum);
+  }
+  void add_bb(BlockLu::Entry sum) const {
+    add(1, row_.spin_b, row_.spin_b, inverse_mass_b_, inverse_mass_b_, sum);
+  }
+  void add_ab(BlockLu::Entry sum) const {
+    add(-1, row_.spin_a, row_.spin_b, inverse_mass_a_, inverse_mass_b_, sum);
+  }
+  void add_ba(BlockLu::Entry sum) const {
+    add(-1, row_.spin_b, row_.spin_a, inverse_mass_b_, inverse_mass_a_, sum);
+  }
+
+ private:
+  [[gnu::always_inline]] void add(double sign, const Vec2& x, const Vec2& y,
+                                  const Vec3& inverse_mass_x, const Vec3& inverse_mass_y,
+                                  BlockLu::Entry sum) const {
+    const Vec2 n = row_.normal, t = perpendicular(n);
+    const Vec2 turned(d_(0, 0) * y.x(),
+                      d_(1, 0) * y.x() + d_(1, 1) * y.y());  // by a unit spin of y
+    const Vec2 torque(x.x() * d_(0, 0) + x.y() * d_(1, 0) + d_(2, 0), x.y() * d_(1, 1));
+    Mat3 block;
+    block << xx_, xy_, turned.x() * n.x() + turned.y() * t.x(),  //
+        yx_, yy_, turned.x() * n.y() + turned.y() * t.y(),       //
+        torque.x() * n.x() + torque.y() * t.x(), torque.x() * n.y() + torque.y() * t.y(),
+        x.dot(turned) + d_(2, 0) * y.x() + d_(2, 2);
+    if (held_)
+      for (int k = 0; k < 3; ++k) {
+        if (inverse_mass_x[k] == 0) block.row(k).setZero();
+        if (inverse_mass_y[k] == 0) block.col(k).setZero();
+      }
+    sum += sign * block;
+  }
+
+  const ContactRow& row_;
+  const Mat3& d_;
+  const Vec3 &inverse_mass_a_, &inverse_mass_b_;
+  const bool held_;
+  double xx_ = 0, xy_ = 0, yx_ = 0, yy_ = 0;  // R^T D R
 };
-
-Jacobian jacobian(const ContactRow& c, const Vec3& ima, const Vec3& imb) {
-  const Vec2 n = c.normal, t = perpendicular(c.normal);
-  Jacobian h;
-  h.of_a << -n.x(), -n.y(), -c.spin_a.x(), -t.x(), -t.y(), -c.spin_a.y(), 0, 0, -1;
-  h.of_b << n.x(), n.y(), c.spin_b.x(), t.x(), t.y(), c.spin_b.y(), 0, 0, 1;
-  for (int k = 0; k < 3; ++k) {
-    if (ima[k] == 0) h.of_a.col(k).setZero();
-    if (imb[k] == 0) h.of_b.col(k).setZero();
-  }
-  return h;
-}
-
-// D h, in which only the first column and the diagonal of D are not zero (see interior_point_cone.h).
-[[gnu::always_inline]] inline Mat3 answer(const Mat3& d, const Mat3& h) {
-  Mat3 result;
-  for (int k = 0; k < 3; ++k) {
-    result(0, k) = d(0, 0) * h(0, k);
-    result(1, k) = d(1, 0) * h(0, k) + d(1, 1) * h(1, k);
-    result(2, k) = d(2, 0) * h(0, k) + d(2, 2) * h(2, k);
-  }
-  return result;
-}
-
-// sum += h^T b. Spelled out: for Eigen's product the compiler makes a call.
-[[gnu::always_inline]] inline void add_product(const Mat3& h, const Mat3& b, BlockLu::Entry sum) {
-  for (int k = 0; k < 3; ++k)
-    for (int i = 0; i < 3; ++i)
-      sum(i, k) += h(0, i) * b(0, k) + h(1, i) * b(1, k) + h(2, i) * b(2, k);
-}
 
 }  // namespace
 
@@ -74,18 +98,16 @@ void ContactMatrix::factorise(const std::vector<Mat3>& stiffness) {
   visit_sides(
       problem,
       [&](std::size_t c, const ContactRow& row) {
-        const Jacobian h = jacobian(row, problem.inverse_mass[row.a], problem.inverse_mass[row.b]);
+        const ContactBlocks blocks(problem, row, stiffness[c]);
         const int i = row_of_body_[row.a], e = edge_of_contact_[c];
-        const Mat3 da = answer(stiffness[c], h.of_a);
-        if (i >= 0) add_product(h.of_a, da, lu_.diagonal(i));
-        if (e >= 0) add_product(h.of_b, da, lu_.lower(e));
+        if (i >= 0) blocks.add_aa(lu_.diagonal(i));
+        if (e >= 0) blocks.add_ba(lu_.lower(e));
       },
       [&](std::size_t c, const ContactRow& row) {
-        const Jacobian h = jacobian(row, problem.inverse_mass[row.a], problem.inverse_mass[row.b]);
+        const ContactBlocks blocks(problem, row, stiffness[c]);
         const int j = row_of_body_[row.b], e = edge_of_contact_[c];
-        const Mat3 db = answer(stiffness[c], h.of_b);
-        if (j >= 0) add_product(h.of_b, db, lu_.diagonal(j));
-        if (e >= 0) add_product(h.of_a, db, lu_.upper(e));
+        if (j >= 0) blocks.add_bb(lu_.diagonal(j));
+        if (e >= 0) blocks.add_ab(lu_.upper(e));
       });
   lu_.factorise();
 }

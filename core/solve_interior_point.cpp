@@ -44,8 +44,19 @@ constexpr double kGrowth = 20;
 // work where that begins within 300, after 5 factorisations.
 constexpr double kNear = 30, kGain = 0.8;
 constexpr int kPatience = 8, kTrySweeps = 100;
+// A path that is this long and comes within kNear goes on for the sake of some contacts that are still undecided,
+// as far as velocities have settled to this share of their tolerance: so few sweeps are tried from there, and again
+// whenever the distance has fallen by this factor. 51 solutions of a collapse of 4900 grains take 11.7 factorisations
+// for 21.6; errors of their velocities are 0.3 % of the mean velocity for 0.15 %.
+constexpr int kLongPath = 8, kFewSweeps = 8;
+constexpr double kSettledShare = 0.1, kNearer = 0.7;
 // No product may fall below this share of the mean: one pair at the boundary would block all others.
 constexpr double kLeastShare = 1e-4;
+
+// Whether velocities have settled so far that relaxation, which leaves long waves, may end a solution.
+bool have_settled(const SolveReport& report, const SolverSettings& settings) {
+  return report.velocity_change <= kSettledShare * settings.velocity_tolerance;
+}
 
 // Whether the path has jammed.
 class Jam {
@@ -229,13 +240,16 @@ SolveReport InteriorPoint::relax(const ContactProblem& problem, const SolverSett
   return report;
 }
 
-bool InteriorPoint::relax_best(const ContactProblem& problem, const SolverSettings& settings,
-                               ContactState& state, SolveReport& report) {
-  relaxed_.impulse = best_;
+bool InteriorPoint::try_relaxation(const ContactProblem& problem, const SolverSettings& settings,
+                                   int sweeps, ContactState& state, SolveReport& report) {
   SolverSettings few = settings;
-  few.max_iterations = static_cast<int>(
-      std::min<std::int64_t>(kTrySweeps, settings.max_iterations - report.iterations));
-  const SolveReport relaxed = relax(problem, few, relaxed_);
+  few.max_iterations =
+      static_cast<int>(std::min<std::int64_t>(sweeps, settings.max_iterations - report.iterations));
+  // Newton's method on modes that relaxation has decided gains nothing where velocities have settled.
+  const bool settled = have_settled(report, settings);
+  SolveReport relaxed =
+      settled ? solve_relaxation(problem, few, relaxed_) : relax(problem, few, relaxed_);
+  if (settled) relaxed.velocity_change = report.velocity_change;
   report.iterations += relaxed.iterations;
   report.factorisations += relaxed.factorisations;
   if (!relaxed.converged) return false;
@@ -264,6 +278,7 @@ SolveReport InteriorPoint::solve(const ContactProblem& problem, const SolverSett
   report.rung = shift > 1 ? Rung::far_start : Rung::interior_point;
   const double most_proximal = shift > 1 ? kProximal : kProximalAtFolds;
   Jam jam;
+  double tried = std::numeric_limits<double>::infinity();  // where relaxation was last tried
   int settling = 0;
   while (report.factorisations < settings.max_factorisations) {
     linearise(problem);
@@ -298,9 +313,16 @@ SolveReport InteriorPoint::solve(const ContactProblem& problem, const SolverSett
     }
     if (!std::isfinite(product)) break;
     const double distance = settings.distance(report.residual);
-    if (jam.met(distance, best, report.factorisations) &&
-        relax_best(problem, settings, state, report))
-      return report;
+    if (have_settled(report, settings) && report.factorisations >= kLongPath &&
+        distance < std::min(kNear, kNearer * tried)) {
+      tried = distance;
+      relaxed_.impulse = state.impulse;
+      if (try_relaxation(problem, settings, kFewSweeps, state, report)) return report;
+    }
+    if (jam.met(distance, best, report.factorisations)) {
+      relaxed_.impulse = best_;
+      if (try_relaxation(problem, settings, kTrySweeps, state, report)) return report;
+    }
     if (distance < best) {
       best = distance;
       best_ = state.impulse;

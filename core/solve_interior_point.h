@@ -62,9 +62,9 @@ class InteriorPoint {
   double find_step(const ContactProblem& problem, double product, double least_product);
   bool finish(const ContactProblem& problem, const SolverSettings& settings, ContactState& state,
               SolveReport& report);
-  // Whether some relaxation of the best state was accepted; then it is the solution.
-  bool relax_best(const ContactProblem& problem, const SolverSettings& settings,
-                  ContactState& state, SolveReport& report);
+  // Whether at most so many sweeps of relaxation of relaxed_ were accepted; then it is the solution.
+  bool try_relaxation(const ContactProblem& problem, const SolverSettings& settings, int sweeps,
+                      ContactState& state, SolveReport& report);
   double mean_product(double alpha) const;  // after a step of alpha along the direction
 
   ContactMatrix matrix_;

@@ -5,9 +5,12 @@
 
 #include <limits>
 
+#include "core/ballistic.h"
 #include "core/residual.h"
 #include "core/solve_gauss_seidel.h"
 #include "tests/support/core/agreement.h"
+#include "tests/support/core/scenes.h"
+#include "tests/support/core/simulation.h"
 #include "tests/support/core/tolerance.h"
 
 namespace quicksand {
@@ -89,6 +92,33 @@ TEST(Relaxation, EndsWhereItIsNotAllowedToWorkOrCannot) {
   broken.free_velocity[1].y() = std::numeric_limits<double>::quiet_NaN();
   ContactState state = zero_state(broken);
   EXPECT_FALSE(solve_relaxation(broken, {.tolerance = 1e-11}, state).converged);
+}
+
+// While a loose heap falls in, some contacts stay undecided to the end of the interior point's path, long after
+// velocities have settled.
+TEST(Relaxation, EndsTheLongPathsOfACollapse) {
+  Scenario heap = empty_scene(Method::automatic);
+  heap.box = {.width = 25, .height = 100, .sides = Sides::periodic, .floor = true};
+  heap.gravity = Vec2(0, -1);
+  heap.grain_law = paper_law();
+  heap.wall_law = paper_law();
+  heap.solver.tolerance = 1e-5;
+  World deposit = make_world(heap);
+  for (int k = 0; k < 500; ++k) {
+    const Vec2 place = LandingSite(deposit).land(25 * deposit.random.uniform(), 0.5)->centre;
+    deposit.disks.add({.position = place});
+    heap.disks.push_back({.position = place});
+  }
+  Simulation run(heap);
+  run.advance(400);
+  std::int64_t factorisations = 0;
+  constexpr int kSteps = 100;
+  for (int k = 0; k < kSteps; ++k) {
+    run.advance();
+    factorisations += run.last.solve.factorisations;
+  }
+  EXPECT_EQ(run.unconverged, 0);
+  EXPECT_LE(factorisations, 15 * kSteps) << "17.2 a step without, 12.6 with it";
 }
 
 }  // namespace
