@@ -7,6 +7,7 @@
 #include "core/solve_gauss_seidel.h"
 #include "core/solve_interior_point.h"
 #include "core/solve_local.h"
+#include "core/solve_relaxation.h"
 
 namespace quicksand {
 
@@ -101,6 +102,28 @@ SolveReport ContactSolver::solve(const ContactProblem& problem, const SolverSett
       return solve_gauss_seidel(problem, settings, state);
   }
   return {};
+}
+
+// What such contacts change is near them: a few sweeps of relaxation nearly always end it, where the interior point
+// would begin anew.
+SolveReport ContactSolver::solve_with_more(const ContactProblem& problem,
+                                           const SolverSettings& settings, ContactState& state,
+                                           Rung from) {
+  constexpr int kSweeps = 30;
+  SolveReport report;
+  if (settings.method == Method::automatic) {
+    SolverSettings few = settings;
+    few.max_iterations = std::min(kSweeps, settings.max_iterations);
+    ContactState mended = state;
+    report = solve_relaxation(problem, few, mended);
+    report.rung = from;
+    if (report.converged) {
+      std::swap(state, mended);
+      return report;
+    }
+  }
+  report.add(solve(problem, settings, state, from));
+  return report;
 }
 
 }  // namespace quicksand

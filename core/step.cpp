@@ -63,7 +63,9 @@ void Stepper::solve_contacts(const World& world, const StepSettings& step,
     build_problem(world, s.contacts, s.free_velocity, step, s.problem);
     s.state.impulse.resize(s.contacts.size());
     for (std::size_t c = 0; c < s.contacts.size(); ++c) s.state.impulse[c] = s.contacts[c].impulse;
-    report.solve.add(s.solver.solve(s.problem, settings, s.state, report.solve.rung));
+    report.solve.add(
+        repeat == 0 ? s.solver.solve(s.problem, settings, s.state, report.solve.rung)
+                    : s.solver.solve_with_more(s.problem, settings, s.state, report.solve.rung));
     report.bad_body = first_not_finite(s.state.velocity);
     report.finite = report.bad_body < 0;
     if (!report.finite || (!report.solve.converged && step.stop_if_unconverged)) return;
