@@ -25,16 +25,16 @@ class ContactBlocks {
     xy_ = along_n.x() * n.y() + along_t.x() * t.y();
     yy_ = along_n.y() * n.y() + along_t.y() * t.y();
   }
-  void add_aa(BlockLu::Entry sum) const {
+  void add_aa(const BlockLu::Entry& sum) const {
     add(1, row_.spin_a, row_.spin_a, inverse_mass_a_, inverse_mass_a_, sum);
   }
-  void add_bb(BlockLu::Entry sum) const {
+  void add_bb(const BlockLu::Entry& sum) const {
     add(1, row_.spin_b, row_.spin_b, inverse_mass_b_, inverse_mass_b_, sum);
   }
-  void add_ab(BlockLu::Entry sum) const {
+  void add_ab(const BlockLu::Entry& sum) const {
     add(-1, row_.spin_a, row_.spin_b, inverse_mass_a_, inverse_mass_b_, sum);
   }
-  void add_ba(BlockLu::Entry sum) const {
+  void add_ba(const BlockLu::Entry& sum) const {
     add(-1, row_.spin_b, row_.spin_a, inverse_mass_b_, inverse_mass_a_, sum);
   }
 

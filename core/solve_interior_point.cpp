@@ -50,9 +50,6 @@ constexpr int kPatience = 8, kTrySweeps = 100;
 // for 21.6; errors of their velocities are 0.3 % of the mean velocity for 0.15 %.
 constexpr int kLongPath = 8, kFewSweeps = 8;
 constexpr double kSettledShare = 0.1, kNearer = 0.7;
-// A contact starts as far inside as its own violation, and at least by this share of the worst one. At 0.1 four more of
-// 67 solutions under a piston fail.
-constexpr double kLeastStart = 0.3;
 // No product may fall below this share of the mean: one pair at the boundary would block all others.
 constexpr double kLeastShare = 1e-4;
 
@@ -127,22 +124,20 @@ void InteriorPoint::start(const ContactProblem& problem, double shift, const Con
   impulse_.resize(nc);
 
   velocity_from_impulses(problem, state.impulse, velocity_);
-  violation_.resize(nc);
+  double worst = 0;
   for (std::size_t c = 0; c < nc; ++c) {
     const ContactRow& row = problem.contacts[c];
     delassus_[c] = delassus_diagonal(row, problem.inverse_mass[row.a], problem.inverse_mass[row.b]);
-    violation_[c] = violation(row, delassus_[c], problem.components, state.impulse[c],
-                              row.offset + contact_velocity(row, velocity_));
+    worst = std::max(worst, violation(row, delassus_[c], problem.components, state.impulse[c],
+                                      row.offset + contact_velocity(row, velocity_)));
   }
-  const double worst = nc > 0 ? std::ranges::max(violation_) : 0;
+  const double least_speed = std::max(shift * worst, 1e-12);
   for (std::size_t c = 0; c < nc; ++c) {
     const ContactRow& row = problem.contacts[c];
     ContactCone& cone = cone_[c];
     if (problem.components >= 2 && delassus_[c].y() > 0) cone.slide.limit = row.friction;
     if (problem.components >= 3 && delassus_[c].z() > 0) cone.roll.limit = row.rolling;
     const Vec3 u = row.offset + contact_velocity(row, velocity_);
-    const double least_speed =
-        std::max(shift * std::max(kLeastStart * worst, violation_[c]), 1e-12);
     cone.start(state.impulse[c], u, least_speed / delassus_[c].x(), least_speed);
     impulse_[c] = cone.impulse();
   }

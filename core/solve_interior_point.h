@@ -29,7 +29,7 @@ namespace quicksand {
 class InteriorPoint {
  public:
   // Starts from state.impulse, at a distance from the boundary of `shift` times the violation found
-  // at a contact, or a share of the worst one, and leaves the best state that it met.
+  // there, and leaves the best state that it met.
   SolveReport solve(const ContactProblem& problem, const SolverSettings& settings, double shift,
                     ContactState& state);
 
@@ -72,7 +72,6 @@ class InteriorPoint {
   Products products_;
   double proximal_ = 0;            // over each contact's Delassus diagonal [1]
   std::vector<Vec3> delassus_;     // (nc) diagonal of each contact's own block
-  std::vector<double> violation_;  // (nc) of the laws where it starts [sqrt(g d)]
   std::vector<ContactCone> cone_;  // (nc)
   std::vector<Mat3> stiffness_;    // (nc)
   std::vector<Vec3> impulse_;      // (nc)
