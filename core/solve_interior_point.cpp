@@ -47,7 +47,7 @@ constexpr int kPatience = 8, kTrySweeps = 100;
 // A path that is this long and comes within kNear goes on for the sake of some contacts that are still undecided,
 // as far as velocities have settled to this share of their tolerance: so few sweeps are tried from there, and again
 // whenever the distance has fallen by this factor. 51 solutions of a collapse of 4900 grains take 11.7 factorisations
-// for 21.6; errors of their velocities are 0.3 % of the mean velocity for 0.15 %.
+// for 21.6; errors of their velocities are 0.4 % of the mean velocity for 0.15 %.
 constexpr int kLongPath = 8, kFewSweeps = 8;
 constexpr double kSettledShare = 0.1, kNearer = 0.7;
 // No product may fall below this share of the mean: one pair at the boundary would block all others.

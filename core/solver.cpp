@@ -28,7 +28,7 @@ namespace {
 //      (a packing at rest);
 //   2. interior point from near the inherited impulses, and relaxation from where it jams;
 //   3. both again from farther inside;
-//   4. where the step cannot be halved any more, both again from shares of the inherited impulses.
+//   4. where the step cannot be halved any more, both again from other distances and shares of these impulses.
 // In a jammed packing the interior point ends at folds of its path, where some ten to some hundred sweeps
 // of relaxation gain the last factor of 10 to 30. What has jammed is a bad start for another path: each
 // begins at the inherited impulses, and ends elsewhere. If all fall short, the best state counts, and the
@@ -37,7 +37,7 @@ template <class Methods>
 SolveReport climb(const ContactProblem& problem, const SolverSettings& settings, Rung from,
                   Methods& methods, ContactState& state) {
   // Share of the inherited impulses that a path starts from, and how far inside. In the shortest steps of a shock
-  // through thousands of jammed contacts about one in two of the far ones ends, and which one is chance.
+  // through thousands of jammed contacts about two in five of the far ones end, and which ones is chance.
   struct Start {
     double share, shift;
   };

@@ -106,7 +106,7 @@ struct SolveReport {
   Residual residual;
   // Fastest change of velocity at a contact in the last iteration of Newton's method, over the scale. As
   // it converges quadratically, the error left is far smaller. 0 where nothing was iterated, and not
-  // known of Gauss-Seidel, which leaves it.
+  // known of Gauss-Seidel and of relaxation, which leave it.
   double velocity_change = 0;
   std::int64_t iterations = 0;
   std::int64_t factorisations = 0;
