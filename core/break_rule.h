@@ -3,18 +3,20 @@
 // An implicit bond holds any impulse up to F_c dt, but only the energy F_c d_c: at a finite step it
 // would withstand impacts that break it. With T = F_c dt - N the tension impulse of the step, F_s the
 // tension force before it, W the contact's Delassus diagonal and kappa = u_ct^2/D the turning of a
-// bonded pair, the part of an impact is
+// bonded pair, the part of an impact is at most
 //   J = T - F_s dt - 1.5 dt kappa/W,
 // and a bond is suspected if J^2 W/2 > (F_c - F_s) d_c, which it is where all else is free to move; a
-// pressure before the step is a negative F_s in J, and none in the energy. The step is then solved
-// without external forces and without the suspected bonds, which gives the velocity u_open with which
-// the impact would open them. A bond breaks if the energy of the opening mode, J u_open/2, is more than
-// what is left of its own, E = (F_c - F_s) d_c. In the step in which it breaks it gives the impulse
+// pressure before the step is a negative F_s in J, and none in the energy. That pressure may have been a
+// collision's, which has ended and pulls at nothing. So the step is solved without external forces, where
+// T - 1.5 dt kappa/W is the impact alone: the less of it and of J counts. Another solution without external forces,
+// and without the suspects that are left, gives the velocity u_open with which the impact would open them.
+// A bond breaks if the energy of the opening mode, J u_open/2, is more than what is left of its own,
+// E = (F_c - F_s) d_c. In the step in which it breaks it gives the impulse
 // F_s dt + J (1 - sqrt(1 - 2 E/(J u_open))), which takes just E out of the mode. (What a load that is
 // new in the step adds to J is of the order of dt, and opens nothing by itself.)
 //
-// At dt = 1e-2 and F_c = 1e4 F_g a force that changes by 0.7 % of F_c makes a suspect, some fifty a step of a collapse,
-// of which hardly any opens: most steps need no more than a rough solution without them, at half the cost.
+// At dt = 1e-2 and F_c = 1e4 F_g a force that changes by 0.7 % of F_c makes a suspect, some fifty a step of a collapse.
+// A rough solution for their own impacts clears most of them; it is repeated exactly only where a bond may break.
 #pragma once
 
 #include <vector>
@@ -44,22 +46,29 @@ class EnergyRule {
   struct Suspect {
     std::size_t contact = 0;
     double tension_before = 0;  // F_s [F_g]
-    double impact = 0;          // J [m sqrt(g d)]
+    double impact = 0;          // J by the step's tension [m sqrt(g d)]
     double energy_left = 0;     // E [F_g d]
-    double telling_impulse =
-        0;  // 2 E/(W J): changes J u_open/2 of the free pair by E [m sqrt(g d)]
+    double least_impact = 0;    // that breaks the bond of a free pair, sqrt(2 E/W) [m sqrt(g d)]
+    double own_impact = 0;      // J [m sqrt(g d)]
+    double opening = 0;         // u_open [sqrt(g d)]
   };
   void find_suspects(const World& world, const std::vector<Contact>& contacts,
                      const StepSettings& step);
-  // For a first solution without the suspected bonds, to the accuracy that tells most of them from breaks.
-  SolverSettings rough_settings(const SolverSettings& settings) const;
-  // J u_open/2 in the last solution without the suspected bonds [F_g d].
-  double opening_energy(const Suspect& suspect) const;
+  // Solves the step of `unloaded_` without external forces, with impulses that are off by at most `admissible`
+  // [m sqrt(g d)]; 0: to the tolerance of the settings. False if that did not converge.
+  bool solve_unloaded(const World& world, const StepSettings& step, const SolverSettings& settings,
+                      double admissible, ContactSolver& solver, SolveReport& cost);
+  // The own impacts of the suspects, from such a solution.
+  bool find_impacts(const World& world, const StepSettings& step, const SolverSettings& settings,
+                    double admissible, ContactSolver& solver, SolveReport& cost);
+  // Takes them out of `unloaded_`; the velocities with which they open, from another.
+  bool find_openings(const World& world, const StepSettings& step, const SolverSettings& settings,
+                     ContactSolver& solver, SolveReport& cost);
 
   std::vector<Suspect> suspects_;
   std::vector<BondBreak> breaks_;
-  std::vector<Vec3> velocity_;  // (nd + nw) at the start of the step
-  std::vector<Contact> without_;
+  std::vector<Vec3> velocity_;     // (nd + nw) at the start of the step
+  std::vector<Contact> unloaded_;  // the contacts, without the bonds that are taken away
   ContactProblem problem_;
   ContactState state_;
 };

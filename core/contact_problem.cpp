@@ -208,11 +208,15 @@ void build_problem(const World& world, const std::vector<Contact>& contacts,
                                 disks.velocity[i].head<2>().squaredNorm())) /
              dt;
   }
-  for (const Wall& wall : world.walls) {
+  for (std::size_t k = 0; k < world.walls.size(); ++k) {
+    const Wall& wall = world.walls[k];
     if (wall.mass == 0) continue;
     ++mobile;
     mass += wall.mass;
-    force += std::abs(wall.force);
+    const Vec2 free = free_velocity[disks.position.size() + k].head<2>();
+    force +=
+        wall.mass *
+        std::sqrt(std::max((free - wall.velocity).squaredNorm(), wall.velocity.squaredNorm())) / dt;
   }
   problem.velocity_scale = force > 0 ? dt * force / mass : 1;
   if (mobile > 0) force /= mobile;

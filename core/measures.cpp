@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <span>
 
 #include "core/neighbors.h"
@@ -126,11 +127,13 @@ std::vector<double> volume_fraction_profile(const World& world, double height, i
 }
 
 double packing_top(const World& world) {
-  double top = 0;
-  for (int i = 0; i < world.disks.size(); ++i)
-    if (world.disks.role[i] == Role::grain)
-      top = std::max(top, world.disks.position[i].y() + world.disks.radius[i]);
-  return top;
+  std::optional<double> top;
+  for (int i = 0; i < world.disks.size(); ++i) {
+    if (world.disks.role[i] != Role::grain) continue;
+    const double of_grain = world.disks.position[i].y() + world.disks.radius[i];
+    top = std::max(top.value_or(of_grain), of_grain);
+  }
+  return top.value_or(0);
 }
 
 WeightAbove weight_above_intruder(const World& world, const MeasureChoices& choices) {

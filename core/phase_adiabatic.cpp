@@ -33,7 +33,7 @@ bool Protocol::adiabatic_is_over(const Adiabatic& adiabatic) {
                        .grains = sample.grains};
   if (search.finished > 0) {
     const double before = state_.adiabatic_deposits.back().volume_fraction;
-    now.change = (now.volume_fraction - before) / before;
+    if (before > 0) now.change = (now.volume_fraction - before) / before;
   }
   state_.adiabatic_deposits.push_back(now);
   ++search.finished;

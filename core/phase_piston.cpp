@@ -1,5 +1,6 @@
 // The phase "piston": a horizontal wall with mass presses from above. Its force rises linearly in time.
 #include <algorithm>
+#include <optional>
 
 #include "core/protocols.h"
 
@@ -7,12 +8,14 @@ namespace quicksand {
 
 namespace {
 
-// The top of all bodies, intruders included [d].
+// The top of all bodies, intruders included; 0 if there are none [d].
 double highest_point(const Disks& disks) {
-  double top = 0;
-  for (int i = 0; i < disks.size(); ++i)
-    top = std::max(top, disks.position[i].y() + disks.radius[i]);
-  return top;
+  std::optional<double> top;
+  for (int i = 0; i < disks.size(); ++i) {
+    const double of_disk = disks.position[i].y() + disks.radius[i];
+    top = std::max(top.value_or(of_disk), of_disk);
+  }
+  return top.value_or(0);
 }
 
 }  // namespace

@@ -78,11 +78,20 @@ void Protocol::begin_phase(const Phase& phase) {
 }
 
 void Protocol::change(const Scenario& scenario) {
+  const Phase before = phase() ? *phase() : Phase{};
   scenario_ = scenario;
   take_laws(world_, scenario_);
   const Phase* now = phase();
   if (!now || !state_.entered) return;
   // Other phases set their force before each step, or in their next trial.
+  const auto* push = std::get_if<PushPhase>(&now->kind);
+  const auto* pushed = std::get_if<PushPhase>(&before.kind);
+  if (push && (!pushed || push->force != pushed->force)) take_push_force();
+}
+
+void Protocol::take_push_force() {
+  const Phase* now = phase();
+  if (!now || !state_.entered) return;
   if (const auto* push = std::get_if<PushPhase>(&now->kind))
     world_.disks.applied.back() = {0, -push->force, 0};
 }
@@ -141,10 +150,14 @@ bool Protocol::at_rest(double speed, double duration) {
   const auto slow = [&](const auto& v) {
     return v.template head<2>().squaredNorm() <= speed * speed;
   };
-  return rested(std::ranges::all_of(world_.disks.velocity, slow) &&
-                    std::ranges::all_of(
-                        world_.walls,
-                        [&](const Wall& wall) { return wall.mass == 0 || slow(wall.velocity); }),
+  const Disks& disks = world_.disks;
+  bool all_slow = true;
+  for (int i = 0; i < disks.size(); ++i)
+    all_slow = all_slow && (disks.fixed(i) || slow(disks.velocity[i]));
+  return rested(all_slow && std::ranges::all_of(world_.walls,
+                                                [&](const Wall& wall) {
+                                                  return wall.mass == 0 || slow(wall.velocity);
+                                                }),
                 duration);
 }
 

@@ -65,6 +65,8 @@ class Protocol {
   // Takes over gravity, drag, contact laws, step, solver and phases of this scene. Its phases must be of
   // the same kinds as now, up to the present one. Bodies and box stay.
   void change(const Scenario& scenario);
+  // The push under way goes on with its scene's force, whatever acts on the intruder.
+  void take_push_force();
   // The force on the centre of a body from now on, besides its weight [F_g].
   void apply(int body, const Vec2& force);
 

@@ -66,6 +66,11 @@ void check_walls(const Scenario& scenario) {
     if (wall.mass > 0 && wall.normal.x() != 0 && wall.normal.y() != 0)
       throw InputError("walls[" + std::to_string(k) + "]",
                        "has a mass and is tilted; a wall with mass moves along x or y only");
+    if (scenario.box.sides == Sides::periodic && wall.normal.x() != 0)
+      throw InputError(
+          "walls[" + std::to_string(k) + "].normal",
+          "is not along y; where the box's sides are periodic only a horizontal wall is "
+          "the same in all its images");
   }
 }
 

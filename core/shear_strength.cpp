@@ -1,10 +1,10 @@
 #include "core/shear_strength.h"
 
-#include <algorithm>
-
 namespace quicksand {
 
 namespace {
+
+double middle(const CriticalForce& found) { return (found.force_low + *found.force_high) / 2; }
 
 StrengthAtDepth strength_at(std::span<const CriticalForce> forces, int phase, double depth) {
   StrengthAtDepth at{.depth = depth};
@@ -13,7 +13,7 @@ StrengthAtDepth strength_at(std::span<const CriticalForce> forces, int phase, do
     if (found.phase != phase || found.kind != SearchKind::shear || found.depth != depth) continue;
     at.weight_above = found.weight_above;
     if (found.force_high)
-      strengths.push_back((found.force_low + *found.force_high) / 2);
+      strengths.push_back(middle(found));
     else
       ++at.never_moved;
   }
@@ -27,21 +27,16 @@ StrengthAtDepth strength_at(std::span<const CriticalForce> forces, int phase, do
 ShearStrength shear_strength(std::span<const CriticalForce> forces, int phase,
                              std::span<const double> depths) {
   ShearStrength result;
-  std::vector<double> depth, weight, mean, error;
-  for (const double at : depths) {
-    const StrengthAtDepth& found = result.depths.emplace_back(strength_at(forces, phase, at));
-    if (!found.strength) continue;
-    depth.push_back(at);
-    weight.push_back(*found.weight_above);
-    mean.push_back(found.strength->value);
-    error.push_back(found.strength->error.value_or(0));
+  for (const double at : depths) result.depths.push_back(strength_at(forces, phase, at));
+  std::vector<double> depth, weight, strength;
+  for (const CriticalForce& found : forces) {
+    if (found.phase != phase || found.kind != SearchKind::shear || !found.force_high) continue;
+    depth.push_back(found.depth);
+    weight.push_back(found.weight_above);
+    strength.push_back(middle(found));
   }
-  result.weighted = !error.empty() && std::ranges::min(error) > 0;
-  const auto fit = [&](const std::vector<double>& x) {
-    return result.weighted ? fit_line(x, mean, error) : fit_line(x, mean);
-  };
-  result.against_depth = fit(depth);
-  result.against_weight = fit(weight);
+  result.against_depth = fit_line(depth, strength);
+  result.against_weight = fit_line(weight, strength);
   return result;
 }
 

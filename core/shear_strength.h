@@ -1,8 +1,8 @@
 // Strength of a packing over depth, from the critical forces of a shear phase.
 //
 // The strength of a grain is the middle of its interval. Grains that no force moved are counted, but
-// are not in the means. The lines are fitted to the means of the depths, weighted by their standard
-// errors if every depth has one above 0, otherwise with equal weights.
+// are not in the means. The lines go through the strengths of all grains, with equal weights: standard errors of a
+// few grains a depth are too uncertain to weight by (with two, a line's own would be three times too small).
 #pragma once
 
 #include <span>
@@ -23,7 +23,6 @@ struct StrengthAtDepth {
 
 struct ShearStrength {
   std::vector<StrengthAtDepth> depths;      // in the order given
-  bool weighted = false;                    // whether the lines are
   std::optional<Line> against_depth = {};   // [F_g/d], [F_g]; empty unless two depths have means
   std::optional<Line> against_weight = {};  // slope: the effective friction [1]
 };

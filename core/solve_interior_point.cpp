@@ -41,7 +41,8 @@ constexpr double kLeastOfAim = 0.1, kMostOfAim = 10;
 constexpr double kGrowth = 20;
 // Where within this distance so many factorisations gain less than this factor the path has jammed, and so many
 // sweeps of relaxation, which cost less, are tried from the best state. 62 solutions under a piston are as much
-// work where that begins within 300, after 5 factorisations.
+// work where that begins within 300, after 5 factorisations. A path whose velocities have not settled has hardly begun:
+// in debris that comes to rest the first eight steps are short, and what relaxation ends there is in free fall.
 constexpr double kNear = 30, kGain = 0.8;
 constexpr int kPatience = 8, kTrySweeps = 100;
 // A path that is this long and comes within kNear goes on for the sake of some contacts that are still undecided,
@@ -319,7 +320,8 @@ SolveReport InteriorPoint::solve(const ContactProblem& problem, const SolverSett
       relaxed_.impulse = state.impulse;
       if (try_relaxation(problem, settings, kFewSweeps, state, report)) return report;
     }
-    if (jam.met(distance, best, report.factorisations)) {
+    if (report.velocity_change <= settings.velocity_tolerance &&
+        jam.met(distance, best, report.factorisations)) {
       relaxed_.impulse = best_;
       if (try_relaxation(problem, settings, kTrySweeps, state, report)) return report;
     }

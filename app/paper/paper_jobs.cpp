@@ -106,17 +106,15 @@ RunGroup PaperJobs::pulls(const RunGroup& pushes, double first_force_over_cohesi
              {{"phases[1].first_force_over_cohesion", first_force_over_cohesion}});
 }
 
-RunGroup PaperJobs::pistons(const RunGroup& samples) {
+RunGroup PaperJobs::pistons(const RunGroup& samples, const std::string& tag,
+                            const PistonLoad& load) {
   // The pressure, and the mass that it drives, are those on the paper's width.
   const double share = scale_.width / PaperScale{}.width;
-  constexpr double kMass = 2000, kForce = 30;  // [grain masses], [F_c]
-  // Over a time that grows with the height: what is pressed at once falls in faster than a piston can press, and
-  // ends in a shock through all of a high sample, in which no step converges. [sqrt(d/g)/d]
-  constexpr double kRamp = 0.1;
-  return add("piston", samples.name + ".piston", &samples, {},
+  constexpr double kMass = 2000;  // [grain masses]
+  return add("piston", samples.name + ".piston" + (tag.empty() ? "" : "_" + tag), &samples, {},
              {{"phases[0].mass", kMass * share},
-              {"phases[0].force_over_cohesion", kForce * share},
-              {"phases[0].ramp_time", kRamp * scale_.height}});
+              {"phases[0].force_over_cohesion", load.force * share},
+              {"phases[0].ramp_time", load.ramp * scale_.height}});
 }
 
 RunGroup PaperJobs::shears(const RunGroup& states, double top, double first_force) {

@@ -49,6 +49,14 @@ struct PushCurve {
   std::vector<RunGroup> pushes;  // (k)
 };
 
+// What the paper does not say of its piston.
+struct PistonLoad {
+  double force = 30;  // on the paper's width; on others the pressure is the same [F_c]
+  // Time over which it rises. What is pressed at once falls in faster than a piston can press, and ends in a shock
+  // through all of a high sample, in which no step converges. [sqrt(d/g) for each d of height]
+  double ramp = 0.1;
+};
+
 class PaperJobs {
  public:
   // Results will be in `out`/runs. Reads the scenes; throws InputError.
@@ -67,7 +75,8 @@ class PaperJobs {
   // With each of the scale's forces.
   PushCurve push_curve(const RunGroup& samples);
   RunGroup pulls(const RunGroup& pushes, double first_force_over_cohesion);
-  RunGroup pistons(const RunGroup& samples);
+  RunGroup pistons(const RunGroup& samples, const std::string& tag = {},
+                   const PistonLoad& load = {});
   // `top`: about where the packing ends [d].
   RunGroup shears(const RunGroup& states, double top, double first_force);
 

@@ -1,7 +1,8 @@
-// Pushes of other samples and under other choices: density, drag, and the model's free choices.
+// Pushes of a denser sample, and in water.
 #include <cmath>
 
 #include "app/json/json_reader.h"
+#include "app/paper/outcome_table.h"
 #include "app/paper/paper_experiments.h"
 #include "app/paper/push_speed.h"
 
@@ -9,31 +10,7 @@ namespace quicksand {
 
 namespace {
 
-// The force at which choices are compared [F_c].
-constexpr double kForce = 1;
-
-struct Row {
-  std::string text;
-  RunGroup pushes;
-};
-
-Table push_table(const PaperResults& results, const std::string& caption,
-                 const std::vector<Row>& rows, int all) {
-  Table table{.caption = caption,
-              .columns = {{"case"},
-                          {"depth [d]", true},
-                          {"active of contacts", true},
-                          {"remaining of initial", true},
-                          {"coordination", true}}};
-  for (const Row& row : rows) {
-    std::vector<Cell> cells{{.text = row.text}};
-    for (const char* quantity :
-         {"depth", "active_bond_fraction", "remaining_bond_fraction", "coordination"})
-      cells.push_back(cell_of(results.mean(row.pushes, quantity), all));
-    table.rows.push_back(std::move(cells));
-  }
-  return table;
-}
+constexpr double kForce = 1;  // at which drag is compared [F_c]
 
 // Force at which a curve first reaches a value, between its points linear in the logarithm of the force.
 std::optional<double> force_for(const Curve& curve, double value) {
@@ -84,7 +61,7 @@ class Density : public PaperExperiment {
               .x = {.label = "push force", .unit = "F_c", .logarithmic = true},
               .y = {.label = "depth", .unit = "d", .low = 0},
               .legend = LegendPlace::bottom_right};
-    std::vector<Row> rows;
+    std::vector<OutcomeRow> rows;
     for (std::size_t s = 0; s < samples_.size(); ++s) {
       const auto density = results.mean(samples_[s], "volume_fraction");
       const std::string name =
@@ -105,7 +82,7 @@ class Density : public PaperExperiment {
           .note = "for the same mean velocity, as no depth is reached in both; n counts samples"};
     }
     section.blocks.emplace_back(
-        push_table(results, "Pushes of both samples, after everything rests.", rows, all_));
+        push_outcomes(results, "Pushes of both samples, after everything rests.", rows, all_));
     section.blocks.emplace_back(Figure{std::move(plot), "Final depth against the push force."});
   }
 
@@ -134,10 +111,10 @@ class WaterDrag : public PaperExperiment {
   void report(const PaperResults& results, const std::filesystem::path&, Section& section,
               Findings& findings) const override {
     section.blocks.emplace_back(
-        push_table(results,
-                   "Pushes with the cohesion force, with and without viscous drag of water "
-                   "(Stokes' law on each grain).",
-                   {{"without drag", without_}, {"with drag", with_}}, all_));
+        push_outcomes(results,
+                      "Pushes with the cohesion force, with and without viscous drag of water "
+                      "(Stokes' law on each grain).",
+                      {{"without drag", without_}, {"with drag", with_}}, all_));
     std::vector<double> changes;
     for (std::size_t k = 0; k < with_.runs.size(); ++k) {
       const RunResults *with = results.run(with_.runs[k]), *without = results.run(without_.runs[k]);
@@ -153,47 +130,9 @@ class WaterDrag : public PaperExperiment {
   int all_ = 0;
 };
 
-class Choices : public PaperExperiment {
- public:
-  void plan(PaperJobs& jobs) override {
-    all_ = jobs.scale().realizations;
-    const RunGroup samples = jobs.samples();
-    const auto add = [&](const std::string& text, const std::string& tag,
-                         const ParameterValues& laws) {
-      rows_.push_back({text, jobs.pushes(samples, kForce, tag, laws)});
-    };
-    add("reference: energy rule, dt " + number_text(jobs.scale().push_step) +
-            ", max_turn 0.15, residual 1e-5",
-        "", {});
-    add("residual 1e-6", "residual_1e-6", {{"phases[0].solver_tolerance", 1e-6}});
-    add("bonds form during the push", "bonding", {{"phases[0].bonding", true}});
-    add("half the rolling friction", "rolling_0.05", {{"contact.rolling_friction", 0.05}});
-    add("friction 0.6", "friction_0.6", {{"contact.friction", 0.6}});
-  }
-
-  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
-              Findings&) const override {
-    section.blocks.emplace_back(push_table(
-        results, "Pushes of the same samples with the cohesion force under other choices.", rows_,
-        all_));
-    const PaperTargets targets = read_targets(shipped_targets());
-    section.blocks.emplace_back(Paragraph{
-        "The paper has " + paper_text(targets.at("penetration.1.0.active_of_contacts")) +
-        " active of contacts and " +
-        paper_text(targets.at("penetration.1.0.remaining_of_initial")) +
-        " remaining of initial bonds, and the intruder almost at the bottom. Choices of the "
-        "deposition are in the section on samples, break rule and time step in one of their own."});
-  }
-
- private:
-  std::vector<Row> rows_;
-  int all_ = 0;
-};
-
 }  // namespace
 
 std::unique_ptr<PaperExperiment> make_density_experiment() { return std::make_unique<Density>(); }
 std::unique_ptr<PaperExperiment> make_drag_experiment() { return std::make_unique<WaterDrag>(); }
-std::unique_ptr<PaperExperiment> make_choices_experiment() { return std::make_unique<Choices>(); }
 
 }  // namespace quicksand

@@ -32,6 +32,7 @@ PaperStrength paper_strength(const PaperResults& results, const RunGroup& shears
     std::vector<double> forces, weights;
   };
   std::map<double, AtDepth> depths;
+  std::vector<double> depth_of_grain, weight_of_grain, strength_of_grain;
   PaperStrength pooled;
   for (const RunResults* run : results.runs(shears)) {
     for (const Json& found : run->summary().value("critical_forces", Json::array())) {
@@ -40,26 +41,24 @@ PaperStrength paper_strength(const PaperResults& results, const RunGroup& shears
         continue;
       }
       ++pooled.grains;
-      AtDepth& at = depths[found["depth"].get<double>()];
-      at.forces.push_back((found["force_low"].get<double>() + found["force_high"].get<double>()) /
-                          2);
-      at.weights.push_back(found["weight_above"].get<double>());
+      depth_of_grain.push_back(found["depth"].get<double>());
+      weight_of_grain.push_back(found["weight_above"].get<double>());
+      strength_of_grain.push_back(
+          (found["force_low"].get<double>() + found["force_high"].get<double>()) / 2);
+      AtDepth& at = depths[depth_of_grain.back()];
+      at.forces.push_back(strength_of_grain.back());
+      at.weights.push_back(weight_of_grain.back());
     }
   }
-  bool all_known = true;
   for (const auto& [depth, at] : depths) {
     const Mean force = *mean_of(at.forces);
     pooled.depth.push_back(depth);
     pooled.strength.push_back(force.value);
     pooled.error.push_back(force.error.value_or(0));
     pooled.weight_above.push_back(mean_of(at.weights)->value);
-    all_known = all_known && pooled.error.back() > 0;
   }
-  const auto fit = [&](const std::vector<double>& x) {
-    return all_known ? fit_line(x, pooled.strength, pooled.error) : fit_line(x, pooled.strength);
-  };
-  pooled.against_depth = fit(pooled.depth);
-  pooled.against_weight = fit(pooled.weight_above);
+  pooled.against_depth = fit_line(depth_of_grain, strength_of_grain);
+  pooled.against_weight = fit_line(weight_of_grain, strength_of_grain);
   return pooled;
 }
 

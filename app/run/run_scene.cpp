@@ -50,7 +50,10 @@ class Run {
         series_(folder.series(), earlier ? earlier->rows : 0),
         course_(scenario, std::move(start), options.every,
                 [this](const Row& row, const World& world) { record(row, world); }) {
-    if (options.continued_from) course_.protocol().change(scenario);
+    if (options.continued_from) {
+      course_.protocol().change(scenario);
+      course_.protocol().take_push_force();
+    }
     if (earlier) course_.go_on(earlier->samples);
     if (options.frames) film_.emplace(folder, scenario, options.view, series_.rows());
   }

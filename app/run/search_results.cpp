@@ -45,9 +45,7 @@ Json json_of(const StrengthAtDepth& at) {
 Json json_of(const ShearStrength& strength, int phase) {
   Json depths = Json::array();
   for (const StrengthAtDepth& at : strength.depths) depths.push_back(json_of(at));
-  Json json = {{"phase", phase},
-               {"depths", std::move(depths)},
-               {"fit", strength.weighted ? "weighted" : "ordinary"}};
+  Json json = {{"phase", phase}, {"depths", std::move(depths)}};
   const auto add = [&](const char* key, const std::optional<Line>& line, auto member) {
     json[key] = line ? or_null((*line).*member) : Json(nullptr);
   };
@@ -93,6 +91,18 @@ Json search_results(const Scenario& scenario, const ProtocolState& state) {
   Json json = Json::object();
   if (!state.critical_forces.empty()) json["critical_forces"] = list_of(state.critical_forces);
   if (!state.adiabatic_deposits.empty()) json["adiabatic"] = list_of(state.adiabatic_deposits);
+  for (std::size_t k = 0; k < state.adiabatic_deposits.size(); ++k) {
+    const AdiabaticDeposit& last = state.adiabatic_deposits[k];
+    const bool followed = k + 1 < state.adiabatic_deposits.size() &&
+                          state.adiabatic_deposits[k + 1].phase == last.phase;
+    if (followed || last.phase >= state.phase) continue;
+    const auto& deposit =
+        std::get<DepositPhase>(scenario.phases[static_cast<std::size_t>(last.phase)].kind);
+    const double tolerance = deposit.adiabatic->tolerance;
+    if (last.change && std::abs(*last.change) < tolerance) continue;
+    json["adiabatic_unsettled"].push_back(
+        {{"phase", last.phase}, {"change", or_null(last.change)}, {"tolerance", tolerance}});
+  }
   for (std::size_t k = 0; k < scenario.phases.size(); ++k) {
     const auto* shear = std::get_if<ShearPhase>(&scenario.phases[k].kind);
     const auto phase = static_cast<int>(k);
@@ -117,6 +127,14 @@ std::vector<std::string> search_warnings(const Json& results, int phases_finishe
   if (always > 0)
     warnings.push_back(bodies(always) + " moved at every force down to first_force/2^" +
                        std::to_string(ForceBracket::kMostDoublings) + ".");
+  for (const Json& deposit : results.value("adiabatic_unsettled", Json::array())) {
+    const Json& change = deposit.at("change");
+    warnings.push_back(
+        "The adiabatic deposit ended at its max_interval, before its volume fraction settled to " +
+        number_text(deposit.at("tolerance").get<double>()) +
+        (change.is_null() ? std::string(": it has a single sample.")
+                          : ": the last change was " + number_text(change.get<double>()) + "."));
+  }
   for (const Json& shear : results.value("shear_strength", Json::array())) {
     if (shear.at("phase") >= phases_finished) continue;
     for (const Json& at : shear.at("depths"))

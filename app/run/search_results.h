@@ -8,12 +8,12 @@
 
 namespace quicksand {
 
-// "critical_forces", "adiabatic" and "shear_strength" (one entry a shear phase); a key is left out if
-// there is nothing to say under it.
+// "critical_forces", "adiabatic" (its samples), "adiabatic_unsettled" (finished phases that did not reach their
+// tolerance) and "shear_strength" (one entry a shear phase); a key is left out if there is nothing to say under it.
 Json search_results(const Scenario& scenario, const ProtocolState& state);
 
 // What a reader of these results (or of a summary that holds them) must know, a sentence each: critical forces
-// without a bound, and depths without grains in the first `phases_finished` phases.
+// without a bound, depths without grains in the first `phases_finished` phases, and samples that had not settled.
 std::vector<std::string> search_warnings(const Json& results, int phases_finished);
 
 // Writes the tables that have rows. Throws InputError.

@@ -157,6 +157,13 @@ TEST(LoadedNeighbours, DoNotCountABondThatJustBroke) {
   EXPECT_EQ(neighbours(run.world).loaded, (std::vector<int>{0, 0}));
 }
 
+TEST(PackingTop, MayBeBelowZero) {
+  World world;
+  world.disks.add({.position = {0, -20}});
+  world.disks.add({.position = {3, -18}});
+  EXPECT_EQ(packing_top(world), -17.5);
+}
+
 TEST(Measures, OfAnEmptyWorldAreZeroOrAbsent) {
   const Sample sample = measure(make_world(empty_scene(Method::automatic)));
   EXPECT_EQ(sample.grains, 0);

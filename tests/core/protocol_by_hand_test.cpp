@@ -85,6 +85,19 @@ TEST(ChangeByHand, AnotherPushForceActsAtOnce) {
   EXPECT_EQ(protocol.world().disks.applied[protocol.world().intruder()], Vec3(0, -50, 0));
 }
 
+// What is changed beside it does not take it away.
+TEST(ForceByHand, OnAnIntruderOutlastsOtherChanges) {
+  Scenario scene = scene_of({kDeposit, phase_of(PushPhase{.force = 10, .max_time = 5})});
+  Protocol protocol(scene, make_world(scene));
+  finish_phase(protocol);
+  protocol.advance();
+  const int intruder = protocol.world().intruder();
+  protocol.apply(intruder, {0, -777});
+  scene.solver.tolerance *= 2;
+  protocol.change(scene);
+  EXPECT_EQ(protocol.world().disks.applied[intruder].y(), -777);
+}
+
 TEST(ForceByHand, ActsUntilItIsTakenAway) {
   Scenario scene = scene_of({kSettle});
   scene.gravity.reset();

@@ -82,6 +82,14 @@ TEST_P(RunOfPhases, SettleEndsAtRest) {
   EXPECT_LT(run.protocol.world().time, 200);
 }
 
+// A fixed disk that moves is a drive, like a wall without mass: nothing waits for it.
+TEST_P(RunOfPhases, WhatIsFixedAndMovesDoesNotKeepTheRestFromBeingAtRest) {
+  Scenario scene = with_phases(GetParam(), {{SettlePhase{.rest_speed = 1e-2, .max_time = 5}}});
+  scene.disks = {{.position = {2, 0.5}}, {.position = {2, 8}, .velocity = {0.1, 0}, .fixed = true}};
+  const Finished run(scene);
+  EXPECT_LT(run.protocol.world().time, 2);
+}
+
 TEST_P(RunOfPhases, SettleLastsExactlyItsTimeIfItShallNotWaitForRest) {
   const Finished run(
       with_phases(GetParam(), {{SettlePhase{.max_time = 0.37, .until_rest = false}, 1e-2}}));
@@ -139,11 +147,11 @@ TEST_P(RunOfPhases, PushPlacesTheIntruderOnTheSurfaceAndPushes) {
   EXPECT_LT(measure(protocol.world()).remaining_bond_fraction, 1);
 }
 
-// An intruder that cannot move, beside a grain that never stops.
+// An intruder that cannot move, beside a grain that falls all the time.
 Scenario held_intruder(Method method, RestOf until) {
   Scenario scene = column(method, 1, paper_law());
   scene.box.width = 10;
-  scene.disks.push_back({.position = {7, 3}, .velocity = {1, 0}, .fixed = true});
+  scene.disks.push_back({.position = {7, 3}, .velocity = {0, 9}});
   scene.phases = {
       {PushPhase{.force = 50, .x = 0.0, .rest_time = 0.1, .max_time = 0.5, .until = until}}};
   return scene;

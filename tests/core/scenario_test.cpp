@@ -105,6 +105,18 @@ TEST(Validation, RefusesAPistonThatIsTilted) {
   EXPECT_EQ(verdict(scene), "valid");
 }
 
+// It is one wall, and not one in each image of the box.
+TEST(Validation, RefusesAWallThatIsNotTheSameInAllImages) {
+  Scenario scene = empty_scene(Method::automatic);
+  scene.box = {.width = 10, .height = 5, .sides = Sides::periodic, .floor = true};
+  scene.walls = {{.point = {0, 4}, .normal = {0, -1}}};
+  EXPECT_EQ(verdict(scene), "valid");
+  scene.walls[0].normal = {1, 0};
+  EXPECT_TRUE(starts_with(verdict(scene), "walls[0].normal")) << verdict(scene);
+  scene.box.sides = Sides::walls;
+  EXPECT_EQ(verdict(scene), "valid");
+}
+
 TEST(Validation, RefusesWallsInTheWayOfWhatComesFromAbove) {
   for (const Phase& phase : {Phase{DepositPhase{.grains = 3}}, Phase{PushPhase{}}}) {
     Scenario scene = small_collapse(Method::automatic);
@@ -113,6 +125,7 @@ TEST(Validation, RefusesWallsInTheWayOfWhatComesFromAbove) {
     std::get<PistonPhase>(scene.phases[1].kind).remove = false;
     EXPECT_TRUE(starts_with(verdict(scene), "phases[2]")) << verdict(scene);
     scene.phases = {phase};
+    scene.box.sides = Sides::walls;
     scene.walls = {{.point = {5, 0}, .normal = {1, 0}}};
     EXPECT_TRUE(starts_with(verdict(scene), "phases[0]")) << verdict(scene);
     scene.walls = {{.point = {0, 1}}};

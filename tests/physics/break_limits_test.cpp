@@ -150,6 +150,29 @@ TEST_P(ImpactLimit, OfAPressedBondIsNotFarAboveItsEnergy) {
   }
 }
 
+// A bond that a collision has just pressed is no weaker for it: neither where the pair turns, at 0.25 % of what F_c
+// holds, nor against an impact.
+TEST_P(ImpactLimit, DoesNotDependOnACollisionBefore) {
+  for (double dt : {1e-2, 3e-3, 1e-3}) {
+    for (double speed : {2.0, 10.0, 50.0}) {
+      const auto struck = [&](double share, double across) {
+        Scenario scene = pulled_pair(GetParam(), 0, kCohesion);
+        scene.disks[1].velocity = {-speed, across};
+        scene.step.dt = dt;
+        Simulation run(scene);
+        run.advance();
+        run.world.disks.velocity[1].x() += std::sqrt(share * 2 * kCohesion * kRange);
+        run.advance(5);
+        EXPECT_EQ(run.unconverged, 0);
+        return run.bonds_broken > 0;
+      };
+      EXPECT_FALSE(struck(0, 5)) << dt << " " << speed;
+      EXPECT_FALSE(struck(0.99, 0)) << dt << " " << speed;
+      EXPECT_TRUE(struck(1.01, 0)) << dt << " " << speed;
+    }
+  }
+}
+
 // How far implicit Euler lets the pair open: every step takes F_c W dt from the speed before it moves.
 double implicit_euler_opening(double share, double dt) {
   double speed = opening_speed(share), gap = 0;

@@ -1,0 +1,75 @@
+// The model's free choices, and what they do to the numbers of the push and of the piston.
+#include "app/json/json_reader.h"
+#include "app/paper/outcome_table.h"
+#include "app/paper/paper_experiments.h"
+
+namespace quicksand {
+
+namespace {
+
+class Choices : public PaperExperiment {
+ public:
+  void plan(PaperJobs& jobs) override {
+    all_ = jobs.scale().realizations;
+    const RunGroup samples = jobs.samples();
+    const auto push = [&](const std::string& text, const std::string& tag,
+                          const ParameterValues& laws) {
+      constexpr double kForce = 1;  // [F_c]
+      pushes_.push_back({text, jobs.pushes(samples, kForce, tag, laws)});
+    };
+    push("reference: energy rule, dt " + number_text(jobs.scale().push_step) +
+             ", max_turn 0.15, residual 1e-5",
+         "", {});
+    push("residual 1e-6", "residual_1e-6", {{"phases[0].solver_tolerance", 1e-6}});
+    push("bonds form during the push", "bonding", {{"phases[0].bonding", true}});
+    push("half the rolling friction", "rolling_0.05", {{"contact.rolling_friction", 0.05}});
+    push("friction 0.6", "friction_0.6", {{"contact.friction", 0.6}});
+
+    const PistonLoad load;
+    const auto press = [&](const std::string& text, const std::string& tag,
+                           const PistonLoad& other) {
+      pistons_.push_back({text, jobs.pistons(samples, tag, other)});
+    };
+    press("reference: " + number_text(load.force) + " F_c that rise over " +
+              number_text(load.ramp * jobs.scale().height) + " sqrt(d/g)",
+          "", load);
+    press("rising three times as slowly", "slow", {.ramp = 3 * load.ramp});
+    press("half the force", "half", {.force = load.force / 2});
+    press("twice the force", "double", {.force = 2 * load.force});
+  }
+
+  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
+              Findings&) const override {
+    section.blocks.emplace_back(push_outcomes(
+        results, "Pushes of the same samples with the cohesion force under other choices.", pushes_,
+        all_));
+    const PaperTargets targets = read_targets(shipped_targets());
+    const auto paper = [&](const char* id) { return paper_text(targets.at(id)); };
+    section.blocks.emplace_back(
+        Paragraph{"The paper has " + paper("penetration.1.0.active_of_contacts") +
+                  " active of contacts and " + paper("penetration.1.0.remaining_of_initial") +
+                  " remaining of initial bonds, and the intruder almost at the bottom."});
+    section.blocks.emplace_back(piston_outcomes(
+        results, "The same samples after the piston, under other loads.", pistons_, all_));
+    section.blocks.emplace_back(
+        Paragraph{"The paper has a volume fraction of " + paper("piston.after.volume_fraction") +
+                  ", " + paper("piston.active_of_contacts") + " active of contacts, " +
+                  paper("piston.remaining_of_initial") +
+                  " remaining of initial bonds and a coordination "
+                  "number of " +
+                  paper("piston.after.coordination") +
+                  ". Its load is not among the facts that we have of it. Choices of the deposition "
+                  "are in the "
+                  "section on samples, break rule and time step in one of their own."});
+  }
+
+ private:
+  std::vector<OutcomeRow> pushes_, pistons_;
+  int all_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<PaperExperiment> make_choices_experiment() { return std::make_unique<Choices>(); }
+
+}  // namespace quicksand
