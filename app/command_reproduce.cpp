@@ -131,13 +131,14 @@ double seconds_of(const PaperResults& results, std::size_t jobs) {
 Section section_on_runs(const PaperJobs& jobs, const PoolReport& pool,
                         const PaperResults& results) {
   Section section{.title = "Runs", .blocks = {}};
-  BulletList failed;
+  BulletList failed, moving;
   double unconverged = 0, halved = 0, broken = 0;
   for (std::size_t k = 0; k < jobs.jobs().size(); ++k) {
     if (const RunResults* run = results.run(k)) {
       unconverged += run->final_value("unconverged_steps").value_or(0);
       halved += run->final_value("halved_steps").value_or(0);
       broken += run->final_value("bonds_broken_in_unconverged_steps").value_or(0);
+      if (run->summary().value("missed_rest", false)) moving.items.push_back(jobs.jobs()[k].id);
     } else {
       failed.items.push_back(
           jobs.jobs()[k].id + ": " + std::string(status_name(pool.outcomes[k].status)) +
@@ -151,6 +152,12 @@ Section section_on_runs(const PaperJobs& jobs, const PoolReport& pool,
       "; bonds broken in unconverged steps: " + number_text(broken) +
       ". Every run's folder holds its scene, series, summary and last state; `quicksand run "
       "scene.json` repeats it."});
+  if (!moving.items.empty()) {
+    section.blocks.emplace_back(Remark{Remark::Kind::note,
+                                       "These runs ended at the longest time of their last phase, "
+                                       "before all of it had come to rest."});
+    section.blocks.emplace_back(std::move(moving));
+  }
   if (!failed.items.empty()) {
     section.blocks.emplace_back(
         Remark{Remark::Kind::warning, "These runs are missing from every mean."});

@@ -83,6 +83,11 @@ void Protocol::change(const Scenario& scenario) {
   take_laws(world_, scenario_);
   const Phase* now = phase();
   if (!now || !state_.entered) return;
+  std::visit(
+      [&](const auto& kind) {
+        if constexpr (requires { kind.bonding; }) world_.bonding = kind.bonding;
+      },
+      now->kind);
   // Other phases set their force before each step, or in their next trial.
   const auto* push = std::get_if<PushPhase>(&now->kind);
   const auto* pushed = std::get_if<PushPhase>(&before.kind);

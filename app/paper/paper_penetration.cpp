@@ -114,8 +114,9 @@ class Penetration : public PaperExperiment {
       find("penetration.1.0.active_of_contacts", "active_bond_fraction");
       find("penetration.1.0.remaining_of_initial", "remaining_bond_fraction");
       std::vector<double> shares;
-      for (const double depth : results.values(curve_.pushes[k], "depth"))
-        shares.push_back(depth / height_);
+      for (const RunResults* run : results.runs(curve_.pushes[k]))
+        if (const auto depth = run->final_value("depth"))
+          shares.push_back(*depth / run->column("packing_top").front());
       note(findings, "penetration.1.0.depth", mean_over(shares));
     } else if (curve_.forces[k] == kStrong) {
       const std::string strong = "penetration.strong.";

@@ -1,4 +1,5 @@
 // Shear strength over depth: unperturbed samples, and samples perturbed by the piston.
+#include "app/json/json_reader.h"
 #include "app/paper/paper_experiments.h"
 #include "app/paper/paper_strength.h"
 #include "app/report/typeset_number.h"
@@ -24,7 +25,11 @@ std::string line_text(const std::optional<Line>& line, double Line::*value,
 
 class Shear : public PaperExperiment {
  public:
-  void plan(PaperJobs& jobs) override { runs_ = plan_strength(jobs); }
+  void plan(PaperJobs& jobs) override {
+    runs_ = plan_strength(jobs);
+    scale_ = jobs.scale();
+    scene_ = jobs.jobs()[runs_.loose.runs.front()].scenario;
+  }
 
   void report(const PaperResults& results, const std::filesystem::path&, Section& section,
               Findings& findings) const override {
@@ -32,6 +37,15 @@ class Shear : public PaperExperiment {
                         strong = paper_strength(results, runs_.loose_strong),
                         compact = paper_strength(results, runs_.compact),
                         rough = paper_strength(results, runs_.compact_rough);
+    section.blocks.emplace_back(Paragraph{
+        "A grain has been moved where it has gone " + number_text(scale_.shear_distance) +
+        " d within " + number_text(scale_.shear_time) +
+        " sqrt(d/g); the paper takes 20 d. Its strength is the middle of the interval between the "
+        "largest force that did not and the smallest that did, narrowed to " +
+        number_text(scale_.shear_tolerance) + " of it; " + std::to_string(scale_.grains_per_depth) +
+        (scale_.grains_per_depth == 1 ? " grain" : " grains") +
+        " a depth and sample, the paper takes 10. Steps of " + number_text(scene_.step.dt) +
+        " sqrt(d/g)."});
     section.blocks.emplace_back(table({{"unperturbed, F_c = 10⁴ F_g", &loose},
                                        {"unperturbed, F_c = 10⁶ F_g", &strong},
                                        {"perturbed, friction 0.3", &compact},
@@ -118,6 +132,8 @@ class Shear : public PaperExperiment {
   }
 
   StrengthRuns runs_;
+  PaperScale scale_;
+  Scenario scene_;
 };
 
 }  // namespace

@@ -39,7 +39,7 @@ class Velocity : public PaperExperiment {
               .legend = LegendPlace::bottom_right};
     const auto line = fit_line(curve.x, squares);
     plot.curves.push_back(curve);
-    if (line && line->slope > 0) {
+    if (line && line->slope > 0 && line->intercept < 0) {
       const double threshold = -line->intercept / line->slope;
       plot.curves.push_back(law(line->slope, threshold, curve.x.back()));
       findings["penetration.threshold_force"] = {
@@ -50,8 +50,13 @@ class Velocity : public PaperExperiment {
           crust_pressure(threshold, static_cast<int>(curve.x.size()));
       note_exponent(findings, curve, threshold);
     }
+    const bool found = findings.contains("penetration.threshold_force");
     section.blocks.emplace_back(Figure{
-        std::move(plot), "The line is v² = k (F − F_0), fitted to the squares of the velocities."});
+        std::move(plot),
+        found
+            ? "The line is v² = k (F − F_0), fitted to the squares of the velocities."
+            : "A straight line through the squares of the velocities gives no threshold: it is not "
+              "zero at any positive force."});
   }
 
  private:

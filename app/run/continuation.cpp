@@ -12,6 +12,17 @@
 
 namespace quicksand {
 
+std::vector<std::string> set_up_by(const Phase& phase) {
+  if (std::holds_alternative<PushPhase>(phase.kind)) return {"type", "diameter", "density", "x"};
+  if (std::holds_alternative<PistonPhase>(phase.kind)) return {"type", "mass"};
+  if (std::holds_alternative<PullPhase>(phase.kind)) return {"type", "first_force"};
+  if (std::holds_alternative<ShearPhase>(phase.kind))
+    return {"type", "first_force", "depths", "grains_per_depth"};
+  const auto* deposit = std::get_if<DepositPhase>(&phase.kind);
+  if (deposit && deposit->adiabatic) return {"type", "interval"};
+  return {"type"};
+}
+
 namespace {
 
 constexpr auto kMayDiffer = std::to_array<std::string_view>(
@@ -42,13 +53,6 @@ constexpr std::size_t kShort = 200;
 Json phases_of(const Json& scene) {
   const auto found = scene.find("phases");
   return found != scene.end() && found->is_array() ? *found : Json::array();
-}
-
-// What a phase sets up when it begins.
-std::vector<std::string> set_up_by(const Phase& phase) {
-  if (std::holds_alternative<PushPhase>(phase.kind)) return {"type", "diameter", "density", "x"};
-  if (std::holds_alternative<PistonPhase>(phase.kind)) return {"type", "mass"};
-  return {"type"};
 }
 
 // Phases that have finished stay as they were, and so does what the one under way has set up.

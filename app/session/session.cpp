@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "app/run/continuation.h"
 #include "app/run/film.h"
 #include "app/run/state_file.h"
 #include "app/scene/scenario_json.h"
@@ -23,6 +24,16 @@ constexpr auto kHoldAtOnce =
 bool holds_at_once(const std::string& path) {
   const std::string part = path.substr(0, path.find_first_of(".["));
   return std::ranges::find(kHoldAtOnce, part) != kHoldAtOnce.end();
+}
+
+// Whether the path is of a field that the present phase has made use of when it began.
+bool is_set_up(const std::string& path, const Protocol& protocol) {
+  const Phase* now = protocol.phase();
+  const std::string prefix = "phases[" + std::to_string(protocol.state().phase) + "].";
+  if (!now || !protocol.state().entered || !path.starts_with(prefix)) return false;
+  return std::ranges::any_of(set_up_by(*now), [&](const std::string& key) {
+    return path.substr(prefix.size()).starts_with(key);
+  });
 }
 
 // Whether the phases that a course has begun are of the same kinds in both.
@@ -89,13 +100,14 @@ bool Session::set(const std::string& path, const Json& value) {
   scenario_ = std::move(changed);
   view.physical = scenario_.physical;
   if (!holds_at_once(path)) return false;
+  const bool too_late = is_set_up(path, protocol());
   Scenario now = scenario_;
   const bool phases_fit =
       !by_hand_ && same_kinds(scenario_.phases, phases(), protocol().state().phase);
   if (!phases_fit) now.phases = phases();
   course_->protocol().change(now);
   failed_ = false;
-  return phases_fit || !path.starts_with("phases");
+  return !too_late && (phases_fit || !path.starts_with("phases"));
 }
 
 void Session::begin_phase(const Phase& phase) {

@@ -106,6 +106,22 @@ TEST_F(SessionTest, AChangedLawHoldsAtOnceAndAChangedBoxAfterAReset) {
   EXPECT_EQ(lines[7]["step"], 1);
 }
 
+// The piston of a phase under way has its mass; its force may change.
+TEST_F(SessionTest, WhatAPhaseHasSetUpChangesWithAReset) {
+  Json scene = Json::parse(kHanging);
+  scene["phases"] = {{{"type", "piston"}, {"mass", 3}, {"force", 1}}};
+  const Outcome played = play({R"({"command": "load", "scene": )" + scene.dump() + "}",
+                               R"({"command": "set", "path": "phases[0].mass", "value": 4})",
+                               R"({"command": "run", "steps": 2})",
+                               R"({"command": "set", "path": "phases[0].mass", "value": 5})",
+                               R"({"command": "set", "path": "phases[0].force", "value": 2})"});
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  const std::vector<Json> lines = transcript();
+  EXPECT_EQ(lines[1]["result"]["holds"], "now") << "it has not begun";
+  EXPECT_EQ(lines[3]["result"]["holds"], "from the next reset on");
+  EXPECT_EQ(lines[4]["result"]["holds"], "now");
+}
+
 TEST_F(SessionTest, APhaseBegunByHandComesBeforeThoseOfTheScene) {
   const Outcome played = play(
       {R"({"command": "load", "scene": "collapse", "set": {"phases[0].height": 3, "box.width": 10}})",

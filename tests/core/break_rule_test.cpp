@@ -69,19 +69,19 @@ TEST(EnergyRule, KeepsWhatHardlyOpens) {
   EXPECT_GT(judgement.cost.factorisations, 0) << "no bond was suspected";
 }
 
-// A row of four that hangs from the first: its sudden weight pulls, which is no impact, and the faint blow is less than
-// what a rough solution can tell from none.
+// A row of four that hangs from the first: its sudden weight pulls, which is no impact, and the blow is faint.
 TEST(EnergyRule, ClearsByARoughSolutionWhatALoadPulls) {
   Scenario scene = struck_hexagon(0);
+  scene.solver.method = Method::interior_point;
   scene.disks.resize(4);
   scene.disks[0].fixed = true;
   scene.gravity = Vec2(100, 0);
   scene.disks[3].velocity.x() = 0.3;
-  const Judgement faint = judge_first_step(scene, 1e-9);
-  EXPECT_TRUE(faint.breaks.empty());
-  EXPECT_EQ(faint.cost.factorisations, 0) << "it was solved to the tolerance";
-  scene.disks[3].velocity.x() = 3;
-  EXPECT_GT(judge_first_step(scene, 1e-9).cost.factorisations, 0) << "no bond was suspected";
+  const Judgement judgement = judge_first_step(scene, 1e-9);
+  EXPECT_TRUE(judgement.breaks.empty());
+  EXPECT_GT(judgement.cost.factorisations, 0) << "no bond was suspected";
+  EXPECT_EQ(judge_first_step(scene, 1e-6).cost.factorisations, judgement.cost.factorisations)
+      << "it was solved to the tolerance";
 }
 
 // A row on a fixed disk, each faster than the one before, as if pulled long: the bond to the fixed disk, the

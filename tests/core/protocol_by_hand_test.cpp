@@ -85,6 +85,17 @@ TEST(ChangeByHand, AnotherPushForceActsAtOnce) {
   EXPECT_EQ(protocol.world().disks.applied[protocol.world().intruder()], Vec3(0, -50, 0));
 }
 
+TEST(PhaseByHand, BondingCanBeTurnedOnUnderWay) {
+  Scenario scene = scene_of({kDeposit, kSettle});
+  Protocol protocol(scene, make_world(scene));
+  finish_phase(protocol);
+  protocol.advance();
+  ASSERT_FALSE(protocol.world().bonding);
+  std::get<SettlePhase>(scene.phases[1].kind).bonding = true;
+  protocol.change(scene);
+  EXPECT_TRUE(protocol.world().bonding);
+}
+
 // What is changed beside it does not take it away.
 TEST(ForceByHand, OnAnIntruderOutlastsOtherChanges) {
   Scenario scene = scene_of({kDeposit, phase_of(PushPhase{.force = 10, .max_time = 5})});
