@@ -109,6 +109,7 @@ TEST_F(SessionTest, AChangedLawHoldsAtOnceAndAChangedBoxAfterAReset) {
 // The piston of a phase under way has its mass; its force may change.
 TEST_F(SessionTest, WhatAPhaseHasSetUpChangesWithAReset) {
   Json scene = Json::parse(kHanging);
+  scene["box"] = {{"width", 5}, {"height", 6}, {"sides", "periodic"}};
   scene["phases"] = {{{"type", "piston"}, {"mass", 3}, {"force", 1}}};
   const Outcome played = play({R"({"command": "load", "scene": )" + scene.dump() + "}",
                                R"({"command": "set", "path": "phases[0].mass", "value": 4})",
