@@ -19,9 +19,10 @@ constexpr double kClear = 0.5;
 // large may they be.
 constexpr double kDoubt = 2;
 
-// Impulse by which the turning of a pair loads its bond in a step, over dt.
+// Impulse by which the turning of a pair loads its bond in a step, over dt: at its start the line of centres has turned
+// away from the velocity, at its end the gap must not have opened.
 double turning_load(const World& world, const Contact& contact, double delassus) {
-  return 1.5 * turning_rate(world, contact) / delassus;
+  return (turning_rate(world, contact, world.disks.velocity) + contact.turning / 2) / delassus;
 }
 
 double normal_delassus(const World& world, const Contact& contact) {

@@ -3,12 +3,12 @@
 // An implicit bond holds any impulse up to F_c dt, but only the energy F_c d_c: at a finite step it
 // would withstand impacts that break it. With T = F_c dt - N the tension impulse of the step, F_s the
 // tension force before it, W the contact's Delassus diagonal and kappa = u_ct^2/D the turning of a
-// bonded pair, the part of an impact is at most
-//   J = T - F_s dt - 1.5 dt kappa/W,
+// bonded pair, from the start of the step to its end, the part of an impact is at most
+//   J = T - F_s dt - L,  L = dt (kappa_start + kappa_end/2)/W,
 // and a bond is suspected if J^2 W/2 > (F_c - F_s) d_c, which it is where all else is free to move; a
 // pressure before the step is a negative F_s in J, and none in the energy. That pressure may have been a
 // collision's, which has ended and pulls at nothing. So the step is solved without external forces, where
-// T - 1.5 dt kappa/W is the impact alone: the less of it and of J counts. Another solution without external forces,
+// T - L is the impact alone: the less of it and of J counts. Another solution without external forces,
 // and without the suspects that are left, gives the velocity u_open with which the impact would open them.
 // A bond breaks if the energy of the opening mode, J u_open/2, is more than what is left of its own,
 // E = (F_c - F_s) d_c. In the step in which it breaks it gives the impulse

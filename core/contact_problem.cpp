@@ -29,10 +29,10 @@ void start_velocities(const World& world, std::vector<Vec3>& velocity) {
     velocity.emplace_back(wall.velocity.x(), wall.velocity.y(), 0);
 }
 
-double turning_rate(const World& world, const Contact& contact) {
+double turning_rate(const World& world, const Contact& contact, const std::vector<Vec3>& velocity) {
   const auto [a, b] = contact.pair;
   if (is_wall(b)) return 0;
-  const Vec3 u = world.disks.velocity[b] - world.disks.velocity[a];
+  const Vec3 u = velocity[b] - velocity[a];
   const double u_ct = perpendicular(contact.normal).dot(u.head<2>());
   return u_ct * u_ct / (world.disks.radius[a] + world.disks.radius[b] + contact.gap);
 }
@@ -109,6 +109,7 @@ void find_contacts(const World& world, const std::vector<Pair>& candidates,
     contact.gap = gap;
     const ContactLaw& law = world.law(pair);
     if (bonded) contact.cohesion = law.cohesion_force.value_or(0);
+    if (contact.cohesion > 0) contact.turning = turning_rate(world, contact, world.disks.velocity);
     if (old == world.contacts.end() || old->pair != pair) continue;
     contact.impulse = scale * old->impulse;
     if (!law.friction) contact.impulse.y() = 0;
@@ -145,6 +146,18 @@ int add_missed_contacts(const World& world, const std::vector<Pair>& candidates,
   std::inplace_merge(contacts.begin(), contacts.begin() + known, contacts.end(),
                      [](const Contact& p, const Contact& q) { return p.pair < q.pair; });
   return static_cast<int>(static_cast<std::ptrdiff_t>(contacts.size()) - known);
+}
+
+bool correct_turning(const World& world, const std::vector<Vec3>& velocity, double dt,
+                     double tolerance, std::vector<Contact>& contacts) {
+  const auto off = [&](const Contact& c) {
+    const double rate = turning_rate(world, c, velocity);
+    return c.cohesion > 0 && dt * dt / 2 * std::abs(rate - c.turning) > tolerance;
+  };
+  if (std::ranges::none_of(contacts, off)) return false;
+  for (Contact& c : contacts)
+    if (c.cohesion > 0) c.turning = turning_rate(world, c, velocity);
+  return true;
 }
 
 void build_problem(const World& world, const std::vector<Contact>& contacts,
@@ -188,7 +201,7 @@ void build_problem(const World& world, const std::vector<Contact>& contacts,
     if (contact.cohesion == 0) continue;
 
     strongest_bond = std::max(strongest_bond, contact.cohesion);
-    if (step.curvature_term) row.offset.x() += dt * turning_rate(world, contact) / 2;
+    if (step.curvature_term) row.offset.x() += dt * contact.turning / 2;
     const Vec3 attraction(dt * contact.cohesion, 0, 0);
     problem.free_velocity[row.a] -=
         problem.inverse_mass[row.a].cwiseProduct(momentum_of_a(row, attraction));

@@ -14,8 +14,9 @@ namespace quicksand {
 void start_velocities(const World& world, std::vector<Vec3>& velocity);
 
 // How fast the line of centres of two disks turns: u_ct^2/D with u_ct the tangential relative velocity
-// of the centres at the start of the step and D their distance; 0 at walls. [g]
-double turning_rate(const World& world, const Contact& contact);
+// of the centres, from `velocity` (at least nd), and D their distance; 0 at walls. In a step the gap opens by dt^2/2
+// times that of its end. [g]
+double turning_rate(const World& world, const Contact& contact, const std::vector<Vec3>& velocity);
 
 // The fastest of all bonded pairs, |u_ct|/D [rad sqrt(g/d)].
 double fastest_turning(const World& world);
@@ -34,7 +35,8 @@ double contact_reach(const World& world, const std::vector<Vec3>& free_velocity,
 // The contacts of the step among sorted `candidates`, which must hold all pairs within the reach and may hold
 // others: bonded pairs, and those that may touch within the step (judged by the free velocities). They depend
 // on the world alone, not on how many pairs farther apart a list happens to hold. Impulses are inherited from
-// world.contacts by pair, as far as the law still has them, and scaled to the new step. Sorted by pair.
+// world.contacts by pair, as far as the law still has them, and scaled to the new step; bonds are taken to turn as
+// they did before. Sorted by pair.
 void find_contacts(const World& world, const std::vector<Pair>& candidates,
                    const std::vector<Vec3>& free_velocity, double dt,
                    std::vector<Contact>& contacts);
@@ -44,6 +46,11 @@ void find_contacts(const World& world, const std::vector<Pair>& candidates,
 int add_missed_contacts(const World& world, const std::vector<Pair>& candidates,
                         const std::vector<Vec3>& velocity, double dt, double tolerance,
                         std::vector<Contact>& contacts);
+
+// If some bond turns so differently with `velocity` (nd + nw) from what its step was solved with that its gap is off
+// by more than `tolerance` [d], all take their turning from there, and the step is to be solved again.
+bool correct_turning(const World& world, const std::vector<Vec3>& velocity, double dt,
+                     double tolerance, std::vector<Contact>& contacts);
 
 // The rows of the contacts, and free velocities that include the cohesion of active bonds.
 void build_problem(const World& world, const std::vector<Contact>& contacts,

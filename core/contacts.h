@@ -17,6 +17,8 @@ struct Contact {
   Vec3 impulse{0, 0, 0};  // (N, R_t, T): N = R_n + F_c dt of bonded contacts [m sqrt(g d)],
                           // T rolling [m d sqrt(g d)]
   double cohesion = 0;    // F_c if the bond is active, otherwise 0 [F_g]
+  double turning =
+      0;  // kappa by which the step of a bond was solved, see turning_rate(); not kept [g]
 
   // Resultant force on b, given the step that the impulses were computed with [F_g].
   Vec2 force(double dt) const {

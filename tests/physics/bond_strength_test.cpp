@@ -230,6 +230,21 @@ TEST_P(SpinningPair, KeepsItsSpinEnergyWithTheCurvatureTerm) {
   EXPECT_NEAR(run.world.disks.velocity[0].z(), spin, tolerance::discretised(spin));
 }
 
+// The term is that of the turning at the end of the step: that of its start would let a pair that a collision stops
+// overlap by (w dt)^2 d/2 = 0.005 d.
+TEST_P(SpinningPair, StaysInTouchWhereACollisionStopsItsTurning) {
+  Scenario scene = pulled_pair(GetParam(), 0, 1e4);
+  scene.disk_forces.clear();
+  scene.disks[1].velocity.y() = 10;
+  scene.disks.push_back({.position = {1, 1}, .fixed = true});
+  scene.step.dt = 1e-2;
+  Simulation run(scene);
+  run.advance();
+  EXPECT_TRUE(run.last.converged);
+  EXPECT_LT(std::abs(run.world.disks.velocity[1].y()), 0.1);
+  EXPECT_GT(run.world.gap({0, 1}), -1e-3);
+}
+
 TEST_P(SpinningPair, KeepsItsAngularMomentum) {
   Scenario scene = spinning_pair(GetParam(), 5, kPairCohesion);
   scene.step.dt = 1e-3;
