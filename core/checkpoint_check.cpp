@@ -50,14 +50,13 @@ bool possible(const Contact& contact) {
 // A search has its base, its targets are bodies of it, and a trial has a target.
 bool possible(const Search& search) {
   const ForceBracket& bracket = search.bracket;
-  if (search.kind > SearchKind::adiabatic || (search.kind != SearchKind::none) != !!search.base)
+  if (search.kind > SearchKind::push || (search.kind != SearchKind::none) != !!search.base)
     return false;
   if (!positive(bracket.first) || !not_negative(bracket.low) || bracket.trials < 0 ||
       !positive(bracket.high.value_or(1)) || !not_negative(search.interval) ||
       !not_negative(search.force))
     return false;
-  const bool of_force = search.kind == SearchKind::pull || search.kind == SearchKind::shear;
-  if (of_force && search.trial_runs && search.targets.empty()) return false;
+  if (is_of_force(search.kind) && search.trial_runs && search.targets.empty()) return false;
   return std::ranges::all_of(search.targets, [&](const SearchTarget& target) {
     return target.body >= 0 && search.base && target.body < search.base->disks.size() &&
            finite(target.depth, target.weight_above);
@@ -65,7 +64,7 @@ bool possible(const Search& search) {
 }
 
 bool possible(const CriticalForce& found) {
-  return found.phase >= 0 && found.kind <= SearchKind::adiabatic && found.position.allFinite() &&
+  return found.phase >= 0 && is_of_force(found.kind) && found.position.allFinite() &&
          finite(found.depth, found.weight_above, found.force_low, found.force_high.value_or(0));
 }
 

@@ -1,32 +1,52 @@
-// The phase "push": an intruder is pushed into the packing.
+// The phase "push": an intruder is pushed into the packing, or the smallest force is sought with which it enters.
 #include "core/ballistic.h"
+#include "core/measures.h"
 #include "core/protocols.h"
 
 namespace quicksand {
 
+// The intruder is the last disk as long as its phase lasts.
 void Protocol::enter(const PushPhase& phase) {
   world_.bonding = phase.bonding;
   world_.bonds.mark_initial();
   const double radius = phase.diameter / 2;
   const double x = phase.x.value_or(world_.box.width / 2);
   const std::optional<Landing> landing = LandingSite(world_).land(x, radius);
-  const int intruder = world_.disks.add({.position = landing ? landing->centre : Vec2(x, radius),
-                                         .radius = radius,
-                                         .density = phase.density,
-                                         .role = Role::intruder});
-  world_.disks.applied[intruder] = {0, -phase.force, 0};
+  const Vec2 centre = landing ? landing->centre : Vec2(x, radius);
+  const double top = packing_top(world_);
+  const int intruder = world_.disks.add(
+      {.position = centre, .radius = radius, .density = phase.density, .role = Role::intruder});
+  if (!phase.threshold) {
+    world_.disks.applied[intruder] = {0, -phase.force, 0};
+    return;
+  }
+  begin_search(SearchKind::push);
+  state_.search.bracket.first = phase.force;
+  state_.search.targets = {{.body = intruder,
+                            .depth = top - centre.y(),
+                            .weight_above = weight_above(world_, centre.y())}};
 }
 
-// The intruder is the last disk as long as its phase lasts.
+void Protocol::before_step(const PushPhase&) {
+  if (seeks_threshold()) begin_force_trial({0, -1});
+}
+
 bool Protocol::is_over(const PushPhase& phase) {
-  const double speed = world_.disks.velocity.back().head<2>().norm();
-  const bool rest = phase.until == RestOf::driven
-                        ? rested(speed <= phase.rest_speed, phase.rest_time)
-                        : at_rest(phase.rest_speed, phase.rest_time);
-  return rest || lasted(phase.max_time);
+  const int intruder = world_.disks.size() - 1;
+  if (!seeks_threshold()) {
+    const bool rest = rests_of(phase.until, intruder, phase.rest_speed, phase.rest_time);
+    return rest || lasted(phase.max_time);
+  }
+  const Search& search = state_.search;
+  const double way =
+      search.base->disks.position[intruder].y() - world_.disks.position[intruder].y();
+  const bool entered =
+      search.trial_runs && way >= phase.threshold->distance.value_or(phase.diameter);
+  return search_is_over(threshold_trials(phase), entered, phase.until);
 }
 
 double Protocol::progress(const PushPhase& phase) const {
+  if (seeks_threshold()) return search_progress(threshold_trials(phase));
   return (world_.time - state_.phase_start) / phase.max_time;
 }
 

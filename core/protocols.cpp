@@ -57,6 +57,8 @@ Progress Protocol::end_phase() {
 
 bool Protocol::missed_rest() const {
   if (state_.phase == 0 || state_.entered) return false;
+  const Phase& last = scenario_.phases[static_cast<std::size_t>(state_.phase) - 1];
+  if (search_kind(last) != SearchKind::none) return false;
   const auto missed = [&](const auto& kind) {
     if constexpr (requires { kind.until_rest; }) {
       if (!kind.until_rest) return false;
@@ -66,7 +68,7 @@ bool Protocol::missed_rest() const {
     else
       return false;
   };
-  return std::visit(missed, scenario_.phases[static_cast<std::size_t>(state_.phase) - 1].kind);
+  return std::visit(missed, last.kind);
 }
 
 void Protocol::begin_phase(const Phase& phase) {
@@ -81,6 +83,9 @@ void Protocol::change(const Scenario& scenario) {
   const Phase before = phase() ? *phase() : Phase{};
   scenario_ = scenario;
   take_laws(world_, scenario_);
+  // Whether it searches is decided when a phase is entered.
+  if (phase() && state_.entered && search_kind(*phase()) != state_.search.kind)
+    scenario_.phases[static_cast<std::size_t>(state_.phase)] = before;
   const Phase* now = phase();
   if (!now || !state_.entered) return;
   std::visit(
@@ -96,7 +101,7 @@ void Protocol::change(const Scenario& scenario) {
 
 void Protocol::take_push_force() {
   const Phase* now = phase();
-  if (!now || !state_.entered) return;
+  if (!now || !state_.entered || seeks_threshold()) return;
   if (const auto* push = std::get_if<PushPhase>(&now->kind))
     world_.disks.applied.back() = {0, -push->force, 0};
 }
@@ -164,6 +169,11 @@ bool Protocol::at_rest(double speed, double duration) {
                                                   return wall.mass == 0 || slow(wall.velocity);
                                                 }),
                 duration);
+}
+
+bool Protocol::rests_of(RestOf until, int disk, double speed, double duration) {
+  if (until == RestOf::all) return at_rest(speed, duration);
+  return rested(world_.disks.velocity[disk].head<2>().norm() <= speed, duration);
 }
 
 bool Protocol::rested(bool slow, double duration) {

@@ -101,10 +101,11 @@ class Protocol {
   double progress(const SettlePhase& phase) const;
 
   void enter(const PushPhase& phase);
-  void before_step(const PushPhase&) {}
+  void before_step(const PushPhase&);
   bool is_over(const PushPhase& phase);
   double progress(const PushPhase& phase) const;
   void leave(const PushPhase& phase);
+  bool seeks_threshold() const { return state_.search.kind == SearchKind::push; }
 
   void enter(const HealPhase& phase);
   void before_step(const HealPhase&) {}
@@ -138,7 +139,7 @@ class Protocol {
   // Begins the next trial if none runs, with its force on the present target.
   void begin_force_trial(const Vec2& direction);
   // Ends the trial if it has an outcome (`moved`, or held); true if nothing is left to search.
-  bool search_is_over(const SearchTrials& trials, bool moved);
+  bool search_is_over(const SearchTrials& trials, bool moved, RestOf until = RestOf::all);
   void finish_target();
   double search_progress(const SearchTrials& trials) const;
 
@@ -146,6 +147,8 @@ class Protocol {
   bool lasted(double duration) const;  // whether the present phase has, or its trial
   // Whether all bodies, and walls with mass, have been slower than `speed` for `duration`.
   bool at_rest(double speed, double duration);
+  // The same of all, or of this disk alone.
+  bool rests_of(RestOf until, int disk, double speed, double duration);
   // To be called after each step: whether what is `slow` now has been so for `duration`.
   bool rested(bool slow, double duration);
   bool make_step(const Phase& phase);

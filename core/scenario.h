@@ -98,6 +98,14 @@ struct SettlePhase {
 // What must come to rest for a phase to end: everything, or only the body that the force acts on.
 enum class RestOf : std::uint8_t { all, driven };
 
+// Instead of one push, the smallest force with which the intruder enters is sought, by trials from the state in which
+// it lies on the surface; `force` of the push is that of the first. Ends with that state.
+struct Threshold {
+  std::optional<double> distance = {};  // way down that counts as entered; absent: its diameter [d]
+  double tolerance = 0.02;              // width of the interval over its upper end [1]
+  bool operator==(const Threshold&) const = default;
+};
+
 // An intruder is placed on the surface and pushed by a constant force.
 struct PushPhase {
   double diameter = 3;       // [d]
@@ -110,6 +118,7 @@ struct PushPhase {
   RestOf until = RestOf::all;  // driven: the intruder alone, whatever the debris does
   bool release = false;        // whether the force ends with the phase; else it stays
   bool bonding = false;
+  std::optional<Threshold> threshold = {};
   bool operator==(const PushPhase&) const = default;
 };
 

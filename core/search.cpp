@@ -1,4 +1,4 @@
-// What the searches pull, shear and adiabatic deposition share.
+// What the searches push with a threshold, pull, shear and adiabatic deposition share.
 #include "core/search.h"
 
 #include <cmath>
@@ -10,8 +10,18 @@ namespace quicksand {
 SearchKind search_kind(const Phase& phase) {
   if (std::holds_alternative<PullPhase>(phase.kind)) return SearchKind::pull;
   if (std::holds_alternative<ShearPhase>(phase.kind)) return SearchKind::shear;
+  const auto* push = std::get_if<PushPhase>(&phase.kind);
+  if (push && push->threshold) return SearchKind::push;
   const auto* deposit = std::get_if<DepositPhase>(&phase.kind);
   return deposit && deposit->adiabatic ? SearchKind::adiabatic : SearchKind::none;
+}
+
+SearchTrials threshold_trials(const PushPhase& push) {
+  return {.first_force = push.force,
+          .tolerance = push.threshold.value_or(Threshold{}).tolerance,
+          .rest_speed = push.rest_speed,
+          .rest_time = push.rest_time,
+          .max_time = push.max_time};
 }
 
 double weight_above(const World& world, double height) {
@@ -54,10 +64,11 @@ void Protocol::begin_force_trial(const Vec2& direction) {
   world_.disks.applied[search.targets.front().body] = {force.x(), force.y(), 0};
 }
 
-bool Protocol::search_is_over(const SearchTrials& trials, bool moved) {
+bool Protocol::search_is_over(const SearchTrials& trials, bool moved, RestOf until) {
   Search& search = state_.search;
   if (search.trial_runs && world_.time > state_.trial_start) {
-    const bool rests = at_rest(trials.rest_speed, trials.rest_time);
+    const bool rests =
+        rests_of(until, search.targets.front().body, trials.rest_speed, trials.rest_time);
     if (moved || rests || lasted(trials.max_time)) {
       search.trial_runs = false;
       if (!moved && !rests) ++search.undecided;

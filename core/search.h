@@ -16,10 +16,17 @@
 
 namespace quicksand {
 
-enum class SearchKind : std::uint8_t { none, pull, shear, adiabatic };
+enum class SearchKind : std::uint8_t { none, pull, shear, adiabatic, push };
 
 // What the phase searches for.
 SearchKind search_kind(const Phase& phase);
+// Whether it is a critical force.
+constexpr bool is_of_force(SearchKind kind) {
+  return kind == SearchKind::pull || kind == SearchKind::shear || kind == SearchKind::push;
+}
+
+// The trials of a push that seeks its threshold.
+SearchTrials threshold_trials(const PushPhase& push);
 
 // A body whose critical force is sought.
 struct SearchTarget {
@@ -42,7 +49,7 @@ struct Search {
   double interval = 0;                // adiabatic: between the grains of this sample [sqrt(d/g)]
 };
 
-// The smallest force that takes a body out, or moves it.
+// The smallest force that takes a body out, moves it, or makes it enter.
 struct CriticalForce {
   int phase = 0;  // index
   SearchKind kind = SearchKind::none;

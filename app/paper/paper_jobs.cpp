@@ -101,6 +101,18 @@ PushCurve PaperJobs::push_curve(const RunGroup& samples) {
   return curve;
 }
 
+RunGroup PaperJobs::thresholds(const RunGroup& samples, double distance) {
+  constexpr double kFirstForce = 0.1;  // [F_c]
+  constexpr double kTolerance = 0.05;
+  constexpr double kMostTime = 20;  // of a trial [sqrt(d/g)]
+  return add("push", samples.name + ".threshold", &samples, {},
+             {{"phases[0].force_over_cohesion", kFirstForce},
+              {"phases[0].threshold", {{"distance", distance}, {"tolerance", kTolerance}}},
+              {"phases[0].until", "intruder_rest"},
+              {"phases[0].max_time", kMostTime},
+              {"step.dt", scale_.push_step}});
+}
+
 RunGroup PaperJobs::pulls(const RunGroup& pushes, double first_force_over_cohesion) {
   return add("pull", pushes.name + ".pull", &pushes, {},
              {{"phases[1].first_force_over_cohesion", first_force_over_cohesion}});

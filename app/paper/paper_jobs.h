@@ -74,6 +74,8 @@ class PaperJobs {
                   const ParameterValues& laws = {}, std::optional<double> dt = {});
   // With each of the scale's forces.
   PushCurve push_curve(const RunGroup& samples);
+  // Searches for the smallest force with which the intruder enters by `distance` [d].
+  RunGroup thresholds(const RunGroup& samples, double distance);
   RunGroup pulls(const RunGroup& pushes, double first_force_over_cohesion);
   RunGroup pistons(const RunGroup& samples, const std::string& tag = {},
                    const PistonLoad& load = {});

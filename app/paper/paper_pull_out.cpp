@@ -33,7 +33,8 @@ class PullOut : public PaperExperiment {
                             {"weight above, by column", true}}};
     std::optional<Measured> largest;
     for (std::size_t k = 0; k < curve_.forces.size(); ++k) {
-      const std::vector<double> forces = pull_forces(results, pulls_[k]);
+      std::vector<double> forces = results.critical_forces(pulls_[k]);
+      for (double& force : forces) force /= cohesion_;
       const auto mean = mean_over(forces);
       std::vector<double> ratios = forces;
       for (double& ratio : ratios) ratio /= curve_.forces[k];
@@ -68,21 +69,6 @@ class PullOut : public PaperExperiment {
   }
 
  private:
-  // The middles of the intervals [F_c]; trials that never took it out are left out.
-  std::vector<double> pull_forces(const PaperResults& results, const RunGroup& group) const {
-    std::vector<double> forces;
-    for (const RunResults* run : results.runs(group)) {
-      const auto found = run->summary().find("critical_forces");
-      if (found == run->summary().end()) continue;
-      for (const Json& force : *found) {
-        if (force["force_high"].is_null()) continue;
-        forces.push_back((force["force_low"].get<double>() + force["force_high"].get<double>()) /
-                         2 / cohesion_);
-      }
-    }
-    return forces;
-  }
-
   static void note_slope(Findings& findings, const std::string& id, const Curve& curve) {
     const auto line = fit_line(curve.x, curve.y);
     if (!line) return;

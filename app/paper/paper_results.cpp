@@ -36,6 +36,16 @@ std::optional<Measured> PaperResults::mean(const RunGroup& group,
   return mean_over(values(group, quantity));
 }
 
+std::vector<double> PaperResults::critical_forces(const RunGroup& group) const {
+  std::vector<double> forces;
+  for (const RunResults* run : runs(group))
+    for (const Json& found : run->summary().value("critical_forces", Json::array()))
+      if (!found["force_high"].is_null())
+        forces.push_back((found["force_low"].get<double>() + found["force_high"].get<double>()) /
+                         2);
+  return forces;
+}
+
 std::optional<Measured> mean_over(std::span<const double> values, const std::string& note) {
   if (values.empty()) return std::nullopt;
   return measured_over(values, note);

@@ -28,7 +28,9 @@ class PaperResults {
 
   // Final values of a quantity, those that are there.
   std::vector<double> values(const RunGroup& group, const std::string& quantity) const;
-  // Their mean; absent if there are none.
+  // The middles of the intervals in which searches found critical forces, without those that no force moved. [F_g]
+  std::vector<double> critical_forces(const RunGroup& group) const;
+  // Mean of final values; absent if there are none.
   std::optional<Measured> mean(const RunGroup& group, const std::string& quantity) const;
 
  private:

@@ -16,7 +16,9 @@ class Velocity : public PaperExperiment {
   void plan(PaperJobs& jobs) override {
     all_ = jobs.scale().realizations;
     height_ = jobs.scale().height;
-    curve_ = jobs.push_curve(jobs.samples());
+    const RunGroup samples = jobs.samples();
+    curve_ = jobs.push_curve(samples);
+    thresholds_ = jobs.thresholds(samples, kPloughsFrom * height_);
     push_ = jobs.jobs()[curve_.pushes.front().runs.front()].scenario;
   }
 
@@ -39,38 +41,47 @@ class Velocity : public PaperExperiment {
               .legend = LegendPlace::bottom_right};
     const auto line = fit_line(curve.x, squares);
     plot.curves.push_back(curve);
+    std::optional<double> of_line;
     if (line && line->slope > 0 && line->intercept < 0) {
-      const double threshold = -line->intercept / line->slope;
-      plot.curves.push_back(law(line->slope, threshold, curve.x.back()));
-      findings["penetration.threshold_force"] = {
-          .value = threshold,
-          .n = static_cast<int>(curve.x.size()),
-          .note = "where the straight line of v^2 against the force is zero; n counts forces"};
-      findings["field.crust_pressure"] =
-          crust_pressure(threshold, static_cast<int>(curve.x.size()));
-      note_exponent(findings, curve, threshold);
+      of_line = -line->intercept / line->slope;
+      plot.curves.push_back(law(line->slope, *of_line, curve.x.back()));
     }
-    const bool found = findings.contains("penetration.threshold_force");
     section.blocks.emplace_back(Figure{
         std::move(plot),
-        found
-            ? "The line is v² = k (F − F_0), fitted to the squares of the velocities."
-            : "A straight line through the squares of the velocities gives no threshold: it is not "
-              "zero at any positive force."});
+        of_line
+            ? "The line is v² = k (F − F_0), fitted to the squares of the velocities; its F_0 is " +
+                  cell_of(Measured{.value = *of_line}, 1).text + " F_c."
+            : std::string(
+                  "A straight line through the squares of the velocities gives no threshold: "
+                  "it is not zero at any positive force.")});
+    report_threshold(results, section, findings);
+    note_exponent(findings, curve);
   }
 
  private:
-  // The threshold as a pressure on what the intruder covers, its diameter times one of a grain, in SI.
-  Measured crust_pressure(double threshold, int forces) const {
+  // The smallest force with which the intruder enters, also as a pressure on what it covers, its diameter times one of a
+  // grain, in SI.
+  void report_threshold(const PaperResults& results, Section& section, Findings& findings) const {
+    const double cohesion = *push_.grain_law.cohesion_force;
     const SiScale si = si_scale(*push_.physical);
-    const double force = threshold * *push_.grain_law.cohesion_force * si.force;
     const double area = std::get<PushPhase>(push_.phases[0].kind).diameter * si.length * si.length;
     constexpr double kKilopascal = 1e-3;
-    return {.value = force / area * kKilopascal,
-            .n = forces,
-            .note =
-                "the force at which v^2 is zero over the intruder's diameter times a grain's; "
-                "n counts forces"};
+    std::vector<double> forces = results.critical_forces(thresholds_), pressures;
+    for (double& force : forces) {
+      pressures.push_back(force * si.force / area * kKilopascal);
+      force /= cohesion;
+    }
+    note(findings, "penetration.threshold_force",
+         mean_over(forces,
+                   "searched for: what takes the intruder down to 15 % of the box's height"));
+    note(findings, "field.crust_pressure",
+         mean_over(pressures, "that force over the intruder's diameter times a grain's"));
+    if (forces.empty()) return;
+    section.blocks.emplace_back(
+        Paragraph{"Each sample was searched for the smallest force with which the intruder sinks "
+                  "by 15 % of the box's "
+                  "height, from where it lies on the surface: " +
+                  cell_of(mean_over(forces), all_).text + " F_c."});
   }
 
   static Curve law(double slope, double threshold, double largest) {
@@ -86,7 +97,11 @@ class Velocity : public PaperExperiment {
     return curve;
   }
 
-  static void note_exponent(Findings& findings, const Curve& curve, double threshold) {
+  // With the force that was searched for, so that it does not depend on the law.
+  static void note_exponent(Findings& findings, const Curve& curve) {
+    const auto found = findings.find("penetration.threshold_force");
+    if (found == findings.end()) return;
+    const double threshold = found->second.value;
     std::vector<double> x, y;
     for (std::size_t k = 0; k < curve.x.size(); ++k) {
       if (curve.x[k] <= threshold) continue;
@@ -99,10 +114,11 @@ class Velocity : public PaperExperiment {
         .value = fit->slope,
         .standard_error = fit->slope_error,
         .n = static_cast<int>(x.size()),
-        .note = "with the threshold of the fit of v^2, which favours 1/2; n counts forces"};
+        .note = "with the threshold that was searched for; n counts forces above it"};
   }
 
   PushCurve curve_;
+  RunGroup thresholds_;
   Scenario push_;
   double height_ = 0;
   int all_ = 0;

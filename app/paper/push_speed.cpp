@@ -4,7 +4,7 @@ namespace quicksand {
 
 namespace {
 
-constexpr double kFrom = 0.15, kTo = 0.6;  // over the box's height
+constexpr double kPloughsTo = 0.6;  // over the box's height
 
 }  // namespace
 
@@ -12,8 +12,8 @@ std::optional<double> ploughing_speed(const RunResults& push, double height) {
   const std::vector<double>&times = push.column("time"), &depths = push.column("depth");
   std::optional<std::size_t> first, last;
   for (std::size_t k = 0; k < times.size(); ++k) {
-    if (!first && depths[k] >= kFrom * height) first = k;
-    if (!last && depths[k] >= kTo * height) last = k;
+    if (!first && depths[k] >= kPloughsFrom * height) first = k;
+    if (!last && depths[k] >= kPloughsTo * height) last = k;
   }
   if (!first || !last || times[*last] <= times[*first]) return std::nullopt;
   return (depths[*last] - depths[*first]) / (times[*last] - times[*first]);

@@ -13,13 +13,17 @@
 namespace quicksand {
 
 std::vector<std::string> set_up_by(const Phase& phase) {
-  if (std::holds_alternative<PushPhase>(phase.kind)) return {"type", "diameter", "density", "x"};
+  if (search_kind(phase) == SearchKind::push)
+    return {"type", "diameter", "density", "x", "force", "threshold"};
+  if (std::holds_alternative<PushPhase>(phase.kind))
+    return {"type", "diameter", "density", "x", "threshold"};
   if (std::holds_alternative<PistonPhase>(phase.kind)) return {"type", "mass"};
   if (std::holds_alternative<PullPhase>(phase.kind)) return {"type", "first_force"};
   if (std::holds_alternative<ShearPhase>(phase.kind))
     return {"type", "first_force", "depths", "grains_per_depth"};
   const auto* deposit = std::get_if<DepositPhase>(&phase.kind);
   if (deposit && deposit->adiabatic) return {"type", "interval"};
+  if (deposit) return {"type", "adiabatic"};
   return {"type"};
 }
 

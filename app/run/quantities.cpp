@@ -110,7 +110,7 @@ const Quantity kQuantities[] = {
      [](const Row& r) -> Value { return r.factorisations; }, true},
     {"unconverged", "1", "steps since the last sample that did not converge",
      [](const Row& r) -> Value { return r.unconverged; }, true},
-    {"trial", "1", "number of the trial in this phase, from 1; pull and shear only",
+    {"trial", "1", "number of the trial in this phase, from 1; searches of forces only",
      [](const Row& r) { return of_trial(r, r.trial); }, true},
     {"trial_force", "F_g", "force of the trial on its body",
      [](const Row& r) { return of_trial(r, r.trial_force); }, true},

@@ -149,8 +149,7 @@ class Run {
   void look_at_base() {
     const Phase* next = protocol().phase();
     if (!next || !protocol().missed_rest()) return;
-    const SearchKind kind = search_kind(*next);
-    if (kind != SearchKind::pull && kind != SearchKind::shear) return;
+    if (!is_of_force(search_kind(*next))) return;
     moving_bases_.push_back("phase " + std::to_string(protocol().state().phase - 1) +
                             " ended at its max_time, before it came to rest: the trials of " +
                             std::string(phase_name(*next)) + " begin with bodies that move");

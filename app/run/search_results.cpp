@@ -10,9 +10,13 @@ namespace {
 
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
+const char* word_of(SearchKind kind) {
+  return kind == SearchKind::pull ? "pull" : kind == SearchKind::shear ? "shear" : "push";
+}
+
 Json json_of(const CriticalForce& found) {
   return {{"phase", found.phase},
-          {"kind", found.kind == SearchKind::pull ? "pull" : "shear"},
+          {"kind", word_of(found.kind)},
           {"body", found.body},
           {"x", found.position.x()},
           {"y", found.position.y()},

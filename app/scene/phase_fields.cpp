@@ -65,6 +65,7 @@ void describe_push(Fields& f, PushPhase& p, const ContactLaw& law) {
            between(-1e7, 1e7, "d"), p.x);
   describe_rest(f, p.rest_speed, p.rest_time, p.max_time);
   f.choice({"until", "rest of all bodies, or of the intruder alone"}, kPushEnds, p.until);
+  describe_threshold(f, p);
   f.flag({"release", "whether the force ends with the phase; else it stays"}, p.release);
   f.flag({"bonding", "whether first touches form bonds"}, p.bonding);
 }

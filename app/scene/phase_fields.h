@@ -20,6 +20,7 @@ void describe_force(Fields& f, const char* help, double least, double& force,
 void describe_pull(Fields& f, PullPhase& pull, const ContactLaw& law);
 void describe_shear(Fields& f, ShearPhase& shear, const ContactLaw& law);
 void describe_adiabatic(Fields& f, DepositPhase& deposit);
+void describe_threshold(Fields& f, PushPhase& push);
 void describe_heal(Fields& f, HealPhase& phase);
 void describe_piston(Fields& f, PistonPhase& phase, const ContactLaw& law);
 

@@ -8,6 +8,7 @@
 #include "app/scene/scenario_json.h"
 #include "app/scene/scene_size.h"
 #include "app/scene/si_scale.h"
+#include "core/search.h"
 
 namespace quicksand {
 
@@ -77,8 +78,13 @@ struct PhaseText {
            bonding(p.bonding);
   }
   std::string operator()(const PushPhase& p) const {
-    return "intruder of " + number(p.diameter) + " d and density " + number(p.density) +
-           ", pushed down with " + force_text(p.force) + ", " +
+    const std::string intruder =
+        "intruder of " + number(p.diameter) + " d and density " + number(p.density);
+    if (p.threshold)
+      return intruder + ", smallest downward force with which it enters by " +
+             number(p.threshold->distance.value_or(p.diameter)) + " d; " +
+             trials(threshold_trials(p), moving(p.until, "the intruder"));
+    return intruder + ", pushed down with " + force_text(p.force) + ", " +
            rest(p.rest_speed, p.rest_time, p.max_time, moving(p.until, "the intruder")) +
            bonding(p.bonding) + (p.release ? "; then it is released" : "");
   }
@@ -111,10 +117,10 @@ struct PhaseText {
            trials(p.trials);
   }
 
-  static std::string trials(const SearchTrials& t) {
+  static std::string trials(const SearchTrials& t, const std::string& moving = "nothing is") {
     return "trials from one state, first with " + number(t.first_force) +
            " F_g, until the interval is " + number(t.tolerance) + " of its upper end; each " +
-           rest(t.rest_speed, t.rest_time, t.max_time);
+           rest(t.rest_speed, t.rest_time, t.max_time, moving);
   }
   std::string force_text(double force) const {
     const auto& cohesion = scenario.grain_law.cohesion_force;

@@ -1,4 +1,4 @@
-// The searches (pull, shear, adiabatic deposit), as fields of a scene file.
+// The searches (push with a threshold, pull, shear, adiabatic deposit), as fields of a scene file.
 #include "app/scene/phase_fields.h"
 
 namespace quicksand {
@@ -8,6 +8,11 @@ namespace {
 constexpr std::size_t kMaxDepths = 1000;
 constexpr std::int64_t kMaxGrains = 100'000;  // at a depth
 
+void describe_interval(Fields& f, double& tolerance) {
+  f.number({"tolerance", "width of the interval of force that is found, over its upper end"},
+           between(1e-9, 0.5, "1"), tolerance);
+}
+
 void describe_trials(Fields& f, SearchTrials& t, const ContactLaw& law) {
   std::optional<double> force = t.first_force;
   std::optional<double> force_over_cohesion;
@@ -16,8 +21,7 @@ void describe_trials(Fields& f, SearchTrials& t, const ContactLaw& law) {
   f.number({"first_force_over_cohesion", "the same, over the grains' cohesion force"},
            above(0, 1e6, "F_c"), force_over_cohesion);
   f.exactly_one({"first_force", "first_force_over_cohesion"});
-  f.number({"tolerance", "width of the interval of force that is found, over its upper end"},
-           between(1e-9, 0.5, "1"), t.tolerance);
+  describe_interval(f, t.tolerance);
   f.number({"rest_speed", "a trial ends as held when no body is faster than this ..."},
            above(0, 1e6, "sqrt(g d)"), t.rest_speed);
   f.number({"rest_time", "... for this long"}, between(0, kMaxTime, "sqrt(d/g)"), t.rest_time);
@@ -49,6 +53,21 @@ void describe_shear(Fields& f, ShearPhase& p, const ContactLaw& law) {
   f.number({"distance", "along x, that counts as moved"}, above(0, 1e6, "d"), p.distance);
   describe_trials(f, p.trials, law);
   if (f.reading() && p.depths.empty()) f.refuse("depths", "is an empty list; give a depth [d]");
+}
+
+void describe_threshold(Fields& f, PushPhase& p) {
+  f.optional_object({"threshold",
+                     "instead of one push, seeks the smallest force with which the intruder "
+                     "enters, by trials from "
+                     "one state; force is that of the first, and they end as the push would"},
+                    p.threshold, [](Fields& g, Threshold& t) {
+                      g.number(
+                          {"distance", "way down that counts as entered; absent: its diameter"},
+                          above(0, 1e6, "d"), t.distance);
+                      describe_interval(g, t.tolerance);
+                    });
+  if (f.reading() && p.threshold && p.force <= 0)
+    f.refuse("threshold", "needs a force above 0, that of the first trial");
 }
 
 void describe_adiabatic(Fields& f, DepositPhase& p) {

@@ -1,6 +1,8 @@
 // The paper's experiments: how their runs are chained and shared, and the report.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "app/paper/paper_experiments.h"
 #include "app/paper/paper_strength.h"
 #include "app/paper/push_speed.h"
@@ -59,9 +61,10 @@ TEST_F(Reproduce, RunsThatTwoFiguresNeedAreMadeOnce) {
   make_penetration_experiment()->plan(jobs);
   const std::size_t alone = jobs.jobs().size();
   make_velocity_experiment()->plan(jobs);
-  EXPECT_EQ(jobs.jobs().size(), alone);
+  const std::size_t with_thresholds = alone + 2;
+  EXPECT_EQ(jobs.jobs().size(), with_thresholds);
   make_pull_out_experiment()->plan(jobs);
-  EXPECT_EQ(jobs.jobs().size(), alone + 2 * quick_scale().push_forces.size());
+  EXPECT_EQ(jobs.jobs().size(), with_thresholds + 2 * quick_scale().push_forces.size());
 }
 
 TEST_F(Reproduce, LawsOfASampleHoldForAllThatFollows) {
@@ -152,6 +155,31 @@ TEST_F(Reproduce, TheSpeedOfAPushIsTakenPastTheStartAndBeforeTheGround) {
   EXPECT_NEAR(ploughing_speed(*results.run(push.runs[0]), 10).value(), 3, 1e-9);
   EXPECT_EQ(ploughing_speed(*results.run(push.runs[1]), 10), std::nullopt) << "it stopped before";
   EXPECT_EQ(ploughing_speed(results, push, 10)->n, 1);
+}
+
+// Velocities of 30 (F - 0.04)^0.6, with forces in F_c, and searches that ended between 350 and 450 F_g.
+TEST_F(Reproduce, TheExponentOfTheVelocityTakesTheThresholdThatWasSearchedFor) {
+  PaperJobs jobs(small(), folder_.path());
+  const auto experiment = make_velocity_experiment();
+  experiment->plan(jobs);
+  for (const Job& job : jobs.jobs()) {
+    const std::size_t push = job.id.find("push_");
+    if (push == std::string::npos) {
+      leave_results(job, {{"critical_forces", {{{"force_low", 350}, {"force_high", 450}}}}});
+      continue;
+    }
+    const double speed = 30 * std::pow(std::stod(job.id.substr(push + 5)) - 0.04, 0.6);
+    std::string series = "time,step,phase,depth\n";
+    for (int k = 0; k <= 200; ++k)
+      series += std::to_string(0.1 * k / speed) + ",0,push," + std::to_string(0.1 * k) + "\n";
+    leave_results(job, Json::object(), series);
+  }
+  Section section;
+  Findings findings;
+  experiment->report(PaperResults(jobs.jobs()), folder_.path(), section, findings);
+  EXPECT_NEAR(findings.at("penetration.threshold_force").value, 0.04, 1e-12);
+  EXPECT_EQ(findings.at("penetration.threshold_force").n, 2);
+  EXPECT_NEAR(findings.at("drag_law.exponent").value, 0.6, 1e-3);
 }
 
 // The paper has 0.93 and 0.97 with a third of the cohesion force, 0.68 and 0.78 with all of it.

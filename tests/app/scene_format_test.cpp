@@ -75,7 +75,9 @@ TEST(SceneFormat, SearchesReadBackTheSame) {
      "adiabatic": {"tolerance": 0.01, "factor": 4, "max_interval": 0.5}},
     {"type": "pull", "first_force_over_cohesion": 0.5, "tolerance": 0.1, "rest_speed": 0.01,
      "rest_time": 0.25, "max_time": 7, "distance": 3},
-    {"type": "shear", "depths": [1, 2.5], "grains_per_depth": 4, "distance": 12, "first_force": 8}]})");
+    {"type": "shear", "depths": [1, 2.5], "grains_per_depth": 4, "distance": 12, "first_force": 8},
+    {"type": "push", "force": 40, "threshold": {"distance": 5, "tolerance": 0.1}},
+    {"type": "push", "force": 40, "threshold": {}}]})");
   const SearchTrials trials{
       .first_force = 100, .tolerance = 0.1, .rest_speed = 0.01, .rest_time = 0.25, .max_time = 7};
   EXPECT_EQ(std::get<PullPhase>(scene.phases[1].kind), (PullPhase{trials, 3.0}));
@@ -87,6 +89,11 @@ TEST(SceneFormat, SearchesReadBackTheSame) {
   EXPECT_EQ(shear.trials.tolerance, 0.05);
   const auto& deposit = std::get<DepositPhase>(scene.phases[0].kind);
   EXPECT_EQ(deposit.adiabatic, (Adiabatic{.tolerance = 0.01, .factor = 4, .max_interval = 0.5}));
+  const auto threshold = [&](int k) {
+    return std::get<PushPhase>(scene.phases[static_cast<std::size_t>(k)].kind).threshold;
+  };
+  EXPECT_EQ(threshold(3), (Threshold{.distance = 5, .tolerance = 0.1}));
+  EXPECT_EQ(threshold(4), Threshold{});
   EXPECT_EQ(scenario_from_json(to_json(scene)).phases, scene.phases);
 }
 

@@ -27,6 +27,13 @@ PullPhase quick_pull() {
   return {.trials = {.first_force = 150, .tolerance = 0.3, .rest_time = 0.1, .max_time = 0.5}};
 }
 
+PushPhase quick_threshold() {
+  return {.force = 50,
+          .rest_time = 0.1,
+          .max_time = 0.5,
+          .threshold = Threshold{.distance = 0.1, .tolerance = 0.3}};
+}
+
 ShearPhase quick_shear() {
   return {.trials = {.first_force = 100, .tolerance = 0.3, .rest_time = 0.1, .max_time = 0.5},
           .depths = {1, 2.5},
@@ -70,6 +77,11 @@ ProtocolState expect_same_end(const Scenario& scene, int stride) {
 
 TEST_P(SearchRestart, OfAPullGivesTheSameForces) {
   const Scenario scene = small_search(GetParam(), {{quick_pull(), 5e-3}});
+  EXPECT_EQ(expect_same_end(scene, 7).critical_forces.size(), 1U);
+}
+
+TEST_P(SearchRestart, OfAThresholdGivesTheSameForces) {
+  const Scenario scene = small_search(GetParam(), {{quick_threshold(), 5e-3}});
   EXPECT_EQ(expect_same_end(scene, 7).critical_forces.size(), 1U);
 }
 

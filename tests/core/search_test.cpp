@@ -1,4 +1,4 @@
-// Pull and shear on systems whose critical force is known.
+// Push, pull and shear on systems whose critical force is known.
 #include "core/search.h"
 
 #include <gtest/gtest.h>
@@ -14,6 +14,7 @@
 namespace quicksand {
 namespace {
 
+QUICKSAND_PER_SOLVER(EntryForce);
 QUICKSAND_PER_SOLVER(Pull);
 QUICKSAND_PER_SOLVER(Shear);
 
@@ -121,6 +122,74 @@ TEST_P(Pull, OutIsAboveTheTopOfThePacking) {
   EXPECT_LT(highest, 3.1);
   EXPECT_EQ(protocol.state().critical_forces.at(0).depth, 2);
   EXPECT_EQ(protocol.state().critical_forces.at(0).weight_above, 1);
+}
+
+// A grain that a bond holds at the side of a fixed one, too rough to roll: the bond's friction carries it, and an intruder
+// of mass 0.5 that is pushed on its top, up to mu F_c = 15.
+Scenario ledge(Method method, const PushPhase& push) {
+  Scenario scene = pulled_pair(method, 0, 50);
+  scene.gravity = Vec2(0, -1);
+  scene.grain_law.rolling_friction = 1;
+  scene.disk_forces.clear();
+  scene.phases = {{push, 1e-2}};
+  return scene;
+}
+
+PushPhase gentle_push() {
+  return {.diameter = 1,
+          .density = 0.5,
+          .force = 10,
+          .x = 1,
+          .max_time = 20,
+          .threshold = Threshold{.distance = 0.3}};
+}
+
+TEST_P(EntryForce, IsTheForceThatTheFrictionOfTheBondBelowDoesNotCarry) {
+  const SearchEnd run = searched(ledge(GetParam(), gentle_push()));
+  ASSERT_EQ(run.forces.size(), 1U);
+  const CriticalForce& found = run.forces[0];
+  expect_around(found, 15 - 1.5, 0.02);
+  EXPECT_EQ(found.kind, SearchKind::push);
+  EXPECT_EQ(found.body, 2);
+  EXPECT_EQ(found.undecided, 0);
+}
+
+TEST_P(EntryForce, EndsWithTheIntruderOnTheSurfaceAndNoForceOnIt) {
+  const SearchEnd run = searched(ledge(GetParam(), gentle_push()));
+  const Disks& disks = run.world.disks;
+  EXPECT_NEAR(disks.position[2].y(), 1, tolerance::rounding());
+  EXPECT_EQ(disks.applied[2], Vec3(0, 0, 0));
+  EXPECT_EQ(run.world.bonds.broken, 0);
+  EXPECT_GT(run.world.time, 1);
+}
+
+TEST_P(EntryForce, WithoutADistanceTheIntruderEntersByItsDiameter) {
+  PushPhase push = gentle_push();
+  push.threshold = Threshold{.tolerance = 0.5};
+  const Scenario scene = ledge(GetParam(), push);
+  Protocol protocol(scene, make_world(scene));
+  double lowest = 1;
+  while (protocol.advance() == Progress::running)
+    lowest = std::min(lowest, protocol.world().disks.position[2].y());
+  // The step that goes past it ends the trial.
+  EXPECT_GT(lowest, 0);
+  EXPECT_LT(lowest, 0.2);
+}
+
+// A search is not a push that missed its rest, and a changed force is none of the trial under way.
+TEST(EntryForceSearch, IsNoPush) {
+  Scenario scene = ledge(Method::automatic, gentle_push());
+  Protocol protocol(scene, make_world(scene));
+  protocol.advance();
+  std::get<PushPhase>(scene.phases[0].kind).force = 11;
+  protocol.change(scene);
+  EXPECT_EQ(protocol.world().disks.applied[2].y(), -10);
+  std::get<PushPhase>(scene.phases[0].kind).threshold.reset();
+  protocol.change(scene);
+  while (protocol.advance() == Progress::running) {
+  }
+  EXPECT_EQ(protocol.state().critical_forces.size(), 1U);
+  EXPECT_FALSE(protocol.missed_rest());
 }
 
 // A disk held by one bond to a fixed one on its left.
