@@ -14,6 +14,7 @@ std::span<const PaperFigure> paper_figures() {
       {"penetration", "Penetration of an intruder", make_penetration_experiment},
       {"pull_out", "Weight above the intruder and pull-out force", make_pull_out_experiment},
       {"piston", "Compaction by a piston", make_piston_experiment},
+      {"structure", "Profiles, angles of bonds and forces", make_structure_experiment},
       {"shear", "Shear strength over depth", make_shear_experiment},
       {"field", "The field experiment", make_field_experiment},
       {"density", "Effect of the sample's density on the push", make_density_experiment},

@@ -34,6 +34,7 @@ std::unique_ptr<PaperExperiment> make_samples_experiment();
 std::unique_ptr<PaperExperiment> make_penetration_experiment();
 std::unique_ptr<PaperExperiment> make_pull_out_experiment();
 std::unique_ptr<PaperExperiment> make_piston_experiment();
+std::unique_ptr<PaperExperiment> make_structure_experiment();
 std::unique_ptr<PaperExperiment> make_shear_experiment();
 std::unique_ptr<PaperExperiment> make_field_experiment();
 std::unique_ptr<PaperExperiment> make_density_experiment();

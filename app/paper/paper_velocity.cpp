@@ -46,6 +46,13 @@ class Velocity : public PaperExperiment {
       of_line = -line->intercept / line->slope;
       plot.curves.push_back(law(line->slope, *of_line, curve.x.back()));
     }
+    report_threshold(results, section, findings);
+    if (const auto found = findings.find("penetration.threshold_force"); found != findings.end())
+      plot.references.push_back({.name = "smallest force that enters",
+                                 .low = found->second.value,
+                                 .high = found->second.value,
+                                 .of_x = true,
+                                 .role = Reference::Role::guide});
     section.blocks.emplace_back(Figure{
         std::move(plot),
         of_line
@@ -54,7 +61,6 @@ class Velocity : public PaperExperiment {
             : std::string(
                   "A straight line through the squares of the velocities gives no threshold: "
                   "it is not zero at any positive force.")});
-    report_threshold(results, section, findings);
     note_exponent(findings, curve);
   }
 

@@ -263,15 +263,19 @@ TEST_F(Reproduce, RunsOfOtherSettingsAreNotOverwritten) {
 
 TEST_F(Reproduce, SlowReportsOnWhatRanAndRepeatsNothing) {
   const std::string out = (folder_.path() / "paper").string();
-  const std::vector<std::string> words{"piston", "--quick",        "--width", "12",      "--height",
-                                       "20",     "--realizations", "1",       "--quiet", "--out",
-                                       out};
+  const std::vector<std::string> words{"piston",         "structure", "--quick", "--width", "12",
+                                       "--height",       "20",        "--quiet", "--out",   out,
+                                       "--realizations", "1"};
   const Outcome first = reproduce(words);
   ASSERT_EQ(first.exit_code, 0) << first.err;
-  EXPECT_NE(first.out.find("2 of 2 runs finished"), std::string::npos) << first.out;
+  EXPECT_NE(first.out.find("3 of 3 runs finished"), std::string::npos) << first.out;
   const std::string page = contents(out + "/report.md");
   EXPECT_NE(page.find("after the piston: volume fraction"), std::string::npos);
   EXPECT_NE(page.find("Compaction by a piston"), std::string::npos);
+  for (const char* of : {"profile", "bond_angles", "contact_forces", "bond_tensions"})
+    EXPECT_NE(contents(out + "/plots/structure_" + of + ".csv").find("after the piston"),
+              std::string::npos)
+        << of;
   EXPECT_EQ(page.find("pull-out force over the push force before"), std::string::npos)
       << "of another figure";
   const auto when = std::filesystem::last_write_time(out + "/runs/sample/00/summary.json");
