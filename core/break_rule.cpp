@@ -13,8 +13,8 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Impulses of the rough solution are off by at most this share of the least impact that can break a suspect.
 constexpr double kRoughShare = 0.01;
-// So many times as large may its openings be: of 923 that open in the paper's box under a push it has 19 too small by
-// more than a tenth, none by half. (With a share of 0.3, 55 of 869 by half.)
+// So many times as large may its openings be. In the paper's box under a push some are too small by more than a tenth in
+// 20 of 278 steps in which any bond opens, by half in none. (With a share of 0.3, by half in 55 of 288.)
 constexpr double kDoubt = 2;
 
 // Impulse by which the turning of a pair loads its bond in a step, over dt: at its start the line of centres has turned
@@ -44,8 +44,8 @@ Vec3 without_load(const ContactRow& row, double cohesion, const Vec3& p, double 
 
 }  // namespace
 
-void EnergyRule::find_suspects(const World& world, const std::vector<Contact>& contacts,
-                               const StepSettings& step) {
+void EnergyRule::find_suspects(const Case& judged) {
+  const auto& [world, contacts, step, settings, solver, cost] = judged;
   const double dt = step.dt;
   suspects_.clear();
   auto before = world.contacts.begin();
@@ -75,9 +75,8 @@ void EnergyRule::find_suspects(const World& world, const std::vector<Contact>& c
   }
 }
 
-bool EnergyRule::solve_unloaded(const World& world, const StepSettings& step,
-                                const SolverSettings& settings, double admissible,
-                                ContactSolver& solver, SolveReport& cost) {
+bool EnergyRule::solve_unloaded(const Case& judged, double admissible) {
+  const auto& [world, contacts, step, settings, solver, cost] = judged;
   start_velocities(world, velocity_);
   build_problem(world, unloaded_, velocity_, step, problem_);
   for (ContactRow& row : problem_.contacts) row.gap_tolerance = kInfinity;
@@ -94,11 +93,10 @@ bool EnergyRule::solve_unloaded(const World& world, const StepSettings& step,
   return cost.converged;
 }
 
-bool EnergyRule::find_impacts(const World& world, const std::vector<Contact>& contacts,
-                              const StepSettings& step, const SolverSettings& settings,
-                              ContactSolver& solver, SolveReport& cost) {
+bool EnergyRule::find_impacts(const Case& judged) {
+  const auto& [world, contacts, step, settings, solver, cost] = judged;
   unloaded_ = contacts;
-  if (!solve_unloaded(world, step, settings, 0, solver, cost)) return false;
+  if (!solve_unloaded(judged, 0)) return false;
   for (Suspect& s : suspects_) {
     const Contact& bond = unloaded_[s.contact];
     double alone = step.dt * bond.cohesion - state_.impulse[s.contact].x();
@@ -109,12 +107,10 @@ bool EnergyRule::find_impacts(const World& world, const std::vector<Contact>& co
   return true;
 }
 
-bool EnergyRule::find_openings(const World& world, const std::vector<Contact>& contacts,
-                               const StepSettings& step, const SolverSettings& settings,
-                               double admissible, ContactSolver& solver, SolveReport& cost) {
-  unloaded_ = contacts;
+bool EnergyRule::find_openings(const Case& judged, double admissible) {
+  unloaded_ = judged.contacts;
   for (const Suspect& s : suspects_) unloaded_[s.contact].cohesion = 0;
-  if (!solve_unloaded(world, step, settings, admissible, solver, cost)) return false;
+  if (!solve_unloaded(judged, admissible)) return false;
   for (Suspect& s : suspects_) {
     const ContactRow& row = problem_.contacts[s.contact];
     s.opening = relative_velocity(row, state_.velocity[row.a], state_.velocity[row.b]).x();
@@ -127,21 +123,19 @@ const std::vector<BondBreak>& EnergyRule::judge(const World& world,
                                                 const StepSettings& step,
                                                 const SolverSettings& settings,
                                                 ContactSolver& solver, SolveReport& cost) {
-  breaks_.clear();
-  find_suspects(world, contacts, step);
+  const Case judged{world, contacts, step, settings, solver, cost};
   const auto opens = [](const Suspect& s, double impact) {
     return impact * s.opening / 2 > s.energy_left;
   };
+  breaks_.clear();
+  find_suspects(judged);
   double rough = kInfinity;
   for (const Suspect& s : suspects_) rough = std::min(rough, kRoughShare * s.least_impact);
-  if (suspects_.empty() || !find_openings(world, contacts, step, settings, rough, solver, cost))
-    return breaks_;
+  if (suspects_.empty() || !find_openings(judged, rough)) return breaks_;
   std::erase_if(suspects_, [&](const Suspect& s) { return !opens(s, kDoubt * s.impact); });
-  if (suspects_.empty() || !find_impacts(world, contacts, step, settings, solver, cost))
-    return breaks_;
+  if (suspects_.empty() || !find_impacts(judged)) return breaks_;
   std::erase_if(suspects_, [](const Suspect& s) { return s.own_impact <= s.least_impact; });
-  if (suspects_.empty() || !find_openings(world, contacts, step, settings, 0, solver, cost))
-    return breaks_;
+  if (suspects_.empty() || !find_openings(judged, 0)) return breaks_;
   for (const Suspect& s : suspects_) {
     if (!opens(s, s.own_impact)) continue;
     const Contact& contact = contacts[s.contact];

@@ -53,20 +53,23 @@ class EnergyRule {
     double own_impact = 0;      // J [m sqrt(g d)]
     double opening = 0;         // u_open [sqrt(g d)]
   };
-  void find_suspects(const World& world, const std::vector<Contact>& contacts,
-                     const StepSettings& step);
+  // What is judged, and what it is solved with.
+  struct Case {
+    const World& world;
+    const std::vector<Contact>& contacts;
+    const StepSettings& step;
+    const SolverSettings& settings;
+    ContactSolver& solver;
+    SolveReport& cost;
+  };
+  void find_suspects(const Case& judged);
   // Solves the step of `unloaded_` without external forces, with impulses that are off by at most `admissible`
   // [m sqrt(g d)]; 0: to the tolerance of the settings. False if that did not converge.
-  bool solve_unloaded(const World& world, const StepSettings& step, const SolverSettings& settings,
-                      double admissible, ContactSolver& solver, SolveReport& cost);
+  bool solve_unloaded(const Case& judged, double admissible);
   // The own impacts of the suspects, with all bonds.
-  bool find_impacts(const World& world, const std::vector<Contact>& contacts,
-                    const StepSettings& step, const SolverSettings& settings, ContactSolver& solver,
-                    SolveReport& cost);
+  bool find_impacts(const Case& judged);
   // The velocities with which the suspects open, without their bonds.
-  bool find_openings(const World& world, const std::vector<Contact>& contacts,
-                     const StepSettings& step, const SolverSettings& settings, double admissible,
-                     ContactSolver& solver, SolveReport& cost);
+  bool find_openings(const Case& judged, double admissible);
 
   std::vector<Suspect> suspects_;
   std::vector<BondBreak> breaks_;
