@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "app/campaign/pool_progress.h"
+#include "app/campaign/run_place.h"
 #include "app/interrupt.h"
 #include "app/run/folder_lock.h"
 #include "app/run/resumption.h"
@@ -27,17 +28,19 @@ namespace {
 JobOutcome failed(std::string why) { return {JobStatus::failed, std::move(why), true}; }
 
 // One run, from where an earlier one of the same job stopped. `anew`: what is there does not count.
-JobOutcome compute(const Job& job, bool anew, bool frames) {
+JobOutcome compute(const Job& job, bool anew, bool frames, RunPlace& place) {
   try {
     const FolderLock lock(job.folder.path);
     if (!lock.held()) return failed("another process is computing it");
     const RunRecord record = anew ? RunRecord{} : read_record(job);
+    // By another process, since this one began.
     if (record.status == JobStatus::finished) return {JobStatus::finished, {}, false};
     RunOptions options;
     options.out = job.folder.path;
     options.frames = frames;
     options.quiet = true;
     options.lock = false;
+    options.watch = [&](const Protocol& protocol) { place.note(protocol); };
     if (record.status != JobStatus::missing &&
         resumption_of(job.folder, frames).how == Resumption::How::goes_on)
       options.continued_from = job.folder.state();
@@ -66,11 +69,13 @@ class Pool {
       : jobs_(jobs),
         options_(options),
         states_(jobs.size(), State::waiting),
+        places_(jobs.begin(), jobs.end()),
         progress_(jobs.size(), options.quiet) {
     report_.outcomes.resize(jobs.size());
     for (std::size_t i = 0; i < jobs.size(); ++i) {
       assert(!jobs[i].after || *jobs[i].after < i);
     }
+    find_finished();
   }
 
   PoolReport complete() {
@@ -102,17 +107,27 @@ class Pool {
     }
   };
 
+  // So that the progress counts them from the beginning.
+  void find_finished() {
+    for (std::size_t i = 0; i < jobs_.size(); ++i) {
+      const std::optional<std::size_t> before = jobs_[i].after;
+      if (before && states_[*before] != State::ended) continue;
+      if (read_record(jobs_[i]).status == JobStatus::finished)
+        end(i, {JobStatus::finished, {}, false});
+    }
+  }
+
   void work() {
     std::unique_lock lock(mutex_);
     while (const std::optional<std::size_t> next = wait_for_job(lock)) {
       const Job& job = jobs_[*next];
-      set_state(*next, State::running);
+      begin(*next);
       // What started from a state that is computed again is computed again.
       const bool anew = job.after && report_.outcomes[*job.after].computed;
       lock.unlock();
       JobOutcome outcome;
       with_threads(all_threads_, threads_a_run_,
-                   [&] { outcome = compute(job, anew, options_.frames); });
+                   [&] { outcome = compute(job, anew, options_.frames, places_[*next]); });
       lock.lock();
       end(*next, std::move(outcome));
     }
@@ -151,20 +166,25 @@ class Pool {
     return std::nullopt;
   }
 
+  void begin(std::size_t job) {
+    states_[job] = State::running;
+    under_way_.push_back(job);
+    share_threads();
+  }
+
   void end(std::size_t job, JobOutcome outcome) {
-    set_state(job, State::ended);
+    states_[job] = State::ended;
+    std::erase(under_way_, job);
+    share_threads();
     progress_.count(outcome.computed, outcome.status == JobStatus::failed);
     report_.outcomes[job] = std::move(outcome);
     news_.push_back(job);
     changed_.notify_all();
   }
 
-  void set_state(std::size_t job, State state) {
-    states_[job] = state;
-    threads_a_run_ = all_threads_ / std::max(1, running());
+  void share_threads() {
+    threads_a_run_ = all_threads_ / std::max(1, static_cast<int>(under_way_.size()));
   }
-
-  int running() const { return static_cast<int>(std::ranges::count(states_, State::running)); }
 
   // Tells what has ended, until all workers have gone.
   void watch_workers(std::size_t threads) {
@@ -178,7 +198,11 @@ class Pool {
         if (options_.ended) options_.ended(job, outcome);
         lock.lock();
       }
-      progress_.show(static_cast<std::size_t>(running()));
+      if (progress_.due()) {
+        std::vector<RunUnderWay> seen;
+        for (const std::size_t job : under_way_) seen.push_back(places_[job].seen());
+        progress_.show(seen);
+      }
       if (workers_gone_ == threads && news_.empty()) return;
       changed_.wait_for(lock, kLook);
     }
@@ -197,8 +221,10 @@ class Pool {
   std::condition_variable changed_;
   // Shared by the threads.
   std::vector<State> states_;
-  std::size_t first_ = 0;         // no job before this one waits
-  std::deque<std::size_t> news_;  // jobs that have ended and were not told yet
+  std::deque<RunPlace> places_;
+  std::vector<std::size_t> under_way_;  // in the order in which they began
+  std::size_t first_ = 0;               // no job before this one waits
+  std::deque<std::size_t> news_;        // jobs that have ended and were not told yet
   std::size_t workers_gone_ = 0;
   bool closing_ = false;
   PoolReport report_;

@@ -1,6 +1,7 @@
 #include "app/campaign/pool_progress.h"
 
-#include <string>
+#include <array>
+#include <cstdio>
 
 namespace quicksand {
 
@@ -10,18 +11,32 @@ void PoolProgress::count(bool computed, bool failed) {
   if (failed) ++failed_;
 }
 
-void PoolProgress::show(std::size_t running) {
-  if (!line_.due()) return;
+std::string PoolProgress::text(std::span<const RunUnderWay> running, double spent) const {
   std::string text = std::to_string(ended_) + " of " + std::to_string(jobs_) + " runs done";
   if (failed_ > 0) text += ", " + std::to_string(failed_) + " failed";
-  text += ", " + std::to_string(running) + " running";
-  // Runs of the same campaign take about the same time; those that were done before cost nothing.
-  if (computed_ > 0) {
-    const double spent = std::chrono::duration<double>(Clock::now() - began_).count();
-    const auto left = static_cast<double>(jobs_ - ended_);
-    text += "  about " + duration_text(spent * left / static_cast<double>(computed_)) + " left";
+  text += ", " + std::to_string(running.size()) + " running";
+  // As if runs took about the same time; those that were done before cost nothing.
+  auto done = static_cast<double>(computed_);
+  auto left = static_cast<double>(jobs_ - ended_ - running.size());
+  for (const RunUnderWay& run : running) {
+    done += run.now_done;
+    left += run.left;
   }
-  line_.show(text);
+  // Too early an estimate is worse than none.
+  constexpr double kEnough = 0.1;
+  if (done > kEnough) text += "  about " + duration_text(spent * left / done) + " left";
+  if (!running.empty() && !running.front().phase.empty()) {
+    const RunUnderWay& first = running.front();
+    std::array<char, 16> percent{};
+    std::snprintf(percent.data(), percent.size(), "%.0f %%", 100 * first.phase_done);
+    text += "  (" + std::string(first.id) + ": " + std::string(first.phase) + " " + percent.data() +
+            ")";
+  }
+  return text;
+}
+
+void PoolProgress::show(std::span<const RunUnderWay> running) {
+  line_.show(text(running, std::chrono::duration<double>(Clock::now() - began_).count()));
 }
 
 }  // namespace quicksand

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 
 #include "app/run/distrust.h"
+#include "core/protocols.h"
 #include "render/view.h"
 
 namespace quicksand {
@@ -19,13 +21,16 @@ struct RunOptions {
   bool lock = true;              // the folder; false: the caller has it locked
   double checkpoint_every = 60;  // wall time between checkpoints; 0: one a step [s]
   std::optional<StrictBounds> strict;
+  // Called before each step, by the thread of the run.
+  std::function<void(const Protocol&)> watch = {};
   View view;  // kept are colouring, theme, size, bonds and forces
 };
 
 // The longest time between checkpoints that may be asked for. [s]
 constexpr double kLongestCheckpointTime = 1e6;
 
-// Writes and reads what is kept; `out`, `continued_from`, `quiet` and `lock` belong to the call. Throw InputError.
+// Writes and reads what is kept; `out`, `continued_from`, `quiet`, `lock` and `watch` belong to the call.
+// Throw InputError.
 void write_options(const std::filesystem::path& file, RunOptions options);
 RunOptions read_options(const std::filesystem::path& file);
 

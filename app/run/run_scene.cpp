@@ -127,6 +127,7 @@ class Run {
         break;
       }
       progress.show(protocol());
+      if (options_.watch) options_.watch(protocol());
       const Progress made = course_.advance();
       if (made == Progress::failed) {
         how = RunEnd::How::failed;

@@ -211,6 +211,15 @@ TEST_F(JobPoolTest, EveryJobIsToldOnce) {
   EXPECT_EQ(told, std::vector<int>(jobs.size(), 1));
 }
 
+// So the progress knows from the beginning how much is left.
+TEST_F(JobPoolTest, FinishedRunsAreToldBeforeOthersAreComputed) {
+  const std::vector<Job> jobs = packings("runs", 3);
+  run({jobs[2]});
+  std::vector<std::size_t> order;
+  run_jobs(jobs, {1, false, true, [&](std::size_t i, const JobOutcome&) { order.push_back(i); }});
+  EXPECT_EQ(order, (std::vector<std::size_t>{2, 0, 1}));
+}
+
 TEST_F(JobPoolTest, WithoutJobsThereIsNothingToDo) { EXPECT_TRUE(run({}).outcomes.empty()); }
 
 TEST(ResultsTable, QuotesTextsAndLeavesAbsentValuesEmpty) {
