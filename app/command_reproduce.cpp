@@ -1,6 +1,7 @@
 // quicksand reproduce: the paper's experiments and a report that sets its numbers beside ours.
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <memory>
 
 #include "app/campaign/job_pool.h"
@@ -127,6 +128,17 @@ double seconds_of(const PaperResults& results, std::size_t jobs) {
   return seconds;
 }
 
+// "12 by commit 7fce0b8, 3 by commit b08931a": finished runs are not repeated by a later version.
+std::string commits_of(const PaperResults& results, std::size_t jobs) {
+  std::map<std::string, int> runs;
+  for (std::size_t k = 0; k < jobs; ++k)
+    if (const RunResults* run = results.run(k)) ++runs[run->summary().value("commit", "unknown")];
+  std::string text;
+  for (const auto& [commit, count] : runs)
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + " by commit " + commit;
+  return text.empty() ? "none" : text;
+}
+
 // Runs that have no result, and those whose steps did not all converge.
 Section section_on_runs(const PaperJobs& jobs, const PoolReport& pool,
                         const PaperResults& results) {
@@ -204,6 +216,7 @@ Report report_of(const ReproduceArguments& options, const PaperJobs& jobs, const
   report.sections.push_back(section_on_runs(jobs, pool, results));
   report.provenance = provenance(
       {.command = command_of(options), .seconds = seconds_of(results, jobs.jobs().size())});
+  report.provenance.emplace_back("runs", commits_of(results, jobs.jobs().size()));
   return report;
 }
 

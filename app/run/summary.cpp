@@ -4,6 +4,7 @@
 #include <cinttypes>
 #include <cstdio>
 
+#include "app/build_info.h"
 #include "app/run/distrust.h"
 #include "app/run/search_results.h"
 #include "app/scene/si_scale.h"
@@ -41,6 +42,7 @@ Json summary(const Scenario& scenario, const World& world, const ProtocolState& 
              const Row& last, const RunEnd& end) {
   Json json = {{"program", "quicksand"},
                {"version", QUICKSAND_VERSION},
+               {"commit", build_info().commit},
                {"scene", scenario.name},
                {"seed", scenario.seed},
                {"finished", end.how == RunEnd::How::finished},

@@ -103,7 +103,7 @@ TEST_F(ProgramTest, ARunLeavesEverythingThatItPromises) {
   }
   for (const char* key :
        {"steps", "wall_seconds", "steps_per_second", "worst_residual", "unconverged_steps",
-        "bonds_broken_in_unconverged_steps", "model_terms", "world_hash", "version"}) {
+        "bonds_broken_in_unconverged_steps", "model_terms", "world_hash", "version", "commit"}) {
     EXPECT_TRUE(summary.contains(key)) << key;
   }
   EXPECT_EQ(summary["finished"], true);
