@@ -14,13 +14,19 @@ std::string with_unit(const std::string& number, const std::string& unit) {
   return brackets.empty() ? number : number + " " + brackets;
 }
 
+// Two runs give an error, but with one degree of freedom no measure of what is far.
+bool has_scatter(const Measured& measured) {
+  constexpr int kFewest = 3;
+  return measured.standard_error && *measured.standard_error > 0 && measured.n >= kFewest;
+}
+
 std::string with_sign(double value) { return (value > 0 ? "+" : "") + typeset(value, 3); }
 
 // From the paper's value or the nearest bound: "+0.08 (12 se), 0.06 beyond the tolerance".
 std::string deviation_text(const Measured& measured, const Verdict& verdict) {
   if (verdict.deviation == 0) return "none";
   std::string text = with_sign(verdict.deviation);
-  if (measured.standard_error && *measured.standard_error > 0) {
+  if (has_scatter(measured)) {
     text += " (" + typeset(std::abs(verdict.deviation) / *measured.standard_error, 2) + " se)";
   }
   if (!verdict.inside) text += ", " + typeset(verdict.beyond, 3) + " beyond the tolerance";
@@ -81,7 +87,7 @@ Verdict judge(const Target& target, const Measured& measured) {
   if (target.high) {
     to_turn = std::min(to_turn, std::abs(measured.value - (*target.high + target.tolerance)));
   }
-  verdict.close = measured.standard_error && to_turn < 2 * *measured.standard_error;
+  verdict.close = has_scatter(measured) && to_turn < 2 * *measured.standard_error;
   return verdict;
 }
 
@@ -102,7 +108,7 @@ Table comparison_table(const PaperTargets& targets,
   Table table{.caption =
                   "se: standard error of the mean over n realizations. Inside means: within the "
                   "stated tolerance of what the paper admits, whatever the standard error. The "
-                  "deviation is from the paper's value or nearest bound.",
+                  "deviation is from the paper's value or nearest bound, in se from three runs on.",
               .columns = {{.title = "quantity"},
                           {.title = "paper"},
                           {.title = "tolerance", .number = true},

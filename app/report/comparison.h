@@ -25,7 +25,7 @@ struct Verdict {
   bool inside = false;
   double deviation = 0;  // from the nearest value that the paper admits, 0 there [unit]
   double beyond = 0;     // past the tolerance, 0 if inside [unit]
-  // The bound of the tolerance is nearer than two standard errors: more realizations might turn it.
+  // The bound of the tolerance is nearer than two standard errors of at least three: more might turn it.
   bool close = false;
 };
 Verdict judge(const Target& target, const Measured& measured);

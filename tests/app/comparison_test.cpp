@@ -61,6 +61,8 @@ TEST(Verdict, IsCloseWhereTwoStandardErrorsReachTheBoundOfTheTolerance) {
   EXPECT_TRUE(judge(target, {.value = 1, .standard_error = 0.06, .n = 10}).close);
   EXPECT_TRUE(judge(target, {.value = 1.15, .standard_error = 0.03, .n = 10}).close);
   EXPECT_FALSE(judge(target, {.value = 1.15}).close);
+  // Of two runs it is no measure.
+  EXPECT_FALSE(judge(target, {.value = 1, .standard_error = 0.06, .n = 2}).close);
 }
 
 TEST(Verdict, NoNumberIsOutside) {
