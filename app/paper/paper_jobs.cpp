@@ -113,9 +113,11 @@ RunGroup PaperJobs::thresholds(const RunGroup& samples, double distance) {
               {"step.dt", scale_.push_step}});
 }
 
-RunGroup PaperJobs::pulls(const RunGroup& pushes, double first_force_over_cohesion) {
-  return add("pull", pushes.name + ".pull", &pushes, {},
-             {{"phases[1].first_force_over_cohesion", first_force_over_cohesion}});
+RunGroup PaperJobs::pulls(const RunGroup& pushes, double first_force_over_cohesion, bool healed) {
+  ParameterValues set{{"phases[1].first_force_over_cohesion", first_force_over_cohesion}};
+  // In no time no bond heals.
+  if (!healed) set.insert(set.end(), {{"phases[0].waited", 0}, {"phases[0].healing_time", 1}});
+  return add("pull", pushes.name + (healed ? ".pull" : ".pull_unhealed"), &pushes, {}, set);
 }
 
 RunGroup PaperJobs::pistons(const RunGroup& samples, const std::string& tag,

@@ -76,7 +76,8 @@ class PaperJobs {
   PushCurve push_curve(const RunGroup& samples);
   // Searches for the smallest force with which the intruder enters by `distance` [d].
   RunGroup thresholds(const RunGroup& samples, double distance);
-  RunGroup pulls(const RunGroup& pushes, double first_force_over_cohesion);
+  // With all bonds restored before, or none.
+  RunGroup pulls(const RunGroup& pushes, double first_force_over_cohesion, bool healed = true);
   RunGroup pistons(const RunGroup& samples, const std::string& tag = {},
                    const PistonLoad& load = {});
   // `top`: about where the packing ends [d].

@@ -73,13 +73,21 @@ class Density : public PaperExperiment {
             {name + ", " + number_text(curves_[s].forces[k]) + " F_c", curves_[s].pushes[k]});
     }
     const Curve &usual = plot.curves[0], &denser = plot.curves[1];
-    if (const auto ratio = force_ratio(usual, denser)) {
+    if (!is_denser(results)) {
+      section.blocks.emplace_back(
+          Remark{Remark::Kind::warning,
+                 "The samples' volume fractions do not differ by more than 0.01 and two standard "
+                 "errors: what their density does is not measured."});
+    } else if (const auto ratio =
+                   force_ratio(above_ground(results, 0, usual), above_ground(results, 1, denser))) {
       findings["penetration.density_shift"] = {.value = *ratio, .n = 2, .note = "n counts samples"};
     } else if (const auto by_speed = force_ratio(speeds(results, 0), speeds(results, 1))) {
       findings["penetration.density_shift"] = {
           .value = *by_speed,
           .n = 2,
-          .note = "for the same mean velocity, as no depth is reached in both; n counts samples"};
+          .note =
+              "for the same mean velocity, as no depth above the ground is reached in both; n "
+              "counts samples"};
     }
     section.blocks.emplace_back(
         push_outcomes(results, "Pushes of both samples, after everything rests.", rows, all_));
@@ -87,6 +95,29 @@ class Density : public PaperExperiment {
   }
 
  private:
+  bool is_denser(const PaperResults& results) const {
+    constexpr double kLeast = 0.01;
+    const auto usual = results.mean(samples_[0], "volume_fraction"),
+               denser = results.mean(samples_[1], "volume_fraction");
+    if (!usual || !denser) return false;
+    const double error =
+        std::hypot(usual->standard_error.value_or(0), denser->standard_error.value_or(0));
+    return denser->value - usual->value > std::max(kLeast, 2 * error);
+  }
+
+  // Only the points of intruders that the packing stopped.
+  Curve above_ground(const PaperResults& results, std::size_t sample, const Curve& depths) const {
+    constexpr double kGround = 0.95;  // share of the packing's height
+    const auto top = results.mean(samples_[sample], "packing_top");
+    Curve stopped;
+    for (std::size_t k = 0; k < depths.x.size(); ++k) {
+      if (!top || depths.y[k] > kGround * top->value) continue;
+      stopped.x.push_back(depths.x[k]);
+      stopped.y.push_back(depths.y[k]);
+    }
+    return stopped;
+  }
+
   Curve speeds(const PaperResults& results, std::size_t sample) const {
     return ploughing_speeds(results, {}, curves_[sample], height_);
   }
@@ -115,23 +146,24 @@ class WaterDrag : public PaperExperiment {
                       "Pushes with the cohesion force, with and without viscous drag of water "
                       "(Stokes' law on each grain).",
                       {{"without drag", without_}, {"with drag", with_}}, all_));
-    std::vector<double> changes;
-    constexpr double kGround = 0.95;  // share of the packing's height
-    bool on_the_ground = true;
-    for (std::size_t k = 0; k < with_.runs.size(); ++k) {
-      const RunResults *with = results.run(with_.runs[k]), *without = results.run(without_.runs[k]);
-      if (!with || !without) continue;
-      const double depth = *without->final_value("depth");
-      changes.push_back((*with->final_value("depth") - depth) / depth);
-      on_the_ground = on_the_ground && depth > kGround * without->column("packing_top").front();
-    }
-    note(findings, "penetration.drag_effect",
-         mean_over(changes, on_the_ground
-                                ? "without drag all lie on the ground: see the shares of bonds"
-                                : ""));
+    note(findings, "penetration.drag_effect", largest_change(results));
   }
 
  private:
+  // On the ground the depth says nothing; bonds do.
+  std::optional<Measured> largest_change(const PaperResults& results) const {
+    std::optional<Measured> largest;
+    for (const auto& [quantity, name] :
+         {std::pair{"depth", "the depth"}, std::pair{"active_bond_fraction", "active bonds"},
+          std::pair{"remaining_bond_fraction", "remaining bonds"}}) {
+      auto change = results.change(without_, with_, quantity);
+      if (!change) continue;
+      change->note = "of " + std::string(name);
+      if (!largest || std::abs(change->value) > std::abs(largest->value)) largest = change;
+    }
+    return largest;
+  }
+
   RunGroup without_, with_;
   int all_ = 0;
 };

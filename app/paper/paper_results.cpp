@@ -36,6 +36,18 @@ std::optional<Measured> PaperResults::mean(const RunGroup& group,
   return mean_over(values(group, quantity));
 }
 
+std::optional<Measured> PaperResults::change(const RunGroup& from, const RunGroup& to,
+                                             const std::string& quantity) const {
+  std::vector<double> changes;
+  for (std::size_t k = 0; k < from.runs.size(); ++k) {
+    const RunResults *first = run(from.runs[k]), *second = run(to.runs[k]);
+    if (!first || !second) continue;
+    const auto before = first->final_value(quantity), after = second->final_value(quantity);
+    if (before && after && *before != 0) changes.push_back((*after - *before) / *before);
+  }
+  return mean_over(changes);
+}
+
 std::vector<double> PaperResults::critical_forces(const RunGroup& group) const {
   std::vector<double> forces;
   for (const RunResults* run : runs(group))
@@ -61,16 +73,18 @@ Cell cell_of(const std::optional<Measured>& measured, int all) {
   return {.text = typeset_with_error(measured->value, measured->standard_error) + runs};
 }
 
+void add_point(Curve& curve, double x, const std::optional<Measured>& y) {
+  if (!y) return;
+  curve.x.push_back(x);
+  curve.y.push_back(y->value);
+  curve.y_error.push_back(y->standard_error.value_or(0));
+}
+
 Curve curve_over(const PaperResults& results, const std::string& name, std::span<const double> x,
                  std::span<const RunGroup> groups, const std::string& quantity) {
   Curve curve{.name = name};
-  for (std::size_t k = 0; k < groups.size(); ++k) {
-    const auto mean = results.mean(groups[k], quantity);
-    if (!mean) continue;
-    curve.x.push_back(x[k]);
-    curve.y.push_back(mean->value);
-    curve.y_error.push_back(mean->standard_error.value_or(0));
-  }
+  for (std::size_t k = 0; k < groups.size(); ++k)
+    add_point(curve, x[k], results.mean(groups[k], quantity));
   return curve;
 }
 

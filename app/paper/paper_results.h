@@ -32,6 +32,9 @@ class PaperResults {
   std::vector<double> critical_forces(const RunGroup& group) const;
   // Mean of final values; absent if there are none.
   std::optional<Measured> mean(const RunGroup& group, const std::string& quantity) const;
+  // Of final values, seed by seed, over the first group's. [1]
+  std::optional<Measured> change(const RunGroup& from, const RunGroup& to,
+                                 const std::string& quantity) const;
 
  private:
   std::vector<std::optional<RunResults>> results_;  // (jobs)
@@ -45,6 +48,9 @@ void note(Findings& findings, const std::string& id, const std::optional<Measure
 
 // "0.372 ± 0.004 (10)", "-" if absent; the number of runs is left out where it is `all`.
 Cell cell_of(const std::optional<Measured>& measured, int all);
+
+// With its error bar, if there is one to add.
+void add_point(Curve& curve, double x, const std::optional<Measured>& y);
 
 // Points with error bars: one x a group, y a final quantity. Groups without a value are left out.
 Curve curve_over(const PaperResults& results, const std::string& name, std::span<const double> x,

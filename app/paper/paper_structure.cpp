@@ -122,7 +122,7 @@ class StructureOfSamples : public PaperExperiment {
     Curve curve{.name = name, .kind = Curve::Kind::line_points};
     for (std::size_t k = 0; k < s.fractions.size(); ++k) {
       const auto mean = mean_over(s.fractions[k]);
-      if (!mean) continue;
+      if (!mean || mean->value == 0) continue;
       curve.x.push_back(mean->value);
       curve.x_error.push_back(mean->standard_error.value_or(0));
       curve.y.push_back((static_cast<double>(k) + 0.5) * thickness_);

@@ -30,13 +30,8 @@ std::optional<Measured> ploughing_speed(const PaperResults& results, const RunGr
 Curve ploughing_speeds(const PaperResults& results, const std::string& name, const PushCurve& curve,
                        double height) {
   Curve speeds{.name = name};
-  for (std::size_t k = 0; k < curve.forces.size(); ++k) {
-    const auto mean = ploughing_speed(results, curve.pushes[k], height);
-    if (!mean) continue;
-    speeds.x.push_back(curve.forces[k]);
-    speeds.y.push_back(mean->value);
-    speeds.y_error.push_back(mean->standard_error.value_or(0));
-  }
+  for (std::size_t k = 0; k < curve.forces.size(); ++k)
+    add_point(speeds, curve.forces[k], ploughing_speed(results, curve.pushes[k], height));
   return speeds;
 }
 

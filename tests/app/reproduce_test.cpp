@@ -64,7 +64,8 @@ TEST_F(Reproduce, RunsThatTwoFiguresNeedAreMadeOnce) {
   const std::size_t with_thresholds = alone + 2;
   EXPECT_EQ(jobs.jobs().size(), with_thresholds);
   make_pull_out_experiment()->plan(jobs);
-  EXPECT_EQ(jobs.jobs().size(), with_thresholds + 2 * quick_scale().push_forces.size());
+  const std::size_t pulls = 2 * quick_scale().push_forces.size();
+  EXPECT_EQ(jobs.jobs().size(), with_thresholds + 2 * pulls);  // bonds restored, and not
 }
 
 TEST_F(Reproduce, LawsOfASampleHoldForAllThatFollows) {
@@ -74,6 +75,17 @@ TEST_F(Reproduce, LawsOfASampleHoldForAllThatFollows) {
   EXPECT_EQ(jobs.jobs()[shears.runs[0]].scenario.grain_law.friction, 0.6);
   const RunGroup usual = jobs.shears(jobs.pistons(jobs.samples()), 10, 5);
   EXPECT_EQ(jobs.jobs()[usual.runs[0]].scenario.grain_law.friction, 0.3);
+}
+
+TEST_F(Reproduce, AnIntruderIsPulledOutWithBondsRestoredAndWithout) {
+  PaperJobs jobs(small(), folder_.path());
+  const RunGroup pushes = jobs.pushes(jobs.samples(), 1);
+  const auto heal = [&](bool healed) {
+    const RunGroup pulls = jobs.pulls(pushes, 1, healed);
+    return std::get<HealPhase>(jobs.jobs()[pulls.runs[0]].scenario.phases[0].kind);
+  };
+  EXPECT_FALSE(heal(true).waited);
+  EXPECT_EQ(heal(false).waited, 0.0);  // the chance of each bond, 1 - exp(-waited/...), is 0
 }
 
 TEST_F(Reproduce, AHigherSampleIsPressedMoreSlowly) {
@@ -97,6 +109,76 @@ TEST_F(Reproduce, EveryFigureIsMadeOfScenesThatCanRun) {
     for (const Job& job : jobs.jobs())
       EXPECT_EQ(to_text(scenario_from_json(to_json(job.scenario))), to_text(job.scenario));
   }
+}
+
+// On the ground the depth is the same with and without drag; the bonds are not.
+TEST_F(Reproduce, DragIsJudgedByWhatItChangesMost) {
+  PaperJobs jobs(small(), folder_.path());
+  const auto drag = make_drag_experiment();
+  drag->plan(jobs);
+  const RunGroup usual = jobs.pushes(jobs.samples(), 1),
+                 wet = jobs.pushes(jobs.samples(), 1, "drag");
+  const auto leave = [&](const RunGroup& group, double active) {
+    for (const std::size_t run : group.runs)
+      leave_results(jobs.jobs()[run], {{"depth", 18},
+                                       {"active_bond_fraction", active},
+                                       {"remaining_bond_fraction", 0.6},
+                                       {"coordination", 2.5}});
+  };
+  leave(usual, 0.4);
+  leave(wet, 0.5);
+  Section section;
+  Findings findings;
+  drag->report(PaperResults(jobs.jobs()), folder_.path(), section, findings);
+  EXPECT_NEAR(findings.at("penetration.drag_effect").value, 0.25, 1e-12);
+  EXPECT_EQ(findings.at("penetration.drag_effect").note, "of active bonds");
+}
+
+class DensityOfSamples : public Reproduce {
+ protected:
+  // The shift that is found if the second sample has this density, and intruders come down to these depths.
+  std::optional<double> shift(double denser, const std::vector<double>& depths,
+                              const std::vector<double>& denser_depths) const {
+    PaperScale scale = small();
+    scale.realizations = 1;
+    PaperJobs jobs(scale, folder_.path());
+    const auto density = make_density_experiment();
+    density->plan(jobs);
+    const RunGroup samples[] = {jobs.samples(),
+                                jobs.samples("rolling_0.02", {{"contact.rolling_friction", 0.02}})};
+    for (std::size_t s = 0; s < 2; ++s) {
+      const Json sample = {{"volume_fraction", s == 0 ? 0.38 : denser}, {"packing_top", 20}};
+      leave_results(jobs.jobs()[samples[s].runs[0]], sample);
+      const PushCurve curve = jobs.push_curve(samples[s]);
+      for (std::size_t k = 0; k < curve.pushes.size(); ++k)
+        leave_results(jobs.jobs()[curve.pushes[k].runs[0]],
+                      {{"depth", (s == 0 ? depths : denser_depths)[k]},
+                       {"active_bond_fraction", 0.5},
+                       {"remaining_bond_fraction", 0.6},
+                       {"coordination", 2.5}},
+                      "time,step,phase,depth,intruder_velocity_y\n0,0,push,0,0\n");
+    }
+    Section section;
+    Findings findings;
+    density->report(PaperResults(jobs.jobs()), folder_.path(), section, findings);
+    const auto found = findings.find("penetration.density_shift");
+    return found == findings.end() ? std::nullopt : std::optional(found->second.value);
+  }
+};
+
+// Forces of 0.1, 0.33, 1, 3; the denser sample takes one that is 3 times as large to 5 d.
+TEST_F(DensityOfSamples, ShiftsTheForceThatIsNeededForADepth) {
+  const auto found = shift(0.43, {5, 10, 15, 20}, {0, 5, 10, 20});
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(*found, 3, 0.2);
+}
+
+TEST_F(DensityOfSamples, SaysNothingIfTheSamplesDoNotDiffer) {
+  EXPECT_FALSE(shift(0.385, {5, 10, 15, 20}, {0, 5, 10, 20}));
+}
+
+TEST_F(DensityOfSamples, SaysNothingIfAllIntrudersLieOnTheGround) {
+  EXPECT_FALSE(shift(0.43, {19.2, 19.4, 19.6, 19.8}, {19.1, 19.3, 19.5, 19.7}));
 }
 
 // Two runs with the strengths 10 + 2 depth: the line is found, and grains that no force moved are counted.
@@ -189,13 +271,17 @@ TEST_F(Reproduce, NamesTheBreakRuleThatComesNearestToThePaper) {
   PaperJobs jobs(scale, folder_.path());
   const auto experiment = make_break_rule_experiment();
   experiment->plan(jobs);
+  std::string mean_step;
   const auto said = [&] {
     Section section;
     Findings findings;
     experiment->report(PaperResults(jobs.jobs()), folder_.path(), section, findings);
     std::string all;
     for (const Block& block : section.blocks)
-      if (const auto* paragraph = std::get_if<Paragraph>(&block)) all += paragraph->text;
+      if (const auto* paragraph = std::get_if<Paragraph>(&block))
+        all += paragraph->text;
+      else if (const auto* table = std::get_if<Table>(&block))
+        mean_step = table->rows[0][3].text;
     return all;
   };
   EXPECT_NE(said().find("No setting has results for both forces yet"), std::string::npos);
@@ -204,18 +290,22 @@ TEST_F(Reproduce, NamesTheBreakRuleThatComesNearestToThePaper) {
       const bool full = job.id.find("push_1") != std::string::npos;
       const bool linearised = job.id.find("linearised") != std::string::npos;
       const double active = full ? (linearised ? linearised_at_full : 0.2) : 0.93;
-      leave_results(job, {{"volume_fraction", 0.4},
-                          {"coordination", 2.1},
-                          {"depth", 10},
-                          {"intact_active_bond_fraction", nullptr},
-                          {"active_bond_fraction", active},
-                          {"remaining_bond_fraction", full ? 0.78 : 0.97}});
+      leave_results(job,
+                    {{"steps", 400},
+                     {"volume_fraction", 0.4},
+                     {"coordination", 2.1},
+                     {"depth", 10},
+                     {"intact_active_bond_fraction", nullptr},
+                     {"active_bond_fraction", active},
+                     {"remaining_bond_fraction", full ? 0.78 : 0.97}},
+                    "time,step,phase\n1,0,push\n3,400,push\n");
     }
   };
   all_leave(0.9);
   EXPECT_NE(said().find("No setting gives the four shares"), std::string::npos) << said();
   EXPECT_NE(said().find("The linearised rule with dt = 0.01"), std::string::npos) << said();
   EXPECT_NE(said().find("4.4 tolerances off"), std::string::npos) << said();
+  EXPECT_EQ(mean_step, "0.005");  // 400 steps in 2 sqrt(d/g), halved ones with them
   all_leave(0.7);
   EXPECT_NE(said().find("gives all four shares"), std::string::npos) << said();
 }
