@@ -39,8 +39,8 @@ struct Box {
 
 // When a bond breaks: `energy` see break_rule.h, and whenever the gap at the end of the step passes the
 // range. `linearised`: only the latter, the gap taken along the normal at the start of the step (with
-// the curvature term). `geometric`: the same with the distance after the straight move; it breaks
-// bonds that merely turn, and is there to show it.
+// the curvature term). `geometric`: the same with the distance after the straight move; it breaks bonds whose
+// turning changes within the step, without the curvature term all that turn, and is there to show it.
 enum class BreakRule : std::uint8_t { energy, linearised, geometric };
 
 struct StepSettings {

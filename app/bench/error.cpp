@@ -186,17 +186,24 @@ Plot cost_plot(const std::vector<Found>& all, const std::string& observable, con
             .x = {.label = "CPU time of the push, mean", .unit = "s", .logarithmic = true},
             .y = {.label = "mean deviation", .unit = "%"},
             .legend = LegendPlace::below};
-  for (const char* rule : {"energy", "linearised", "geometric"}) {
-    Curve curve{.name = std::string(rule) + " rule"};
+  const auto add = [&](const std::string& text, const std::string& rule, bool usual_tolerance) {
+    Curve curve{.name = text};
     for (const Found& found : all) {
-      if (found.row->method != rule) continue;
+      const Row& row = *found.row;
+      if (row.method != rule || (row.tolerance == Setting{}.tolerance) != usual_tolerance) continue;
       const Mean off = deviation(found, all.front(), observable);
       curve.x.push_back(found.seconds);
       curve.y.push_back(100 * off.value);
       curve.y_error.push_back(100 * off.error.value_or(0));
+      plot.annotations.push_back({curve.x.back(), curve.y.back(),
+                                  format("%g", usual_tolerance ? row.dt : row.tolerance),
+                                  !usual_tolerance});
     }
-    plot.curves.push_back(std::move(curve));
-  }
+    if (!curve.x.empty()) plot.curves.push_back(std::move(curve));
+  };
+  for (const std::string rule : {"energy", "linearised", "geometric"})
+    add(rule + " rule, with dt", rule, true);
+  add("energy rule at dt = 0.001, with the tolerance", "energy", false);
   plot.references.push_back({.low = -5, .high = 5, .role = quicksand::Reference::Role::guide});
   return plot;
 }
@@ -255,16 +262,17 @@ void report_error(std::span<const Row> rows, const Options&, Section& section) {
       Paragraph{format("The reference takes %.3g s a push.", reference.seconds)});
   section.blocks.emplace_back(std::move(table));
   section.blocks.emplace_back(std::move(need));
+  constexpr const char* kCaption =
+      "Bars are standard errors over the seeds; grey: within 5 %. Steps are dt at most: they are "
+      "halved until no "
+      "bonded pair turns farther than max_turn.";
   if (seeds < 2) {
     section.blocks.emplace_back(Remark{Remark::Kind::warning, "One seed has no standard error."});
     return;
   }
   section.blocks.emplace_back(
-      quicksand::Figure{cost_plot(all, "broken bonds", "error_broken_bonds"),
-                        "Bars are standard errors over the seeds; grey: within 5 %."});
-  section.blocks.emplace_back(
-      quicksand::Figure{cost_plot(all, "depth", "error_depth"),
-                        "Bars are standard errors over the seeds; grey: within 5 %."});
+      quicksand::Figure{cost_plot(all, "broken bonds", "error_broken_bonds"), kCaption});
+  section.blocks.emplace_back(quicksand::Figure{cost_plot(all, "depth", "error_depth"), kCaption});
 }
 
 }  // namespace quicksand::bench

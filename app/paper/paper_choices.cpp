@@ -1,4 +1,4 @@
-// The model's free choices, and what they do to the numbers of the push and of the piston.
+// The model's free choices, and what they do to the numbers of the push, the pull-out and the piston.
 #include "app/json/json_reader.h"
 #include "app/paper/outcome_table.h"
 #include "app/paper/paper_experiments.h"
@@ -14,7 +14,6 @@ class Choices : public PaperExperiment {
     const RunGroup samples = jobs.samples();
     const auto push = [&](const std::string& text, const std::string& tag,
                           const ParameterValues& laws) {
-      constexpr double kForce = 1;  // [F_c]
       pushes_.push_back({text, jobs.pushes(samples, kForce, tag, laws)});
     };
     push("reference: energy rule, dt " + number_text(jobs.scale().push_step) +
@@ -24,6 +23,13 @@ class Choices : public PaperExperiment {
     push("bonds form during the push", "bonding", {{"phases[0].bonding", true}});
     push("half the rolling friction", "rolling_0.05", {{"contact.rolling_friction", 0.05}});
     push("friction 0.6", "friction_0.6", {{"contact.friction", 0.6}});
+
+    for (const double force : {jobs.scale().push_forces.front(), kForce}) {
+      const RunGroup pushed = jobs.pushes(samples, force);
+      for (const double restored : {1.0, 0.5, 0.0})
+        pulls_.push_back({force, restored, jobs.pulls(pushed, force, restored)});
+    }
+    cohesion_ = *jobs.jobs()[pulls_[0].runs.runs[0]].scenario.grain_law.cohesion_force;
 
     const PistonLoad load;
     const auto press = [&](const std::string& text, const std::string& tag,
@@ -49,6 +55,10 @@ class Choices : public PaperExperiment {
         Paragraph{"The paper has " + paper("penetration.1.0.active_of_contacts") +
                   " active of contacts and " + paper("penetration.1.0.remaining_of_initial") +
                   " remaining of initial bonds, and the intruder almost at the bottom."});
+    section.blocks.emplace_back(pull_outcomes(results));
+    section.blocks.emplace_back(Paragraph{"The paper's largest pull-out force is " +
+                                          paper("penetration.pull_out_over_push") +
+                                          " times the push force."});
     section.blocks.emplace_back(piston_outcomes(
         results, "The same samples after the piston, under other loads.", pistons_, all_));
     section.blocks.emplace_back(
@@ -64,7 +74,34 @@ class Choices : public PaperExperiment {
   }
 
  private:
+  static constexpr double kForce = 1;  // [F_c]
+
+  struct Pull {
+    double force;     // of the push before [F_c]
+    double restored;  // share of broken bonds [1]
+    RunGroup runs;
+  };
+
+  Table pull_outcomes(const PaperResults& results) const {
+    Table table{.caption =
+                    "Pull-out by the share of the bonds that are restored before, drawn by "
+                    "lot.",
+                .columns = {{"push force [F_c]", true},
+                            {"restored", true},
+                            {"pull-out force [F_c]", true},
+                            {"pull-out over push", true}}};
+    for (const Pull& pull : pulls_)
+      table.rows.push_back(
+          {{.text = number_text(pull.force)},
+           {.text = number_text(pull.restored)},
+           cell_of(results.critical_force(pull.runs, cohesion_), all_),
+           cell_of(results.critical_force(pull.runs, cohesion_ * pull.force), all_)});
+    return table;
+  }
+
   std::vector<OutcomeRow> pushes_, pistons_;
+  std::vector<Pull> pulls_;
+  double cohesion_ = 1;  // [F_g]
   int all_ = 0;
 };
 

@@ -1,5 +1,6 @@
 #include "app/paper/paper_jobs.h"
 
+#include <cmath>
 #include <cstdio>
 
 #include "app/assets.h"
@@ -113,11 +114,16 @@ RunGroup PaperJobs::thresholds(const RunGroup& samples, double distance) {
               {"step.dt", scale_.push_step}});
 }
 
-RunGroup PaperJobs::pulls(const RunGroup& pushes, double first_force_over_cohesion, bool healed) {
+RunGroup PaperJobs::pulls(const RunGroup& pushes, double first_force_over_cohesion,
+                          double restored) {
+  std::string name = pushes.name + ".pull";
   ParameterValues set{{"phases[1].first_force_over_cohesion", first_force_over_cohesion}};
-  // In no time no bond heals.
-  if (!healed) set.insert(set.end(), {{"phases[0].waited", 0}, {"phases[0].healing_time", 1}});
-  return add("pull", pushes.name + (healed ? ".pull" : ".pull_unhealed"), &pushes, {}, set);
+  if (restored < 1) {
+    name += "_restored_" + number_text(restored);
+    set.insert(set.end(),
+               {{"phases[0].waited", -std::log1p(-restored)}, {"phases[0].healing_time", 1}});
+  }
+  return add("pull", name, &pushes, {}, set);
 }
 
 RunGroup PaperJobs::pistons(const RunGroup& samples, const std::string& tag,

@@ -1,4 +1,4 @@
-// After a push, the weight above the intruder and the force that takes it out, with bonds restored and without.
+// After a push, the weight above the intruder and the force that takes it out, bonds restored.
 #include "app/json/json_reader.h"
 #include "app/paper/paper_experiments.h"
 #include "core/linear_fit.h"
@@ -14,40 +14,33 @@ class PullOut : public PaperExperiment {
     curve_ = jobs.push_curve(jobs.samples());
     for (std::size_t k = 0; k < curve_.forces.size(); ++k)
       pulls_.push_back(jobs.pulls(curve_.pushes[k], curve_.forces[k]));
-    for (std::size_t k = 0; k < curve_.forces.size(); ++k)
-      unhealed_.push_back(jobs.pulls(curve_.pushes[k], curve_.forces[k], false));
     cohesion_ = *jobs.jobs()[pulls_[0].runs[0]].scenario.grain_law.cohesion_force;
   }
 
   void report(const PaperResults& results, const std::filesystem::path&, Section& section,
               Findings& findings) const override {
-    Curve pull{.name = "pull-out force, bonds restored (left)"};
-    Curve pull_unhealed{.name = "pull-out force, bonds not restored (left)"};
+    Curve pull{.name = "pull-out force (left)"};
     Curve weight = curve_over(results, "weight above the intruder's height, over the total (right)",
                               curve_.forces, curve_.pushes, "weight_above_level");
     weight.second_axis = true;
-    Table table{
-        .caption =
-            "Pull-out after all bonds were restored, as the paper assumes, and without: the "
-            "middle of the interval that holds the critical force.",
-        .columns = {{"push force [F_c]", true},
-                    {"pull-out force [F_c]", true},
-                    {"pull-out over push", true},
-                    {"not restored: pull-out over push", true},
-                    {"weight above, by height", true},
-                    {"weight above, by column", true}}};
+    Table table{.caption =
+                    "Pull-out after all bonds were restored: the middle of the interval that "
+                    "holds the critical force.",
+                .columns = {{"push force [F_c]", true},
+                            {"pull-out force [F_c]", true},
+                            {"pull-out over push", true},
+                            {"weight above, by height", true},
+                            {"weight above, by column", true}}};
     std::optional<Measured> largest;
     for (std::size_t k = 0; k < curve_.forces.size(); ++k) {
       const double push = curve_.forces[k];
-      const auto force = force_over(results, pulls_[k], cohesion_);
-      const auto ratio = force_over(results, pulls_[k], cohesion_ * push);
+      const auto force = results.critical_force(pulls_[k], cohesion_);
+      const auto ratio = results.critical_force(pulls_[k], cohesion_ * push);
       if (ratio && (!largest || ratio->value > largest->value)) largest = ratio;
       add_point(pull, push, force);
-      add_point(pull_unhealed, push, force_over(results, unhealed_[k], cohesion_));
       table.rows.push_back({{.text = number_text(push)},
                             cell_of(force, all_),
                             cell_of(ratio, all_),
-                            cell_of(force_over(results, unhealed_[k], cohesion_ * push), all_),
                             cell_of(results.mean(curve_.pushes[k], "weight_above_level"), all_),
                             cell_of(results.mean(curve_.pushes[k], "weight_above_column"), all_)});
     }
@@ -60,7 +53,7 @@ class PullOut : public PaperExperiment {
               .x = {.label = "push force", .unit = "F_c"},
               .y = {.label = "pull-out force", .unit = "F_c", .low = 0},
               .y2 = Axis{.label = "weight above / total weight", .low = 0, .high = 1},
-              .curves = {std::move(pull), std::move(pull_unhealed), std::move(weight)},
+              .curves = {std::move(pull), std::move(weight)},
               .legend = LegendPlace::below};
     section.blocks.emplace_back(Figure{std::move(plot),
                                        "Left axis: the force that takes the intruder "
@@ -69,13 +62,6 @@ class PullOut : public PaperExperiment {
   }
 
  private:
-  static std::optional<Measured> force_over(const PaperResults& results, const RunGroup& group,
-                                            double unit) {
-    std::vector<double> forces = results.critical_forces(group);
-    for (double& force : forces) force /= unit;
-    return mean_over(forces);
-  }
-
   static void note_slope(Findings& findings, const std::string& id, const Curve& curve) {
     const auto line = fit_line(curve.x, curve.y);
     if (!line) return;
@@ -86,7 +72,7 @@ class PullOut : public PaperExperiment {
   }
 
   PushCurve curve_;
-  std::vector<RunGroup> pulls_, unhealed_;
+  std::vector<RunGroup> pulls_;
   double cohesion_ = 1;  // [F_g]
   int all_ = 0;
 };

@@ -58,6 +58,12 @@ std::vector<double> PaperResults::critical_forces(const RunGroup& group) const {
   return forces;
 }
 
+std::optional<Measured> PaperResults::critical_force(const RunGroup& group, double unit) const {
+  std::vector<double> forces = critical_forces(group);
+  for (double& force : forces) force /= unit;
+  return mean_over(forces);
+}
+
 std::optional<Measured> mean_over(std::span<const double> values, const std::string& note) {
   if (values.empty()) return std::nullopt;
   return measured_over(values, note);

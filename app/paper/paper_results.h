@@ -30,6 +30,8 @@ class PaperResults {
   std::vector<double> values(const RunGroup& group, const std::string& quantity) const;
   // The middles of the intervals in which searches found critical forces, without those that no force moved. [F_g]
   std::vector<double> critical_forces(const RunGroup& group) const;
+  // Their mean in another unit. [F_g]
+  std::optional<Measured> critical_force(const RunGroup& group, double unit) const;
   // Mean of final values; absent if there are none.
   std::optional<Measured> mean(const RunGroup& group, const std::string& quantity) const;
   // Of final values, seed by seed, over the first group's. [1]

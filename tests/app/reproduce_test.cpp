@@ -64,8 +64,7 @@ TEST_F(Reproduce, RunsThatTwoFiguresNeedAreMadeOnce) {
   const std::size_t with_thresholds = alone + 2;
   EXPECT_EQ(jobs.jobs().size(), with_thresholds);
   make_pull_out_experiment()->plan(jobs);
-  const std::size_t pulls = 2 * quick_scale().push_forces.size();
-  EXPECT_EQ(jobs.jobs().size(), with_thresholds + 2 * pulls);  // bonds restored, and not
+  EXPECT_EQ(jobs.jobs().size(), with_thresholds + 2 * quick_scale().push_forces.size());
 }
 
 TEST_F(Reproduce, LawsOfASampleHoldForAllThatFollows) {
@@ -77,15 +76,17 @@ TEST_F(Reproduce, LawsOfASampleHoldForAllThatFollows) {
   EXPECT_EQ(jobs.jobs()[usual.runs[0]].scenario.grain_law.friction, 0.3);
 }
 
-TEST_F(Reproduce, AnIntruderIsPulledOutWithBondsRestoredAndWithout) {
+// A bond is restored with the chance 1 - exp(-waited/healing_time).
+TEST_F(Reproduce, AnIntruderIsPulledOutWithAllBondsRestoredOrSome) {
   PaperJobs jobs(small(), folder_.path());
   const RunGroup pushes = jobs.pushes(jobs.samples(), 1);
-  const auto heal = [&](bool healed) {
-    const RunGroup pulls = jobs.pulls(pushes, 1, healed);
+  const auto heal = [&](double restored) {
+    const RunGroup pulls = jobs.pulls(pushes, 1, restored);
     return std::get<HealPhase>(jobs.jobs()[pulls.runs[0]].scenario.phases[0].kind);
   };
-  EXPECT_FALSE(heal(true).waited);
-  EXPECT_EQ(heal(false).waited, 0.0);  // the chance of each bond, 1 - exp(-waited/...), is 0
+  EXPECT_FALSE(heal(1).waited);
+  EXPECT_EQ(heal(0).waited, 0.0);
+  EXPECT_DOUBLE_EQ(std::exp(-*heal(0.5).waited / *heal(0.5).healing_time), 0.5);
 }
 
 TEST_F(Reproduce, AHigherSampleIsPressedMoreSlowly) {
