@@ -27,8 +27,10 @@ struct RunArguments {
 };
 
 int run(RunArguments& options) {
-  if (options.every && !(*options.every > 0)) {
-    throw InputError("--every " + number_text(*options.every), "must be a time above 0 sqrt(d/g)");
+  if (options.every && !(*options.every > 0 && *options.every <= kLongestSampleTime)) {
+    throw InputError(
+        "--every " + number_text(*options.every),
+        "must be a time above 0, at most " + number_text(kLongestSampleTime) + " sqrt(d/g)");
   }
   const double pause = options.run.checkpoint_every;
   if (!(pause >= 0 && pause <= kLongestCheckpointTime)) {

@@ -1,3 +1,20 @@
+#include <fcntl.h>
+
 #include "app/command_line.h"
 
-int main(int argc, char** argv) { return quicksand::run_command_line(argc, argv); }
+namespace {
+
+// A file that is opened where a standard stream is closed would receive its text. What is read is empty there,
+// what is written fails.
+void fill_standard_streams() {
+  constexpr int kStandardStreams = 3;
+  for (int stream = 0; stream < kStandardStreams; ++stream)
+    if (fcntl(stream, F_GETFD) == -1) open("/dev/null", O_RDONLY);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  fill_standard_streams();
+  return quicksand::run_command_line(argc, argv);
+}

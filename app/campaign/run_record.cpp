@@ -66,7 +66,7 @@ RunRecord read_record(const Job& job) {
     record.summary = nullptr;
     return record;
   }
-  if (record.summary.value("finished", false)) {
+  if (record.summary.value("finished", Json()) == true) {
     record.status = JobStatus::finished;
   } else if (record.summary.contains("failure") && record.summary["failure"].is_string()) {
     record.status = JobStatus::failed;

@@ -26,6 +26,12 @@ bool has_finished(const RunFolder& folder) {
 
 }  // namespace
 
+std::optional<std::filesystem::path> missing_frame(const RunFolder& folder, std::int64_t rows) {
+  for (std::int64_t k = 0; k < rows; ++k)
+    if (const auto frame = frame_path(folder.frames(), k); !is_whole_png(frame)) return frame;
+  return std::nullopt;
+}
+
 Resumption resumption_of(const RunFolder& folder, bool frames) {
   using enum Resumption::How;
   RunPosition position;
@@ -43,9 +49,9 @@ Resumption resumption_of(const RunFolder& folder, bool frames) {
   }
   if (whole_rows(folder.series(), position.rows) < position.rows)
     return {starts_again, folder.series().string() + " lacks rows that were there"};
-  for (std::int64_t k = 0; frames && k < position.rows; ++k)
-    if (const auto frame = frame_path(folder.frames(), k); !is_whole_png(frame))
-      return {starts_again, frame.string() + " is not whole"};
+  if (frames)
+    if (const auto missing = missing_frame(folder, position.rows))
+      return {starts_again, missing->string() + " is not whole"};
   return {has_finished(folder) ? finished : goes_on, {}};
 }
 

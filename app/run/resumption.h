@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <optional>
 #include <string>
 
 #include "app/run/run_folder.h"
@@ -17,6 +19,9 @@ struct Resumption {
   How how = How::goes_on;
   std::string why;  // it starts again: a phrase
 };
+
+// The first frame of so many rows that is not there as a whole.
+std::optional<std::filesystem::path> missing_frame(const RunFolder& folder, std::int64_t rows);
 
 // `frames`: whether the run draws pictures. Throws InputError if the state is of another format version:
 // the program that wrote it can go on with it.

@@ -29,6 +29,11 @@ void make_writable(const RunFolder& folder) {
   }
 }
 
+void forget_end(const RunFolder& folder) {
+  std::error_code ignored;
+  fs::remove(folder.summary(), ignored);
+}
+
 void remove_earlier_results(const RunFolder& folder) {
   std::error_code ignored;
   for (const fs::path& file :

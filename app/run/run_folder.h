@@ -24,6 +24,9 @@ struct RunFolder {
 // Makes the folder and tries to write in it, so that nothing is computed in vain. Throws InputError.
 void make_writable(const RunFolder& folder);
 
+// Removes what says that a run has ended, which now goes on.
+void forget_end(const RunFolder& folder);
+
 // Removes the files of an earlier run that this run may not write again: its film, summary, state,
 // tables of searches, report and frames. Other files are left alone.
 void remove_earlier_results(const RunFolder& folder);

@@ -33,9 +33,8 @@ void describe_strict(Fields& f, StrictBounds& strict) {
 }
 
 void describe(Fields& f, RunOptions& options) {
-  constexpr double kLongest = 1e12;
   f.number({"every", "time between samples, instead of the scene's"},
-           above(0, kLongest, "sqrt(d/g)"), options.every);
+           above(0, kLongestSampleTime, "sqrt(d/g)"), options.every);
   f.flag({"frames", "whether pictures are drawn"}, options.frames);
   f.number({"checkpoint_every", "wall time between checkpoints"},
            between(0, kLongestCheckpointTime, "s"), options.checkpoint_every);

@@ -26,7 +26,8 @@ struct RunOptions {
   View view;  // kept are colouring, theme, size, bonds and forces
 };
 
-// The longest time between checkpoints that may be asked for. [s]
+// The longest times between samples [sqrt(d/g)] and between checkpoints [s] that may be asked for.
+constexpr double kLongestSampleTime = 1e12;
 constexpr double kLongestCheckpointTime = 1e6;
 
 // Writes and reads what is kept; `out`, `continued_from`, `quiet`, `lock` and `watch` belong to the call.

@@ -11,6 +11,7 @@
 #include "app/run/film.h"
 #include "app/run/folder_lock.h"
 #include "app/run/progress_line.h"
+#include "app/run/resumption.h"
 #include "app/run/run_position.h"
 #include "app/run/search_results.h"
 #include "app/run/series.h"
@@ -56,6 +57,15 @@ class Run {
     }
     if (earlier) course_.go_on(earlier->samples);
     if (options.frames) film_.emplace(folder, scenario, options.view, series_.rows());
+  }
+
+  // The state speaks of rows and frames, so these are on the disk before it.
+  void write_state() {
+    series_.secure();
+    if (film_) film_->secure();
+    write_checkpoint(folder_.state(), {course_.world(), protocol().state(), to_text(scenario_),
+                                       to_bytes({series_.rows(), first_step_, course_.samples()})});
+    checkpointed_ = Clock::now();
   }
 
   RunResult complete() {
@@ -161,15 +171,6 @@ class Run {
     return box.width > 0 && box.height > 0 && packing_top(course_.world()) > box.height + 1;
   }
 
-  // The state speaks of rows and frames, so these are on the disk before it.
-  void write_state() {
-    series_.secure();
-    if (film_) film_->secure();
-    write_checkpoint(folder_.state(), {course_.world(), protocol().state(), to_text(scenario_),
-                                       to_bytes({series_.rows(), first_step_, course_.samples()})});
-    checkpointed_ = Clock::now();
-  }
-
   std::string finish_film() {
     if (!film_) return {};
     const VideoReport video = film_->finish();
@@ -200,6 +201,14 @@ RunPosition position_of(const Checkpoint& checkpoint, const fs::path& state) {
   }
 }
 
+void require_frames(const RunFolder& folder, std::int64_t rows) {
+  const auto missing = missing_frame(folder, rows);
+  if (!missing) return;
+  throw InputError(missing->string(),
+                   "is not there or not whole, though the run has been so far; go on with "
+                   "--no-frames, or in another folder with --out");
+}
+
 }  // namespace
 
 RunResult run_scene(const Scenario& scenario, const RunOptions& options) {
@@ -221,10 +230,18 @@ RunResult run_scene(const Scenario& scenario, const RunOptions& options) {
   make_writable(folder);
   std::optional<FolderLock> lock;
   if (options.lock) lock.emplace(lock_run(folder.path));
-  if (!earlier) remove_earlier_results(folder);
+  if (earlier && options.frames) require_frames(folder, earlier->rows);
+  if (earlier)
+    forget_end(folder);
+  else
+    remove_earlier_results(folder);
+  Run run(scenario, options, folder, std::move(start), earlier);
+  // From another folder or with another scene: if it is killed before its first checkpoint, `resume` has
+  // nothing else to go on from.
+  if (options.continued_from) run.write_state();
   write_options(folder.options(), options);
   write_whole(folder.scene(), to_text(scenario));
-  return Run(scenario, options, folder, std::move(start), earlier).complete();
+  return run.complete();
 }
 
 }  // namespace quicksand
