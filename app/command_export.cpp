@@ -6,6 +6,7 @@
 #include "app/exit_code.h"
 #include "app/export/exporter.h"
 #include "app/run/state_file.h"
+#include "core/errors.h"
 
 namespace quicksand {
 
@@ -18,6 +19,10 @@ struct ExportArguments {
 };
 
 int export_states(const ExportArguments& options) {
+  std::error_code ignored;
+  for (const auto& state : options.states)
+    if (std::filesystem::equivalent(state, options.out, ignored))
+      throw InputError("--out " + options.out.string(), "is the state that is read");
   Exporter exporter(export_format(options.format), options.out, options.states.size());
   for (const auto& state : options.states) exporter.add(read_state(state).checkpoint.world);
   exporter.finish();

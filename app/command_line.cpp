@@ -12,6 +12,7 @@
 #include "app/nearest_name.h"
 #include "core/errors.h"
 #include "core/memory.h"
+#include "core/whole_file.h"
 #include "render/render_error.h"
 
 namespace quicksand {
@@ -84,6 +85,10 @@ int run_command_line(int argc, const char* const* argv) {
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
       return complain("the standard output cannot be written; is the disk full?", kRunFailed);
     return code;
+  } catch (const DiskFull& error) {
+    return complain(error.where() + ": " + error.what() +
+                        "; when there is room again, the same command does it or goes on",
+                    kRunFailed);
   } catch (const InputError& error) {
     return complain(error.where() + ": " + error.what(), kBadInput);
   } catch (const RenderError& error) {

@@ -13,18 +13,25 @@ namespace quicksand {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-[[noreturn]] void refuse(const fs::path& path, int error) {
-  throw InputError(path.string(), "cannot be written: " + std::string(std::strerror(error)));
+fs::path file_named(const fs::path& path) {
+  std::error_code ignored;
+  const fs::file_status there = fs::status(path, ignored);
+  if (!fs::exists(there)) return path;
+  if (!fs::is_regular_file(there))
+    throw InputError(path.string(), "is no file that a result could replace; choose another");
+  return fs::is_symlink(fs::symlink_status(path, ignored)) ? fs::canonical(path) : path;
 }
 
-}  // namespace
+void refuse_to_write(const fs::path& path, int error) {
+  const std::string problem = "cannot be written: " + std::string(std::strerror(error));
+  if (error == ENOSPC || error == EDQUOT) throw DiskFull(path.string(), problem);
+  throw InputError(path.string(), problem);
+}
 
-WholeFile::WholeFile(fs::path path) : path_(std::move(path)), part_(path_) {
+WholeFile::WholeFile(fs::path path) : path_(file_named(path)), part_(path_) {
   part_ += ".part";
   file_.open(part_, std::ios::binary | std::ios::trunc);
-  if (!file_) refuse(path_, errno);
+  if (!file_) refuse_to_write(path_, errno);
 }
 
 WholeFile::~WholeFile() {
@@ -36,11 +43,11 @@ WholeFile::~WholeFile() {
 
 void WholeFile::finish() {
   file_.close();
-  if (!file_) throw InputError(path_.string(), "cannot be written; is the disk full?");
+  if (!file_) throw DiskFull(path_.string(), "cannot be written; is the disk full?");
   bring_to_disk(part_);
   std::error_code error;
   fs::rename(part_, path_, error);
-  if (error) refuse(path_, error.value());
+  if (error) refuse_to_write(path_, error.value());
   finished_ = true;
   bring_to_disk(fs::absolute(path_).parent_path());
 }
@@ -53,12 +60,12 @@ void write_whole(const fs::path& path, std::string_view text) {
 
 void bring_to_disk(const fs::path& path) {
   const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) refuse(path, errno);
+  if (file < 0) refuse_to_write(path, errno);
   // Some file systems cannot do this for a folder, and say so: then there is nothing to wait for.
   const bool done = fsync(file) == 0 || errno == EINVAL || errno == EROFS;
   const int error = errno;
   close(file);
-  if (!done) refuse(path, error);
+  if (!done) refuse_to_write(path, error);
 }
 
 }  // namespace quicksand

@@ -6,7 +6,22 @@
 #include <fstream>
 #include <string_view>
 
+#include "core/errors.h"
+
 namespace quicksand {
+
+// There is no room for a result: nothing is wrong with the input, and the program ends with exit code 1.
+class DiskFull : public InputError {
+ public:
+  using InputError::InputError;
+};
+
+// The file that a path names, links followed. Throws InputError if it is no file, but a pipe or a device: those
+// cannot be replaced by one.
+std::filesystem::path file_named(const std::filesystem::path& path);
+
+// Throws what belongs to an error number: DiskFull, or an InputError.
+[[noreturn]] void refuse_to_write(const std::filesystem::path& path, int error);
 
 class WholeFile {
  public:

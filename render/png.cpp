@@ -3,6 +3,7 @@
 #include <libdeflate.h>
 
 #include <array>
+#include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <memory>
@@ -10,6 +11,7 @@
 #include <system_error>
 
 #include "core/errors.h"
+#include "core/whole_file.h"
 
 namespace quicksand {
 namespace {
@@ -89,7 +91,8 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
   return out;
 }
 
-void write_png(const std::filesystem::path& path, const Image& image) {
+void write_png(const std::filesystem::path& place, const Image& image) {
+  const std::filesystem::path path = file_named(place);
   const std::vector<std::uint8_t> bytes = encode_png(image);
   std::filesystem::path part = path;
   part += ".part";
@@ -97,17 +100,14 @@ void write_png(const std::filesystem::path& path, const Image& image) {
   file.write(reinterpret_cast<const char*>(bytes.data()),
              static_cast<std::streamsize>(bytes.size()));
   file.close();
-  std::error_code error;
-  if (!file) {
-    std::filesystem::remove(part, error);
-    throw InputError(path.string(), "cannot be written: the folder is missing, read-only or full");
-  }
-  std::filesystem::rename(part, path, error);
-  if (error) {
-    const std::string reason = error.message();
-    std::filesystem::remove(part, error);
-    throw InputError(path.string(), "cannot be written: " + reason);
-  }
+  std::error_code error, ignored;
+  if (!file)
+    error.assign(errno != 0 ? errno : EIO, std::generic_category());
+  else
+    std::filesystem::rename(part, path, error);
+  if (!error) return;
+  std::filesystem::remove(part, ignored);
+  refuse_to_write(path, error.value());
 }
 
 bool is_whole_png(const std::filesystem::path& path) {

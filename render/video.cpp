@@ -7,6 +7,7 @@
 #include <system_error>
 #include <vector>
 
+#include "core/whole_file.h"
 #include "render/external_program.h"
 #include "render/frame_files.h"
 
@@ -65,14 +66,14 @@ VideoReport write_video(const std::filesystem::path& frames, const std::filesyst
     if (files.empty()) return {no_frames, "no film: there are no frames in " + frames.string()};
 
     // Under another name until it is whole.
-    const std::filesystem::path part = path.string() + ".part";
+    const std::filesystem::path film_file = file_named(path), part = film_file.string() + ".part";
     const HandedOn film(part);
     // Whether the film can be written decides before the program starts.
     if (!film.there()) return {failed, "no film: " + path.string() + " cannot be written"};
     const ProgramEnd end = run_external(
         arguments(frames, files.begin()->first, film.name_for_others(), frames_per_second));
     if (end.fine()) {
-      std::filesystem::rename(part, path);
+      std::filesystem::rename(part, film_file);
       return {written, std::to_string(files.size()) + " frames in " + path.string()};
     }
     std::error_code ignored;

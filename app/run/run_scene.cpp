@@ -235,12 +235,15 @@ RunResult run_scene(const Scenario& scenario, const RunOptions& options) {
     forget_end(folder);
   else
     remove_earlier_results(folder);
-  Run run(scenario, options, folder, std::move(start), earlier);
-  // From another folder or with another scene: if it is killed before its first checkpoint, `resume` has
-  // nothing else to go on from.
-  if (options.continued_from) run.write_state();
   write_options(folder.options(), options);
-  write_whole(folder.scene(), to_text(scenario));
+  const auto write_scene = [&] { write_whole(folder.scene(), to_text(scenario)); };
+  if (!options.continued_from) write_scene();
+  Run run(scenario, options, folder, std::move(start), earlier);
+  if (options.continued_from) {
+    // The scene alone would begin anew, if this is killed before its first checkpoint.
+    run.write_state();
+    write_scene();
+  }
   return run.complete();
 }
 
