@@ -233,9 +233,10 @@ Command add_campaign(CLI::App& program) {
   command->footer(
       "DIR receives a folder a run in runs/, results.csv (a row a run) and campaign.json. The "
       "same\n"
-      "command again repeats no run that has finished; of more realizations or a longer grid it "
-      "computes\n"
-      "what is new. Ctrl-C ends all runs after their present step.\n\n"
+      "command again repeats no run that has finished; of more realizations, a longer list or "
+      "more\n"
+      "values of the grid's first parameter it computes what is new. Ctrl-C ends all runs after "
+      "their present step.\n\n"
       "Example:\n"
       "  quicksand campaign assets/campaigns/packing.json --threads 2");
   return {command, [options] { return run(*options); }};

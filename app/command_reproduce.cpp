@@ -220,6 +220,13 @@ Report report_of(const ReproduceArguments& options, const PaperJobs& jobs, const
   return report;
 }
 
+void list_failed(const PaperJobs& jobs, const PoolReport& pool) {
+  for (std::size_t k = 0; k < pool.outcomes.size(); ++k)
+    if (pool.outcomes[k].status == JobStatus::failed)
+      std::fprintf(stderr, "failed: %s: %s\n", jobs.jobs()[k].id.c_str(),
+                   pool.outcomes[k].failure.c_str());
+}
+
 int reproduce(const ReproduceArguments& options) {
   std::vector<Chosen> all = chosen(options);
   PaperJobs jobs(scale_of(options), options.out);
@@ -237,6 +244,7 @@ int reproduce(const ReproduceArguments& options) {
   const Report report = report_of(options, jobs, pool, all);
   for (const std::string& problem : write_report(report, options.out))
     std::fprintf(stderr, "quicksand: %s\n", problem.c_str());
+  list_failed(jobs, pool);
   std::printf("%zu of %zu runs finished\n%s\n%s\n", pool.count(JobStatus::finished),
               jobs.jobs().size(), (options.out / "report.html").c_str(),
               (options.out / "report.md").c_str());

@@ -28,13 +28,13 @@ Command add_session(CLI::App& program) {
   add_threads_option(*command, *threads, kThreadsOfOneRun);
   command->add_flag("--quiet", options->quiet, "show no progress");
   command->footer(
-      "DIR receives transcript.jsonl: each command with its result, time and the hash of the "
-      "world.\n"
-      "Exit code: 0, 1 if a command of the file failed (answers to standard input say it "
-      "themselves),\n"
-      "2 if the file is malformed, 130 after Ctrl-C (the state is saved). `quicksand list "
-      "commands`\n"
-      "tells what there is to say.\n\n"
+      "Of a file, DIR receives transcript.jsonl: each command with its result, time and the hash "
+      "of\n"
+      "the world. Exit code: 0, 1 if a command of the file failed (answers to standard input say "
+      "it\n"
+      "themselves), 2 if the file is malformed, 130 after Ctrl-C (the state is in "
+      "interrupted.cbor).\n"
+      "`quicksand list commands` tells what there is to say.\n\n"
       "Example:\n"
       "  quicksand session assets/sessions/what_if.json\n"
       "  echo '{\"command\": \"load\", \"scene\": \"chain\"}' | quicksand session -");

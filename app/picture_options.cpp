@@ -37,6 +37,19 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   command.add_flag("--forces", options.forces, "draw contact forces as lines of their width");
 }
 
+std::string picture_words(const View& view) {
+  const View usual;
+  std::string words;
+  if (view.colouring != usual.colouring)
+    words += " --colour " + std::string(info(view.colouring).name);
+  if (view.theme == Theme::dark) words += " --theme dark";
+  if (view.width != usual.width || view.height != usual.height)
+    words += " --size " + std::to_string(view.width) + "x" + std::to_string(view.height);
+  if (view.bonds) words += " --bonds";
+  if (view.forces) words += " --forces";
+  return words;
+}
+
 void read_size(const std::string& text, int& width, int& height) {
   if (parse_size(text, width, height) && drawable(width) && drawable(height)) return;
   throw InputError("--size " + text, "must be width x height in pixels, each from " +

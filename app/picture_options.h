@@ -18,6 +18,9 @@ struct PictureOptions {
 
 void add_picture_options(CLI::App& command, PictureOptions& options);
 
+// The options that make such a picture, " --size 640x480", those that are the usual left out.
+std::string picture_words(const View& view);
+
 // Reads "1280x720". Throws InputError if it is not of that form or cannot be drawn.
 void read_size(const std::string& text, int& width, int& height);
 

@@ -4,6 +4,7 @@
 
 #include "app/exit_code.h"
 #include "app/json/json_reader.h"
+#include "app/picture_options.h"
 #include "app/shell_text.h"
 
 namespace quicksand {
@@ -18,7 +19,12 @@ std::string continue_command(const RunFolder& folder, const RunOptions& options)
   return "quicksand run " + shell_text(folder.scene()) + " --continue " +
          shell_text(folder.state()) + " --out " + shell_text(folder.path) +
          (options.every ? " --every " + number_text(*options.every) : "") +
-         (options.frames ? "" : " --no-frames");
+         (options.checkpoint_every != RunOptions{}.checkpoint_every
+              ? " --checkpoint-every " + number_text(options.checkpoint_every)
+              : "") +
+         (options.strict ? " --strict --max-overlap " + number_text(options.strict->max_overlap)
+                         : "") +
+         (options.frames ? picture_words(options.view) : " --no-frames");
 }
 
 int tell_failure(const RunResult& result, const RunOptions& options) {

@@ -26,8 +26,8 @@ constexpr std::uint64_t kMaxSeed = std::uint64_t{1} << 53U;  // as in a scene
 // Listed bodies of all runs together, which are in memory at the same time.
 constexpr std::size_t kMaxListedBodies = 5'000'000;
 
-// 00012 is the first run of point 12, 00012_3 its fourth: a longer grid and more realizations keep the names of
-// the runs that are there already.
+// 00012 is the first run of point 12, 00012_3 its fourth: a longer list, more values of the grid's first parameter
+// and more realizations keep the names of the runs that are there already.
 std::string id_of(std::size_t point, std::int64_t realization) {
   std::array<char, 48> text{};
   std::snprintf(text.data(), text.size(), "%05zu", point);

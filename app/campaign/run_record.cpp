@@ -29,16 +29,15 @@ Json json_in(const fs::path& file) {
   }
 }
 
-// A state that an earlier version of the format wrote is none that other runs could start from.
-bool of_another_version(const fs::path& state) {
+// A state that is damaged, or that an earlier version of the format wrote, is none that other runs could start
+// from: it is computed again.
+bool is_usable(const fs::path& state) {
   try {
     read_checkpoint(state);
-  } catch (const OtherVersion&) {
-    return true;
   } catch (const InputError&) {
-    return false;  // damaged: whoever needs it says so
+    return false;
   }
-  return false;
+  return true;
 }
 
 }  // namespace
@@ -59,7 +58,7 @@ RunRecord read_record(const Job& job) {
   }
   std::error_code error;
   const bool has_state = fs::exists(job.folder.state(), error);
-  if (has_state && of_another_version(job.folder.state())) return record;
+  if (has_state && !is_usable(job.folder.state())) return record;
   if (has_state) record.status = JobStatus::interrupted;
   record.summary = json_in(job.folder.summary());
   if (!record.summary.is_object()) {

@@ -8,7 +8,7 @@ void describe_name(Fields& f, std::string& name) {
   if (f.reading() &&
       (name.size() > kLongest || name.find('/') != std::string::npos || name.starts_with('.'))) {
     f.refuse("name", "names the output folder: at most " + std::to_string(kLongest) +
-                         " letters, no \"/\", no \".\" first");
+                         " bytes, no \"/\", no \".\" first");
   }
 }
 

@@ -1,6 +1,9 @@
 #include "app/scene/scene_fields.h"
 
+#include <array>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <numbers>
 
 #include "app/json/name_field.h"
@@ -37,15 +40,31 @@ struct Gravity {
   Vec2 vector{0, -1};  // [g]
 };
 
+Vec2 tilted_gravity(double magnitude, double tilt) {
+  const double angle = tilt * std::numbers::pi / 180;
+  if (angle == 0) return {0, -magnitude};
+  return {magnitude * std::sin(angle), -magnitude * std::cos(angle)};
+}
+
+// As a user would have written it.
+double rounded(double x) {
+  constexpr int kDigits = 12;
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.*g", kDigits, x);
+  return std::strtod(text.data(), nullptr);
+}
+
 // Given by magnitude and tilt, or as a vector: a resolved scene holds what gives back the same bits.
 void describe_gravity(Fields& f, Gravity& gravity) {
   std::optional<double> magnitude, tilt;
   std::optional<Vec2> vector;
-  if (!f.reading() && gravity.vector.x() == 0 && gravity.vector.y() <= 0) {
-    magnitude = -gravity.vector.y();
-    tilt = 0;
-  } else if (!f.reading()) {
-    vector = gravity.vector;
+  if (!f.reading()) {
+    magnitude = rounded(gravity.vector.norm());
+    tilt = rounded(std::atan2(gravity.vector.x(), -gravity.vector.y()) * 180 / std::numbers::pi);
+    if (tilted_gravity(*magnitude, *tilt) != gravity.vector) {
+      magnitude.reset(), tilt.reset();
+      vector = gravity.vector;
+    }
   }
   f.number({"magnitude", "strength; 1 if absent"}, between(0, 1e6, "g"), magnitude);
   f.number({"tilt", "angle from straight down, counter-clockwise; 0 if absent"},
@@ -56,10 +75,7 @@ void describe_gravity(Fields& f, Gravity& gravity) {
   if (vector && (magnitude || tilt)) {
     f.refuse("vector", "is given besides magnitude or tilt; give the one or the other");
   }
-  const double g = magnitude.value_or(1);
-  const double angle = tilt.value_or(0) * std::numbers::pi / 180;
-  const Vec2 tilted = angle == 0 ? Vec2(0, -g) : Vec2(g * std::sin(angle), -g * std::cos(angle));
-  gravity.vector = vector.value_or(tilted);
+  gravity.vector = vector.value_or(tilted_gravity(magnitude.value_or(1), tilt.value_or(0)));
 }
 
 void describe_box(Fields& f, Box& box) {

@@ -126,7 +126,12 @@ World start_world(const Scenario& scenario) {
     return make_world(scenario);
   }
   World world = make_world(scenario);
-  World state = read_checkpoint(scenario.start_from).world;
+  Checkpoint start = read_checkpoint(scenario.start_from);
+  if (start.protocol.search.base)
+    throw InputError(scenario.start_from,
+                     "was left within a trial of a search, whose force still acts; go on with its "
+                     "run to the end first, by `quicksand resume`");
+  World state = std::move(start.world);
   require_memory(scenario, state.disks.size());
   require_same_box(scenario, state);
   require_intruder(scenario, state);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/json/json_reader.h"
@@ -77,6 +79,21 @@ Json value_of(const std::string& text) {
   }
 }
 
+// Keys that say the same in other terms, in one object.
+constexpr std::pair<std::string_view, std::string_view> kOtherTerms[] = {
+    {"force", "force_over_cohesion"}, {"first_force", "first_force_over_cohesion"},
+    {"vector", "magnitude"},          {"vector", "tilt"},
+    {"linear", "viscosity"},          {"quadratic", "coefficient"},
+    {"quadratic", "fluid_density"}};
+
+// What is set takes the place of what said the same.
+void erase_other_terms(Json& object, const std::string& name) {
+  for (const auto& [one, other] : kOtherTerms) {
+    if (name == one) object.erase(std::string(other));
+    if (name == other) object.erase(std::string(one));
+  }
+}
+
 }  // namespace
 
 Override parse_override(const std::string& assignment) {
@@ -114,6 +131,7 @@ void set_value(Json& scene, const std::string& path, Json value, const std::stri
       place->erase(part.name);
       return;
     }
+    if (last) erase_other_terms(*place, part.name);
     if (!last && !place->contains(part.name)) (*place)[part.name] = Json::object();
     place = &(*place)[part.name];
     name = part.name;

@@ -16,8 +16,9 @@ struct Override {
 // Splits "path=value". Throws InputError if there is no "=".
 Override parse_override(const std::string& assignment);
 
-// Objects on the way are made if they are absent, list entries must exist. Whether the key means
-// something is the reader's business. Throws InputError.
+// Objects on the way are made if they are absent, list entries must exist. Keys that say the same in other terms,
+// such as force and force_over_cohesion, make room. Whether the key means something is the reader's business.
+// Throws InputError.
 void apply_override(Json& scene, const Override& change);
 
 // The same with a JSON value; `where` is the place that an error names.

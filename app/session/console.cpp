@@ -42,6 +42,15 @@ fs::path Console::output(const std::string& name, const std::string& place) cons
   return path;
 }
 
+std::string Console::save_cut_short() {
+  if (recording) recording->finish();
+  recording.reset();
+  if (!session_.loaded()) return {};
+  const fs::path state = folders_.out / "interrupted.cbor";
+  session_.save(state);
+  return "; the state is in " + state.string();
+}
+
 fs::path Console::input(const std::string& name) const {
   std::error_code ignored;
   const fs::path ours = folders_.out / name;

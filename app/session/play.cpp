@@ -47,7 +47,8 @@ class Play {
       complain(i, answer);
       if (!options_.keep_going) break;
     }
-    finish_recording();
+    if (console_.recording) console_.recording->finish();
+    console_.recording.reset();
     progress_.end();
     std::fprintf(stderr, "%zu of %zu commands%s; transcript and files are in %s\n", performed_,
                  file_.commands.size(),
@@ -88,21 +89,10 @@ class Play {
   // Saves what was computed.
   int interrupted(std::size_t done) {
     progress_.end();
-    finish_recording();
-    std::string saved;
-    if (console_.session().loaded()) {
-      const fs::path state = folder_.state();
-      console_.session().save(state);
-      saved = "; the state is in " + state.string();
-    }
+    const std::string saved = console_.save_cut_short();
     std::fprintf(stderr, "interrupted after %zu of %zu commands%s\n", done, file_.commands.size(),
                  saved.c_str());
     return kInterrupted;
-  }
-
-  void finish_recording() {
-    if (console_.recording) console_.recording->finish();
-    console_.recording.reset();
   }
 
   InterruptWatch watch_;

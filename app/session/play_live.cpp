@@ -108,8 +108,12 @@ int play_live(const std::filesystem::path& out) {
     // Nobody reads any more: the session is over.
     if (std::fputs(text.c_str(), stdout) == EOF || std::fflush(stdout) == EOF) break;
   }
+  if (watch.interrupted()) {
+    std::fprintf(stderr, "interrupted%s\n", console.save_cut_short().c_str());
+    return kInterrupted;
+  }
   if (console.recording) console.recording->finish();
-  return watch.interrupted() ? kInterrupted : kFine;
+  return kFine;
 }
 
 }  // namespace quicksand

@@ -135,6 +135,23 @@ TEST_F(JobPoolTest, WhatAnotherSceneLeftIsComputedAnew) {
   EXPECT_EQ(read_record(other).summary["seed"], 2);
 }
 
+// Other runs start from it: nothing would ever mend it.
+TEST_F(JobPoolTest, AFinishedRunWhoseStateIsDamagedIsComputedAgain) {
+  const Job only = job("a", packing(1));
+  run({only});
+  const std::string whole = contents(only.folder.state());
+  fs::resize_file(only.folder.state(), whole.size() / 2);
+  EXPECT_TRUE(run({only}).outcomes[0].computed);
+  EXPECT_EQ(contents(only.folder.state()), whole);
+}
+
+TEST_F(JobPoolTest, ASummaryOfAnotherFormIsNone) {
+  const Job only = job("a", packing(1));
+  run({only});
+  write_whole(only.folder.summary(), R"({"finished": "yes"})");
+  EXPECT_EQ(read_record(only).status, JobStatus::interrupted);
+}
+
 TEST_F(JobPoolTest, AFailedRunIsRecordedAndStopsNoOther) {
   const std::vector<Job> jobs{job("a", packing(1)), job("b", hopeless()), job("c", packing(2))};
   const PoolReport report = run(jobs, 1);

@@ -5,6 +5,9 @@
 
 #include "app/json/json_text.h"
 #include "app/run/search_results.h"
+#include "app/scene/scenario_json.h"
+#include "core/checkpoint.h"
+#include "core/protocols.h"
 #include "tests/support/files.h"
 #include "tests/support/program.h"
 
@@ -45,6 +48,20 @@ class SearchRun : public testing::Test {
 
   TemporaryFolder folder_;
 };
+
+// The force of a trial acts on a body of its own: a scene that starts from there would keep it.
+TEST_F(SearchRun, AStateWithinATrialIsNoStart) {
+  const Scenario scene = scenario_from_json(parse_json(kSearchRunScene));
+  Protocol protocol(scene, make_world(scene));
+  while (!protocol.state().search.base) protocol.advance();
+  const fs::path state = folder_.path() / "within.cbor";
+  write_checkpoint(state, {protocol.world(), protocol.state(), to_text(scene), {}});
+  const Outcome outcome =
+      run(R"({"gravity": {}, "box": {"width": 20, "height": 8}, "start_from": "within.cbor",
+              "phases": [{"type": "settle", "max_time": 1}]})");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("within a trial of a search"), std::string::npos) << outcome.err;
+}
 
 TEST_F(SearchRun, LeavesTheCriticalForcesAsTableAndInTheSummary) {
   const Outcome outcome = run(kSearchRunScene);
