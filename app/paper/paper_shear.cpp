@@ -50,17 +50,19 @@ class Shear : public PaperExperiment {
                                        {"unperturbed, F_c = 10⁶ F_g", &strong},
                                        {"perturbed, friction 0.3", &compact},
                                        {"perturbed, friction 0.6", &rough}}));
-    section.blocks.emplace_back(Figure{
-        plot("shear_unperturbed", "Shear strength of unperturbed samples",
-             {.label = "shear strength", .unit = "F_g", .logarithmic = true},
-             {{"F_c = 10⁴ F_g", &loose}, {"F_c = 10⁶ F_g", &strong}}),
-        "Smallest horizontal force that moves a grain, with standard errors over grains, and "
-        "straight lines through them."});
-    section.blocks.emplace_back(
-        Figure{plot("shear_perturbed", "Shear strength of perturbed samples",
-                    {.label = "shear strength", .unit = "F_g", .low = 0},
-                    {{"friction 0.3", &compact}, {"friction 0.6", &rough}}),
-               "The same after the piston."});
+    if (loose.grains + strong.grains > 0)
+      section.blocks.emplace_back(Figure{
+          plot("shear_unperturbed", "Shear strength of unperturbed samples",
+               {.label = "shear strength", .unit = "F_g", .logarithmic = true},
+               {{"F_c = 10⁴ F_g", &loose}, {"F_c = 10⁶ F_g", &strong}}),
+          "Smallest horizontal force that moves a grain, with standard errors over grains, and "
+          "straight lines through them."});
+    if (compact.grains + rough.grains > 0)
+      section.blocks.emplace_back(
+          Figure{plot("shear_perturbed", "Shear strength of perturbed samples",
+                      {.label = "shear strength", .unit = "F_g", .low = 0},
+                      {{"friction 0.3", &compact}, {"friction 0.6", &rough}}),
+                 "The same after the piston."});
     compare(loose, strong, compact, rough, findings);
   }
 
