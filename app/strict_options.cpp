@@ -8,7 +8,8 @@ namespace quicksand {
 void add_strict_options(CLI::App& command, StrictOptions& options) {
   CLI::Option* strict = command.add_flag(
       "--strict", options.strict,
-      "exit with 1 if a step did not converge, a bond broke in such a step, or bodies overlapped");
+      "exit with 1 if a step did not converge, a bond broke in such a step, bodies overlapped, or "
+      "steps gained energy");
   command
       .add_option("--max-overlap", options.max_overlap, "deepest overlap that --strict accepts [d]")
       ->type_name("LENGTH")

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "app/json/json_text.h"
+#include "app/run/distrust.h"
 #include "tests/support/files.h"
 #include "tests/support/older_state.h"
 #include "tests/support/program_fixture.h"
@@ -239,6 +240,15 @@ TEST_F(ResumeTest, StrictRunsAreBelievedWithinTheirBoundOnly) {
   EXPECT_EQ(resumed.exit_code, 1);
   EXPECT_NE(resumed.err.find("two bodies overlapped by"), std::string::npos) << resumed.err;
   EXPECT_EQ(quicksand({"resume", "out/small", "--max-overlap", "0"}).exit_code, 2);
+}
+
+TEST(Distrust, OfEnergyThatStepsGained) {
+  ProtocolState state{.external_work = -200, .energy_dissipated = 800, .energy_gained = 49};
+  EXPECT_EQ(distrust(state, 0, {}), "");
+  state.energy_gained = 51;
+  EXPECT_NE(distrust(state, 0, {}).find("gained an energy of 51 F_g d"), std::string::npos);
+  // Rounding at rest.
+  EXPECT_EQ(distrust({.energy_gained = 1e-9}, 0, {}), "");
 }
 
 TEST_F(ResumeTest, TheSummarySaysWhatMayBeWrong) {
