@@ -127,8 +127,8 @@ void describe_kind(Fields& f, Phase& phase, const Scenario& scenario) {
   } else {
     describe_piston(f, std::get<PistonPhase>(phase.kind), scenario.grain_law);
   }
-  f.number({"dt", "time step of this phase; step.dt if absent"}, above(0, 1, "sqrt(d/g)"),
-           phase.dt);
+  f.number({"dt", "time step of this phase; step.dt if absent"},
+           between(kLeastStep, 1, "sqrt(d/g)"), phase.dt);
   f.number({"solver_tolerance",
             "residual that the solver must reach in this phase; "
             "solver.tolerance if absent"},

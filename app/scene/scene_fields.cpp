@@ -102,7 +102,8 @@ void describe_law(Fields& f, ContactLaw& law) {
 }
 
 void describe_step(Fields& f, StepSettings& step) {
-  f.number({"dt", "time step; a phase may have its own"}, above(0, 1, "sqrt(d/g)"), step.dt);
+  f.number({"dt", "time step; a phase may have its own"}, between(kLeastStep, 1, "sqrt(d/g)"),
+           step.dt);
   f.choice({"break_rule", "when a bond breaks: by the energy of an impact, or by its gap alone"},
            kBreakRules, step.break_rule);
   f.flag({"curvature_term", "second-order gap of bonded contacts, which lets bonded pairs rotate"},

@@ -10,6 +10,9 @@ namespace quicksand {
 // The most bodies that a scene may hold or deposit; larger numbers are taken for mistakes.
 constexpr std::int64_t kMaxBodies = 5'000'000;
 
+// Times are compared to 1e-9: shorter steps would end before they begin. [sqrt(d/g)]
+constexpr double kLeastStep = 1e-8;
+
 void describe_scene(Fields& f, Scenario& scenario);
 
 // Drag, which may be given by the properties of a fluid where the scene is `physical`.

@@ -175,7 +175,7 @@ const Mistake kMistakes[] = {
      {"contact.friction (from grid; run 00003: contact.friction=-0.6", "is -0.6",
       "a number from 0 to 100"}},
     {"NoSuchEntry", R"({"list": [{"phases[2].dt": 1}]})", {"phases[2].dt (from list", "entry 2"}},
-    {"BadSet", R"({"set": {"step.dt": 0}})", {"step.dt (from set; run 00000", "a number above 0"}},
+    {"BadSet", R"({"set": {"step.dt": 0}})", {"step.dt (from set; run 00000", "a number from 1e-08"}},
     {"NotAPath", R"({"set": {"step.": 1}})", {"lacks a name"}},
     {"BadScene",
      R"({"scene": {"box": {"width": -1}}, "set": null, "grid": null})",

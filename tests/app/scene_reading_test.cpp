@@ -59,7 +59,7 @@ TEST_P(SceneMistake, IsRefusedWithPlaceRangeAndNearestName) {
 
 const Mistake kMistakes[] = {
     {"WrongType", "step.dt=\"fast\"", {"step.dt", "the text \"fast\"", "sqrt(d/g)"}},
-    {"ListForNumber", "step.dt=[1]", {"step.dt", "a list of 1", "a number above 0"}},
+    {"ListForNumber", "step.dt=[1]", {"step.dt", "a list of 1", "a number from 1e-08"}},
     {"NumberForWord", "box.sides=1", {"box.sides", "is 1", "open, periodic, walls"}},
     {"NumberForObject", "box=3", {"box", "is 3", "must be an object"}},
     {"ObjectForList", "phases={}", {"phases", "an object", "must be a list"}},
