@@ -36,7 +36,10 @@ void describe_condition(Fields& f, Condition& condition) {
   f.number({"at_most", "upper bound, in the unit of the quantity"}, between(-kAny, kAny, "1"),
            condition.at_most);
   if (!f.reading()) return;
-  if (find(condition.quantity) == nullptr) f.refuse("quantity", unknown(condition.quantity));
+  const Quantity* quantity = find(condition.quantity);
+  if (quantity == nullptr) f.refuse("quantity", unknown(condition.quantity));
+  if (std::holds_alternative<std::string>(quantity->get(Row{})))
+    f.refuse("quantity", "\"" + condition.quantity + "\" is a word and has no bounds");
   if (!condition.at_least && !condition.at_most)
     f.refuse("at_least", "and at_most are both absent; give one or both");
   if (condition.at_least && condition.at_most && *condition.at_least > *condition.at_most)

@@ -301,6 +301,13 @@ TEST_F(SessionTest, WhatSaysTheSameInOtherTermsIsReplaced) {
 }
 
 // The phases that are still to come would make place for it, but it begins now.
+TEST_F(SessionTest, AWordHasNoBounds) {
+  const Outcome played =
+      play({load(), R"({"command": "run", "until": {"quantity": "phase", "at_least": 1}})"});
+  EXPECT_EQ(played.exit_code, 2);
+  EXPECT_NE(played.err.find("is a word and has no bounds"), std::string::npos) << played.err;
+}
+
 TEST_F(SessionTest, APistonNeedsSomethingToPressWhereItBegins) {
   const Outcome played =
       play({R"({"command": "load", "scene": "collapse"})",
