@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <ranges>
 
 #include "app/assets.h"
 #include "app/bench/bench.h"
@@ -195,15 +196,19 @@ Plot cost_plot(const std::vector<Found>& all, const std::string& observable, con
       curve.x.push_back(found.seconds);
       curve.y.push_back(100 * off.value);
       curve.y_error.push_back(100 * off.error.value_or(0));
-      plot.annotations.push_back({curve.x.back(), curve.y.back(),
-                                  format("%g", usual_tolerance ? row.dt : row.tolerance),
-                                  !usual_tolerance});
+      // Above and below in turns, as neighbours are near.
+      if (usual_tolerance)
+        plot.annotations.push_back(
+            {curve.x.back(), curve.y.back(), format("%g", row.dt), curve.x.size() % 2 == 0});
     }
     if (!curve.x.empty()) plot.curves.push_back(std::move(curve));
   };
   for (const std::string rule : {"energy", "linearised", "geometric"})
     add(rule + " rule, with dt", rule, true);
-  add("energy rule at dt = 0.001, with the tolerance", "energy", false);
+  add("energy rule at dt = 0.001, other tolerances", "energy", false);
+  constexpr double kRoomForLabels = 1.4;
+  plot.x.high =
+      kRoomForLabels * std::ranges::max(all | std::views::drop(1), {}, &Found::seconds).seconds;
   plot.references.push_back({.low = -5, .high = 5, .role = quicksand::Reference::Role::guide});
   return plot;
 }

@@ -87,7 +87,7 @@ class StructureOfSamples : public PaperExperiment {
     section.blocks.emplace_back(
         Figure{std::move(profile), "Slices of " + cell_of(Measured{.value = thickness_}, 1).text +
                                        " d, mean and standard error over realizations; the surface "
-                                       "fills its slice in part."});
+                                       "fills its slice in part, slices below 0.01 are left out."});
     section.blocks.emplace_back(
         Figure{std::move(angles),
                "Of active bonds. Three grains that touch each other have 60°, a "
@@ -102,6 +102,8 @@ class StructureOfSamples : public PaperExperiment {
 
  private:
   static constexpr double kSlices = 25;
+  static constexpr double kEmpty =
+      0.01;  // volume fraction of a slice that the surface hardly reaches
 
   Structure structure_of(const PaperResults& results, const RunGroup& group) const {
     Structure all;
@@ -122,7 +124,7 @@ class StructureOfSamples : public PaperExperiment {
     Curve curve{.name = name, .kind = Curve::Kind::line_points};
     for (std::size_t k = 0; k < s.fractions.size(); ++k) {
       const auto mean = mean_over(s.fractions[k]);
-      if (!mean || mean->value == 0) continue;
+      if (!mean || mean->value < kEmpty) continue;
       curve.x.push_back(mean->value);
       curve.x_error.push_back(mean->standard_error.value_or(0));
       curve.y.push_back((static_cast<double>(k) + 0.5) * thickness_);
