@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <ranges>
+#include <span>
 
 #include "app/assets.h"
 #include "app/bench/bench.h"
@@ -208,7 +208,7 @@ Plot cost_plot(const std::vector<Found>& all, const std::string& observable, con
   add("energy rule at dt = 0.001, other tolerances", "energy", false);
   constexpr double kRoomForLabels = 1.4;
   plot.x.high =
-      kRoomForLabels * std::ranges::max(all | std::views::drop(1), {}, &Found::seconds).seconds;
+      kRoomForLabels * std::ranges::max(std::span(all).subspan(1), {}, &Found::seconds).seconds;
   plot.references.push_back({.low = -5, .high = 5, .role = quicksand::Reference::Role::guide});
   return plot;
 }
