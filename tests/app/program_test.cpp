@@ -309,6 +309,32 @@ TEST_F(ProgramTest, ListsWhatThereIs) {
   EXPECT_NE(quicksand({"list", "quantities"}).out.find("volume_fraction"), std::string::npos);
 }
 
+// Their numbers would go to the files of results, which would receive the progress.
+TEST_F(ProgramTest, ClosedStandardStreamsLeaveResultsAsTheyAre) {
+  write_scene();
+  ASSERT_EQ(quicksand({"run", "small.json", "--no-frames", "--out", "open"}).exit_code, 0);
+  const std::string run = "cd " + folder_.path().string() + " && " + QUICKSAND_PROGRAM +
+                          " run small.json --no-frames --out closed <&- 2>&-";
+  EXPECT_EQ(std::system(run.c_str()), 0);
+  EXPECT_EQ(contents(at("closed/series.csv")), contents(at("open/series.csv")));
+}
+
+TEST_F(ProgramTest, WhatResumeCouldNotReadIsRefused) {
+  write_scene();
+  EXPECT_EQ(quicksand({"run", "small.json", "--every", "1e13"}).exit_code, 2);
+  EXPECT_EQ(quicksand({"run", "small.json", "--every", "inf"}).exit_code, 2);
+}
+
+TEST_F(ProgramTest, AStateIsNotExportedOverItself) {
+  write_scene();
+  ASSERT_EQ(quicksand({"run", "small.json", "--no-frames"}).exit_code, 0);
+  const std::string state = contents(at("out/small/state.cbor"));
+  const Outcome outcome = quicksand(
+      {"export", "out/small/state.cbor", "--format", "xyz", "--out", "out/small/state.cbor"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(contents(at("out/small/state.cbor")), state);
+}
+
 TEST_F(ProgramTest, WhatAFullDiskSwallowsIsNoResult) {
   const std::string list = std::string(QUICKSAND_PROGRAM) + " list schema";
   EXPECT_EQ(std::system((list + " > /dev/null").c_str()), 0);
