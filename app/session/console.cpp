@@ -42,9 +42,13 @@ fs::path Console::output(const std::string& name, const std::string& place) cons
   return path;
 }
 
-std::string Console::save_cut_short() {
+void Console::finish_recording() {
   if (recording) recording->finish();
   recording.reset();
+}
+
+std::string Console::save_cut_short() {
+  finish_recording();
   if (!session_.loaded()) return {};
   const fs::path state = folders_.out / "interrupted.cbor";
   session_.save(state);

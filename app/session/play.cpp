@@ -47,8 +47,7 @@ class Play {
       complain(i, answer);
       if (!options_.keep_going) break;
     }
-    if (console_.recording) console_.recording->finish();
-    console_.recording.reset();
+    console_.finish_recording();
     progress_.end();
     std::fprintf(stderr, "%zu of %zu commands%s; transcript and files are in %s\n", performed_,
                  file_.commands.size(),

@@ -112,7 +112,7 @@ int play_live(const std::filesystem::path& out) {
     std::fprintf(stderr, "interrupted%s\n", console.save_cut_short().c_str());
     return kInterrupted;
   }
-  if (console.recording) console.recording->finish();
+  console.finish_recording();
   return kFine;
 }
 

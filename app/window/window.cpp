@@ -123,7 +123,7 @@ class Window {
   }
 
   void finish() {
-    if (console_.recording) console_.recording->finish();
+    console_.finish_recording();
     write_journal();
     if (options_.record.empty() || journal_.empty()) return;
     std::fprintf(stderr, "what was done is in %s; `quicksand session` plays it again\n",
