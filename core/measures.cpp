@@ -81,6 +81,24 @@ Neighbours neighbours(const World& world, std::span<const Pair> touching) {
 
 Neighbours neighbours(const World& world) { return neighbours(world, touching_pairs(world)); }
 
+ContactCounts contact_counts(const World& world, const Neighbours& neighbours) {
+  ContactCounts counts;
+  int grains = 0;
+  for (int i = 0; i < world.disks.size(); ++i) {
+    if (world.disks.role[i] != Role::grain) continue;
+    const auto k = static_cast<std::size_t>(i);
+    ++grains;
+    counts.touching += neighbours.touching[k];
+    counts.loaded += neighbours.loaded[k];
+    counts.bonded += neighbours.active[k];
+    if (neighbours.touching[k] == 0) ++counts.without;
+  }
+  if (grains == 0) return counts;
+  for (double* sum : {&counts.touching, &counts.loaded, &counts.bonded, &counts.without})
+    *sum /= grains;
+  return counts;
+}
+
 std::vector<double> contact_pressure(const World& world) {
   std::vector<double> pressure(static_cast<std::size_t>(world.disks.size()), 0.0);
   if (world.impulse_dt == 0) return pressure;
@@ -167,16 +185,9 @@ Sample measure(const World& world, const MeasureChoices& choices) {
   s.volume_fraction = volume_fraction(world, 0, 0.7 * s.packing_top);
 
   const std::vector<Pair> touching = touching_pairs(world);
-  const Neighbours n = neighbours(world, touching);
-  for (int i = 0; i < world.disks.size(); ++i) {
-    if (world.disks.role[i] != Role::grain) continue;
-    s.coordination += n.touching[static_cast<std::size_t>(i)];
-    s.coordination_loaded += n.loaded[static_cast<std::size_t>(i)];
-  }
-  if (s.grains > 0) {
-    s.coordination /= static_cast<double>(s.grains);
-    s.coordination_loaded /= static_cast<double>(s.grains);
-  }
+  const ContactCounts counts = contact_counts(world, neighbours(world, touching));
+  s.coordination = counts.touching;
+  s.coordination_loaded = counts.loaded;
 
   std::int64_t initial_active = 0;
   for (const Bond& bond : world.bonds.list) {

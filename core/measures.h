@@ -33,6 +33,14 @@ Neighbours neighbours(const World& world);
 // The same, if touching_pairs(world) is known already.
 Neighbours neighbours(const World& world, std::span<const Pair> touching);
 
+// Mean neighbours of a grain by what counts as a contact: any that touches, one that carries (compressed, or an
+// active bond), an active bond; and the share of grains that touch nothing, which count in these means. Zeros
+// without grains. [1]
+struct ContactCounts {
+  double touching = 0, loaded = 0, bonded = 0, without = 0;
+};
+ContactCounts contact_counts(const World& world, const Neighbours& neighbours);
+
 // Mean contact force pressure on each disk: sum of compressive normal forces over the
 // circumference [F_g/d].
 std::vector<double> contact_pressure(const World& world);

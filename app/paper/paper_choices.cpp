@@ -2,6 +2,7 @@
 #include "app/json/json_reader.h"
 #include "app/paper/outcome_table.h"
 #include "app/paper/paper_experiments.h"
+#include "core/contact_law.h"
 
 namespace quicksand {
 
@@ -23,6 +24,12 @@ class Choices : public PaperExperiment {
     push("bonds form during the push", "bonding", {{"phases[0].bonding", true}});
     push("half the rolling friction", "rolling_0.05", {{"contact.rolling_friction", 0.05}});
     push("friction 0.6", "friction_0.6", {{"contact.friction", 0.6}});
+    // Effective radius over that of the reference, 2 r_a r_b/(r_a + r_b); grains are equal among themselves.
+    const double reference = rolling_length(1, kGrain, kIntruder);
+    push("rolling at the intruder by the mean of both radii", "rolling_mean",
+         at_intruder(jobs, (kGrain + kIntruder) / 2 / reference));
+    push("rolling at the intruder by the smaller radius", "rolling_smaller",
+         at_intruder(jobs, kGrain / reference));
 
     for (const double force : {jobs.scale().push_forces.front(), kForce}) {
       const RunGroup pushed = jobs.pushes(samples, force);
@@ -37,11 +44,14 @@ class Choices : public PaperExperiment {
       pistons_.push_back({text, jobs.pistons(samples, tag, other)});
     };
     press("reference: " + number_text(load.force) + " F_c that rise over " +
-              number_text(load.ramp * jobs.scale().height) + " sqrt(d/g)",
+              number_text(load.ramp * jobs.scale().height) + " sqrt(d/g), " +
+              number_text(load.mass) + " grain masses on the paper's width",
           "", load);
     press("rising three times as slowly", "slow", {.ramp = 3 * load.ramp});
     press("half the force", "half", {.force = load.force / 2});
     press("twice the force", "double", {.force = 2 * load.force});
+    press("a tenth of the mass", "light", {.mass = load.mass / 10});
+    press("ten times the mass", "heavy", {.mass = load.mass * 10});
   }
 
   void report(const PaperResults& results, const std::filesystem::path&, Section& section,
@@ -75,6 +85,18 @@ class Choices : public PaperExperiment {
 
  private:
   static constexpr double kForce = 1;  // [F_c]
+
+  static constexpr double kGrain = 0.5, kIntruder = 1.5;  // radii [d]
+
+  // The law of the grains at the intruder, too, with its rolling friction times `factor`.
+  static ParameterValues at_intruder(const PaperJobs& jobs, double factor) {
+    const ContactLaw& law = jobs.jobs().front().scenario.grain_law;
+    return {{"intruder_contact",
+             {{"friction", *law.friction},
+              {"rolling_friction", factor * *law.rolling_friction},
+              {"cohesion_force", *law.cohesion_force},
+              {"cohesion_range", law.cohesion_range / kGrain}}}};
+  }
 
   struct Pull {
     double force;     // of the push before [F_c]

@@ -130,9 +130,8 @@ RunGroup PaperJobs::pistons(const RunGroup& samples, const std::string& tag,
                             const PistonLoad& load) {
   // The pressure, and the mass that it drives, are those on the paper's width.
   const double share = scale_.width / PaperScale{}.width;
-  constexpr double kMass = 2000;  // [grain masses]
   return add("piston", samples.name + ".piston" + (tag.empty() ? "" : "_" + tag), &samples, {},
-             {{"phases[0].mass", kMass * share},
+             {{"phases[0].mass", load.mass * share},
               {"phases[0].force_over_cohesion", load.force * share},
               {"phases[0].ramp_time", load.ramp * scale_.height}});
 }

@@ -55,6 +55,7 @@ struct PistonLoad {
   // Time over which it rises. What is pressed at once falls in faster than a piston can press, and ends in a shock
   // through all of a high sample, in which no step converges. [sqrt(d/g) for each d of height]
   double ramp = 0.1;
+  double mass = 2000;  // on the paper's width, shared as the force is [grain masses]
 };
 
 class PaperJobs {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/json/json_reader.h"
 #include "app/paper/paper_experiments.h"
 
 namespace quicksand {
@@ -18,7 +19,10 @@ struct Setting {
 std::vector<Setting> settings() {
   return {{"", "reference: a grain every 0.01, no drop velocity"},
           {kDenseDeposition, "a grain every 0.001, dt 0.001", {}, dense_deposition()},
-          {"interval_0.05", "a grain every 0.05", {}, {{"phases[0].interval", 0.05}}},
+          {"adiabatic",
+           "a grain every 0.05, or every 0.25 if that changes the density",
+           {},
+           {{"phases[0].adiabatic", {{"factor", 5}, {"tolerance", 1e-3}, {"max_interval", 0.25}}}}},
           {"drop_10", "drop velocity 10 √(gd)", {}, {{"phases[0].drop_velocity", 10}}},
           {"rolling_0.05", "half the rolling friction", {{"contact.rolling_friction", 0.05}}},
           {"rolling_0.02", "a fifth of the rolling friction", {{"contact.rolling_friction", 0.02}}},
@@ -32,7 +36,7 @@ std::vector<Setting> settings() {
 }
 
 // Places in the list.
-constexpr std::size_t kSlow = 2, kWeak = 8;
+constexpr std::size_t kAdiabatic = 2, kWeak = 8;
 
 class Samples : public PaperExperiment {
  public:
@@ -90,8 +94,11 @@ class Samples : public PaperExperiment {
                "Each deposition's volume fraction and coordination number. The paper's "
                "sample lies where the two bands cross. Number " +
                    std::to_string(kWeak + 1) + ", of weaker bonds, is left out."});
-    note(findings, "unperturbed.interval_effect",
-         results.change(groups_[0], groups_[kSlow], "volume_fraction"));
+    const std::vector<SlowerDeposit> sequence =
+        adiabatic_sequence(results.runs(groups_[kAdiabatic]));
+    section.blocks.emplace_back(table_of(sequence));
+    if (sequence.size() > 1)
+      note(findings, "unperturbed.interval_effect", mean_over(sequence[1].changes));
     const auto find = [&](const char* id, std::size_t setting, const char* quantity) {
       note(findings, id, results.mean(groups_[setting], quantity));
     };
@@ -109,6 +116,47 @@ class Samples : public PaperExperiment {
   }
 
  private:
+  // Whole samples of one interval, of the realizations that got there.
+  struct SlowerDeposit {
+    double interval = 0;  // [sqrt(d/g)]
+    std::vector<double> volume_fractions, coordinations, changes;
+  };
+
+  static std::vector<SlowerDeposit> adiabatic_sequence(const std::vector<const RunResults*>& runs) {
+    std::vector<SlowerDeposit> sequence;
+    for (const RunResults* run : runs) {
+      const Json& deposits = run->summary().at("adiabatic");
+      sequence.resize(std::max(sequence.size(), deposits.size()));
+      for (std::size_t k = 0; k < deposits.size(); ++k) {
+        const Json& deposit = deposits[k];
+        sequence[k].interval = deposit.at("interval").get<double>();
+        sequence[k].volume_fractions.push_back(deposit.at("volume_fraction").get<double>());
+        sequence[k].coordinations.push_back(deposit.at("coordination").get<double>());
+        if (const Json& change = deposit.at("change"); change.is_number())
+          sequence[k].changes.push_back(change.get<double>());
+      }
+    }
+    return sequence;
+  }
+
+  Table table_of(const std::vector<SlowerDeposit>& sequence) const {
+    Table table{
+        .caption =
+            "Is a grain every 0.01 slow enough? Whole samples from the same random numbers, each "
+            "slower than the last, until the volume fraction changes by less than 0.1 %. "
+            "When the last grain has come, before they settle.",
+        .columns = {{"a grain every [sqrt(d/g)]", true},
+                    {"volume fraction", true},
+                    {"coordination", true},
+                    {"change of the volume fraction, over it", true}}};
+    for (const SlowerDeposit& slower : sequence)
+      table.rows.push_back({{.text = number_text(slower.interval)},
+                            cell_of(mean_over(slower.volume_fractions), all_),
+                            cell_of(mean_over(slower.coordinations), all_),
+                            cell_of(mean_over(slower.changes), all_)});
+    return table;
+  }
+
   // At the end of the deposit.
   static std::optional<Measured> when_deposited(const PaperResults& results, const RunGroup& group,
                                                 const std::string& quantity) {

@@ -1,6 +1,7 @@
 // What the samples are like inside, before and after: profiles over height, angles of bonds, forces in contacts.
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include "app/paper/paper_experiments.h"
@@ -17,6 +18,7 @@ struct Structure {
   std::vector<std::vector<double>>
       fractions;  // volume fraction of each slice (slices, realizations) [1]
   Histogram angles, forces, tensions;
+  std::vector<ContactCounts> counts;  // (realizations)
 };
 
 void pool(Histogram& sum, Histogram&& part) {
@@ -46,6 +48,7 @@ Curve curve_of(const std::string& name, const Histogram& histogram, bool logarit
 class StructureOfSamples : public PaperExperiment {
  public:
   void plan(PaperJobs& jobs) override {
+    all_ = jobs.scale().realizations;
     thickness_ = jobs.scale().height / kSlices;
     const RunGroup samples = jobs.samples();
     states_ = {{"sample", samples},
@@ -75,15 +78,27 @@ class StructureOfSamples : public PaperExperiment {
                   .x = {.label = "force", .unit = "F_c", .logarithmic = true},
                   .y = {.label = "density", .unit = "1/F_c", .logarithmic = true},
                   .legend = LegendPlace::below};
+    Table counts{
+        .caption = "What counts as a contact: neighbours of a grain, and shares of active bonds.",
+        .columns = {{"state"},
+                    {"touching (here)", true},
+                    {"of grains that touch any", true},
+                    {"grains that touch none", true},
+                    {"loaded or bonded", true},
+                    {"bonded", true},
+                    {"active of touching", true},
+                    {"active of loaded or bonded", true}}};
     for (const auto& [name, group] : states_) {
       const Structure s = structure_of(results, group);
       if (s.angles.counts.empty()) continue;
+      counts.rows.push_back(row_of(name, s.counts));
       profile.curves.push_back(profile_curve(name, s));
       angles.curves.push_back(curve_of(name, s.angles, false, 180 / std::numbers::pi));
       forces.curves.push_back(curve_of(name, s.forces, true, 1));
       tensions.curves.push_back(curve_of(name, s.tensions, true, 1));
     }
     if (profile.curves.empty()) return;
+    section.blocks.emplace_back(std::move(counts));
     section.blocks.emplace_back(
         Figure{std::move(profile), "Slices of " + cell_of(Measured{.value = thickness_}, 1).text +
                                        " d, mean and standard error over realizations; the surface "
@@ -112,12 +127,32 @@ class StructureOfSamples : public PaperExperiment {
       pool(all.angles, bond_angles(world));
       pool(all.forces, contact_forces(world));
       pool(all.tensions, bond_tensions(world));
-      const std::vector<Slice> slices = height_profile(world, touching_pairs(world), thickness_);
+      const std::vector<Pair> touching = touching_pairs(world);
+      all.counts.push_back(contact_counts(world, neighbours(world, touching)));
+      const std::vector<Slice> slices = height_profile(world, touching, thickness_);
       if (slices.size() > all.fractions.size()) all.fractions.resize(slices.size());
       for (std::size_t k = 0; k < slices.size(); ++k)
         if (slices[k].volume_fraction) all.fractions[k].push_back(*slices[k].volume_fraction);
     }
     return all;
+  }
+
+  std::vector<Cell> row_of(const std::string& name, std::span<const ContactCounts> counts) const {
+    std::vector<Cell> row{{.text = name}};
+    const auto add = [&](auto quantity) {
+      std::vector<double> values;
+      for (const ContactCounts& c : counts)
+        if (c.touching > 0) values.push_back(quantity(c));
+      row.push_back(cell_of(mean_over(values), all_));
+    };
+    add([](const ContactCounts& c) { return c.touching; });
+    add([](const ContactCounts& c) { return c.touching / (1 - c.without); });
+    add([](const ContactCounts& c) { return c.without; });
+    add([](const ContactCounts& c) { return c.loaded; });
+    add([](const ContactCounts& c) { return c.bonded; });
+    add([](const ContactCounts& c) { return c.bonded / c.touching; });
+    add([](const ContactCounts& c) { return c.bonded / c.loaded; });
+    return row;
   }
 
   Curve profile_curve(const std::string& name, const Structure& s) const {
@@ -133,6 +168,7 @@ class StructureOfSamples : public PaperExperiment {
   }
 
   double thickness_ = 1;  // of a slice [d]
+  int all_ = 0;           // realizations that there should be
   std::vector<std::pair<std::string, RunGroup>> states_;
 };
 

@@ -5,7 +5,6 @@
 #include "app/json/json_reader.h"
 #include "app/run/run_folder.h"
 #include "app/run/summary.h"
-#include "core/measures.h"
 #include "core/whole_file.h"
 
 namespace quicksand {
@@ -24,6 +23,17 @@ const RegionValue kRegionValues[] = {
     {"coordination", [](const Region& r) { return or_none(r.coordination); }},
     {"active_bond_fraction", [](const Region& r) { return or_none(r.active_bond_fraction); }},
     {"remaining_bond_fraction", [](const Region& r) { return or_none(r.remaining_bond_fraction); }},
+};
+
+struct CountValue {
+  std::string_view name, help;
+  double ContactCounts::*value;
+};
+const CountValue kCountValues[] = {
+    {"touching", "neighbours that a grain touches", &ContactCounts::touching},
+    {"loaded", "... that are compressed, or bonded", &ContactCounts::loaded},
+    {"bonded", "... by an active bond", &ContactCounts::bonded},
+    {"without", "share of grains that touch nothing", &ContactCounts::without},
 };
 
 std::string padded(std::string text, std::size_t width) {
@@ -106,6 +116,7 @@ Measurements measure_state(const StateFile& state, const MeasureChoices& choices
   m.choices = choices;
   m.slice = slice;
   const std::vector<Pair> touching = touching_pairs(world);
+  m.counts = contact_counts(world, neighbours(world, touching));
   const std::vector<int> everywhere(static_cast<std::size_t>(world.disks.size()), 0);
   m.regions.push_back({"whole", regions_of(world, touching, everywhere, 1)[0]});
   if (m.row.sample.has_intruder) {
@@ -141,6 +152,10 @@ std::string text_of(const Measurements& m) {
     text += padded(std::string(quantity.name), kName) + padded(short_text(value), kColumn) + "[" +
             std::string(quantity.unit) + "]\n";
   }
+  text += "\n";
+  for (const CountValue& count : kCountValues)
+    text += padded(std::string(count.name), kName) +
+            padded(short_text(m.counts.*count.value), kColumn) + std::string(count.help) + "\n";
   return text;
 }
 
@@ -159,6 +174,8 @@ Json to_json(const Measurements& m) {
       json["quantities"][std::string(quantity.name)] = json_of(quantity.get(m.row));
   for (const NamedRegion& known : m.regions)
     json["regions"][std::string(known.name)] = region_json(known.region);
+  for (const CountValue& count : kCountValues)
+    json["contact_counts"][std::string(count.name)] = m.counts.*count.value;
   json["profile"] = Json::array();
   for (const Slice& slice : m.profile) json["profile"].push_back(slice_json(slice));
   for (const NamedHistogram& known : m.histograms)

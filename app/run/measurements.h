@@ -11,6 +11,7 @@
 #include "app/run/quantities.h"
 #include "app/run/state_file.h"
 #include "core/distributions.h"
+#include "core/measures.h"
 
 namespace quicksand {
 
@@ -32,6 +33,7 @@ struct Measurements {
   Row row;  // the sample; nothing of steps
   MeasureChoices choices;
   double slice = 0;                  // thickness of the profile's slices [d]
+  ContactCounts counts;              // over all grains
   std::vector<NamedRegion> regions;  // the whole first; only that where there is no intruder
   std::vector<Slice> profile;
   std::vector<NamedHistogram> histograms;

@@ -52,6 +52,8 @@ TEST_F(MeasureTest, SaysOfAStateWhatTheRunSaidOfItsLastSample) {
   EXPECT_EQ(regions["channel"]["coordination"], summary["channel_coordination"]);
   EXPECT_EQ(regions["kept_bonds"]["remaining_bond_fraction"], 1);
   EXPECT_EQ(json["choices"]["intact_distance"], 6);
+  EXPECT_EQ(json["contact_counts"]["touching"], summary["coordination"]);
+  EXPECT_EQ(json["contact_counts"]["loaded"], summary["coordination_loaded"]);
 }
 
 TEST_F(MeasureTest, LeavesFilesThatAgreeWithEachOther) {

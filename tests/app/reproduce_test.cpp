@@ -7,6 +7,7 @@
 #include "app/paper/paper_strength.h"
 #include "app/paper/push_speed.h"
 #include "app/scene/scenario_json.h"
+#include "core/contact_law.h"
 #include "core/errors.h"
 #include "core/whole_file.h"
 #include "tests/support/files.h"
@@ -87,6 +88,62 @@ TEST_F(Reproduce, AnIntruderIsPulledOutWithAllBondsRestoredOrSome) {
   EXPECT_FALSE(heal(1).waited);
   EXPECT_EQ(heal(0).waited, 0.0);
   EXPECT_DOUBLE_EQ(std::exp(-*heal(0.5).waited / *heal(0.5).healing_time), 0.5);
+}
+
+TEST_F(Reproduce, ARollingRadiusIsChosenByTheLawOfTheIntruder) {
+  PaperJobs jobs(small(), folder_.path());
+  make_choices_experiment()->plan(jobs);
+  const auto rolling_at_intruder = [&](const std::string& tag) {
+    const RunGroup pushes = jobs.pushes(jobs.samples(), 1, tag);
+    const Scenario& scene = jobs.jobs()[pushes.runs[0]].scenario;
+    const ContactLaw& law = scene.intruder_law.value_or(scene.grain_law);
+    EXPECT_EQ(law.cohesion_range, scene.grain_law.cohesion_range);
+    return rolling_length(*law.rolling_friction, 0.5, 1.5);
+  };
+  EXPECT_DOUBLE_EQ(rolling_at_intruder(""), 0.1 * 0.75);
+  EXPECT_DOUBLE_EQ(rolling_at_intruder("rolling_mean"), 0.1 * 1);
+  EXPECT_DOUBLE_EQ(rolling_at_intruder("rolling_smaller"), 0.1 * 0.5);
+}
+
+// The pressure and the mass behind it are those on the paper's width.
+TEST_F(Reproduce, ANarrowPistonIsAsMuchLighter) {
+  PaperScale scale = small();
+  scale.width = 25.5;
+  PaperJobs jobs(scale, folder_.path());
+  const RunGroup pressed = jobs.pistons(jobs.samples(), "heavy", {.force = 30, .mass = 20000});
+  const auto& piston = std::get<PistonPhase>(jobs.jobs()[pressed.runs[0]].scenario.phases[0].kind);
+  EXPECT_DOUBLE_EQ(piston.mass, 10000);
+  EXPECT_DOUBLE_EQ(piston.force, 15 * 1e4);
+}
+
+// Two seeds; the density of the first changes twice, that of the second settles at once.
+TEST_F(Reproduce, AnAdiabaticSequenceIsTheMeanOfThoseThatGotThere) {
+  PaperJobs jobs(small(), folder_.path());
+  const auto samples = make_samples_experiment();
+  samples->plan(jobs);
+  const RunGroup slower = jobs.samples("adiabatic");
+  const auto deposit = [](double interval, double fraction, const Json& change) {
+    return Json{{"interval", interval},
+                {"volume_fraction", fraction},
+                {"coordination", 2},
+                {"change", change}};
+  };
+  const auto leave = [&](std::size_t run, const Json& deposits) {
+    leave_results(jobs.jobs()[run], {{"volume_fraction", 0.4},
+                                     {"coordination", 2},
+                                     {"active_bond_fraction", 1},
+                                     {"adiabatic", deposits}});
+  };
+  leave(slower.runs[0],
+        {deposit(0.01, 0.5, nullptr), deposit(0.05, 0.45, -0.1), deposit(0.25, 0.45, 0)});
+  leave(slower.runs[1], {deposit(0.01, 0.4, nullptr), deposit(0.05, 0.4, 0)});
+  Section section;
+  Findings findings;
+  samples->report(PaperResults(jobs.jobs()), folder_.path(), section, findings);
+  EXPECT_DOUBLE_EQ(findings.at("unperturbed.interval_effect").value, -0.05);
+  const Table& table = std::get<Table>(section.blocks.back());
+  ASSERT_EQ(table.rows.size(), 3U);
+  EXPECT_EQ(table.rows[2][1].text, "0.45 (1)") << "one of two";
 }
 
 TEST_F(Reproduce, AHigherSampleIsPressedMoreSlowly) {
@@ -363,6 +420,7 @@ TEST_F(Reproduce, SlowReportsOnWhatRanAndRepeatsNothing) {
   const std::string page = contents(out + "/report.md");
   EXPECT_NE(page.find("after the piston: volume fraction"), std::string::npos);
   EXPECT_NE(page.find("Compaction by a piston"), std::string::npos);
+  EXPECT_NE(page.find("What counts as a contact"), std::string::npos);
   for (const char* of : {"profile", "bond_angles", "contact_forces", "bond_tensions"})
     EXPECT_NE(contents(out + "/plots/structure_" + of + ".csv").find("after the piston"),
               std::string::npos)

@@ -31,6 +31,23 @@ Scenario lattice(int columns, int rows, double shift, double rise) {
 
 const double kTriangularRise = std::sqrt(0.75);
 
+// Four in a row, their bonds active, torn and torn, and one alone; the last pair is not compressed.
+TEST(ContactCounts, TellTouchingFromLoadedAndBonded) {
+  Scenario scene = empty_scene(Method::automatic);
+  scene.grain_law = paper_law(10);
+  scene.initial_bonds = InitialBonds::touching;
+  for (const double x : {0.5, 1.5, 2.5, 3.5, 9.0}) scene.disks.push_back({.position = {x, 0}});
+  World world = make_world(scene);
+  for (const int a : {1, 2}) world.bonds.find({a, a + 1})->state = BondState::broken;
+  world.contacts = {{.pair = {0, 1}}, {.pair = {1, 2}, .impulse = {1, 0, 0}}, {.pair = {2, 3}}};
+  const ContactCounts counts = contact_counts(world, neighbours(world));
+  EXPECT_DOUBLE_EQ(counts.touching, 6 / 5.0);
+  EXPECT_DOUBLE_EQ(counts.loaded, 4 / 5.0);
+  EXPECT_DOUBLE_EQ(counts.bonded, 2 / 5.0);
+  EXPECT_DOUBLE_EQ(counts.without, 1 / 5.0);
+  EXPECT_EQ(contact_counts(World{}, {}).touching, 0) << "no grains, no mean";
+}
+
 TEST(VolumeFraction, OfASquareLatticeIsAQuarterOfPi) {
   const World world = make_world(lattice(6, 6, 0, 1));
   EXPECT_NEAR(volume_fraction(world, 0, 6), kPi / 4, tolerance::rounding());
