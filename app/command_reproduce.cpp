@@ -28,7 +28,7 @@ struct ReproduceArguments {
   std::optional<int> realizations;
   std::optional<double> width, height;
   std::vector<double> push_forces, time_steps;
-  std::optional<double> push_step;
+  std::optional<double> push_step, plain;
   std::optional<int> grains_per_depth;
   fs::path out = "out/paper";
   std::int64_t threads = 0;  // 0: all cores
@@ -54,9 +54,17 @@ std::vector<Chosen> chosen(const ReproduceArguments& options) {
     if (std::ranges::find(names, word) == names.end())
       throw InputError("figure \"" + word + "\"", "is not known" + suggestion(word, names));
   std::vector<Chosen> all;
+  // Which compares with plain Contact Dynamics what it replaces.
+  constexpr const char* kOfRules = "break_rule";
+  const auto asked = [&](std::string_view name) {
+    return std::ranges::find(options.figures, name) != options.figures.end();
+  };
+  if (options.plain && asked(kOfRules))
+    throw InputError(
+        "--plain",
+        "leaves nothing to compare for the figure break_rule, which varies the rule itself");
   for (const PaperFigure& figure : paper_figures()) {
-    if (!options.figures.empty() &&
-        std::ranges::find(options.figures, figure.name) == options.figures.end())
+    if (options.figures.empty() ? options.plain && figure.name == kOfRules : !asked(figure.name))
       continue;
     all.push_back({&figure, figure.make()});
   }
@@ -87,6 +95,8 @@ PaperScale scale_of(const ReproduceArguments& options) {
     if (!values.empty()) by_default = values;
   };
   constexpr double kLeastStep = 1e-5, kMostStep = 0.1;
+  if (options.plain)
+    make_plain(scale, checked("--plain", *options.plain, kLeastStep, kMostStep, " sqrt(d/g)"));
   if (options.push_step)
     scale.push_step =
         checked("--push-step", *options.push_step, kLeastStep, kMostStep, " sqrt(d/g)");
@@ -111,6 +121,7 @@ std::string command_of(const ReproduceArguments& options) {
     for (const double value : values) list += (list.empty() ? "" : ",") + number_text(value);
     if (!values.empty()) add(name, list);
   };
+  if (options.plain) add("--plain", number_text(*options.plain));
   if (options.push_step) add("--push-step", number_text(*options.push_step));
   add_list("--push-forces", options.push_forces);
   add_list("--time-steps", options.time_steps);
@@ -192,6 +203,12 @@ Report report_of(const ReproduceArguments& options, const PaperJobs& jobs, const
     report.intro.emplace_back(
         "The box is smaller than the paper's: depths, heights and what depends on the weight above "
         "cannot agree, and walls and ground are nearer.");
+  if (scale.plain_step)
+    report.intro.push_back(
+        "Plain Contact Dynamics: everything in fixed steps of " + number_text(*scale.plain_step) +
+        " sqrt(d/g), a grain a step; a bond breaks when its gap after the step's straight move "
+        "is above d_c, so that it also breaks where its pair turns by more than √(2 d_c/d) in a "
+        "step. What breaks depends on the step.");
   Findings findings;
   std::vector<Section> figures;
   for (const Chosen& c : all) {
@@ -274,6 +291,12 @@ Command add_reproduce(CLI::App& program) {
   command
       ->add_option("--push-step", options->push_step,
                    "time step of pushes [0.001 sqrt(d/g); quick: 0.01]")
+      ->type_name("DT");
+  command
+      ->add_option(
+          "--plain", options->plain,
+          "plain Contact Dynamics: everything in fixed steps of this, a grain a step; bonds break "
+          "by their gap after a straight move")
       ->type_name("DT");
   command
       ->add_option("--push-forces", options->push_forces,

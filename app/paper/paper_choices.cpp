@@ -17,9 +17,7 @@ class Choices : public PaperExperiment {
                           const ParameterValues& laws) {
       pushes_.push_back({text, jobs.pushes(samples, kForce, tag, laws)});
     };
-    push("reference: energy rule, dt " + number_text(jobs.scale().push_step) +
-             ", max_turn 0.15, residual 1e-5",
-         "", {});
+    push("reference: " + reference_text(jobs), "", {});
     push("residual 1e-6", "residual_1e-6", {{"phases[0].solver_tolerance", 1e-6}});
     push("bonds form during the push", "bonding", {{"phases[0].bonding", true}});
     push("half the rolling friction", "rolling_0.05", {{"contact.rolling_friction", 0.05}});
@@ -87,6 +85,14 @@ class Choices : public PaperExperiment {
   static constexpr double kForce = 1;  // [F_c]
 
   static constexpr double kGrain = 0.5, kIntruder = 1.5;  // radii [d]
+
+  static std::string reference_text(const PaperJobs& jobs) {
+    if (jobs.scale().plain_step)
+      return "plain Contact Dynamics, dt " + number_text(jobs.scale().push_step) +
+             ", residual 1e-5";
+    return "energy rule, dt " + number_text(jobs.scale().push_step) +
+           ", max_turn 0.15, residual 1e-5";
+  }
 
   // The law of the grains at the intruder, too, with its rolling friction times `factor`.
   static ParameterValues at_intruder(const PaperJobs& jobs, double factor) {

@@ -16,6 +16,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// As make_plain() says, of a scene.
+void make_plain(Json& scene, double step) {
+  Json& how = scene["step"];
+  how["dt"] = step;
+  how["break_rule"] = "geometric";
+  how["curvature_term"] = false;
+  how.erase("max_turn");
+  for (Json& phase : scene["phases"]) phase.erase("dt");
+}
+
 std::string two_digits(std::size_t number) {
   std::string text = std::to_string(number);
   return text.size() < 2 ? "0" + text : text;
@@ -38,6 +48,10 @@ PaperScale quick_scale() {
           .shear_time = 10};
 }
 
+void make_plain(PaperScale& scale, double step) {
+  scale.plain_step = scale.push_step = scale.interval = step;
+}
+
 ParameterValues dense_deposition() { return {{"step.dt", 1e-3}, {"phases[0].interval", 1e-3}}; }
 
 PaperJobs::PaperJobs(PaperScale scale, fs::path out)
@@ -54,6 +68,7 @@ RunGroup PaperJobs::add(const std::string& scene, const std::string& name, const
   ParameterValues changes{{"box.width", scale_.width}, {"box.height", scale_.height}};
   changes.insert(changes.end(), group.laws.begin(), group.laws.end());
   changes.insert(changes.end(), set.begin(), set.end());
+  if (scale_.plain_step) make_plain(json, *scale_.plain_step);
   for (const auto& [path, value] : changes) set_value(json, path, value, file.string());
 
   Job job;
@@ -80,7 +95,8 @@ RunGroup PaperJobs::add(const std::string& scene, const std::string& name, const
 
 RunGroup PaperJobs::samples(const std::string& tag, const ParameterValues& laws,
                             const ParameterValues& set) {
-  ParameterValues changes{{"phases[0].height", scale_.height}};
+  ParameterValues changes{{"phases[0].height", scale_.height},
+                          {"phases[0].interval", scale_.interval}};
   changes.insert(changes.end(), set.begin(), set.end());
   return add("sample", tag.empty() ? "sample" : "sample_" + tag, nullptr, laws, changes);
 }

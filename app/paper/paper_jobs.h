@@ -29,8 +29,14 @@ struct PaperScale {
   double shear_distance = 20;     // [d]
   double shear_tolerance = 0.05;  // relative width of the interval of force [1]
   double shear_time = 20;         // of a trial, at most [sqrt(d/g)]
+  double interval = 1e-2;         // between the grains of a deposition [sqrt(d/g)]
+  // Contact Dynamics without what our scenes add to it, in this one step [sqrt(d/g)]: see make_plain().
+  std::optional<double> plain_step = {};
 };
 PaperScale quick_scale();
+// Everything in steps of one length, a grain a step; bonds break by their gap after the step's straight move, which
+// a bonded pair that turns opens: no energy of impacts, no curvature term, no shorter steps.
+void make_plain(PaperScale& scale, double step);
 
 // A deposition that makes samples as dense as the paper's: a grain every 0.001, in steps of as much.
 inline constexpr const char* kDenseDeposition = "interval_0.001";

@@ -11,28 +11,31 @@ namespace {
 
 struct Setting {
   const char* tag;
-  const char* text;
+  std::string text;
   ParameterValues laws = {};
   ParameterValues set = {};
 };
 
-std::vector<Setting> settings() {
-  return {{"", "reference: a grain every 0.01, no drop velocity"},
-          {kDenseDeposition, "a grain every 0.001, dt 0.001", {}, dense_deposition()},
-          {"adiabatic",
-           "a grain every 0.05, or every 0.25 if that changes the density",
-           {},
-           {{"phases[0].adiabatic", {{"factor", 5}, {"tolerance", 1e-3}, {"max_interval", 0.25}}}}},
-          {"drop_10", "drop velocity 10 √(gd)", {}, {{"phases[0].drop_velocity", 10}}},
-          {"rolling_0.05", "half the rolling friction", {{"contact.rolling_friction", 0.05}}},
-          {"rolling_0.02", "a fifth of the rolling friction", {{"contact.rolling_friction", 0.02}}},
-          {"polydisperse",
-           "diameters with 35 % deviation",
-           {},
-           {{"phases[0].polydispersity.deviation", 0.35}}},
-          {"capture_0.5", "capture radius 0.5 d", {}, {{"phases[0].capture_radius", 0.5}}},
-          {"cohesion_100", "cohesion force 100 F_g", {{"contact.cohesion_force", 100}}},
-          {"ballistic", "no dynamics: sticking where they touch", {}, {{"phases[0].interval", 0}}}};
+std::vector<Setting> settings(double interval) {
+  const auto every = [](double time) { return "a grain every " + number_text(time); };
+  return {
+      {"", "reference: " + every(interval) + ", no drop velocity"},
+      {kDenseDeposition, "a grain every 0.001, dt 0.001", {}, dense_deposition()},
+      {"adiabatic",
+       every(5 * interval) + ", or " + number_text(25 * interval) + " if that changes the density",
+       {},
+       {{"phases[0].adiabatic",
+         {{"factor", 5}, {"tolerance", 1e-3}, {"max_interval", 25 * interval}}}}},
+      {"drop_10", "drop velocity 10 √(gd)", {}, {{"phases[0].drop_velocity", 10}}},
+      {"rolling_0.05", "half the rolling friction", {{"contact.rolling_friction", 0.05}}},
+      {"rolling_0.02", "a fifth of the rolling friction", {{"contact.rolling_friction", 0.02}}},
+      {"polydisperse",
+       "diameters with 35 % deviation",
+       {},
+       {{"phases[0].polydispersity.deviation", 0.35}}},
+      {"capture_0.5", "capture radius 0.5 d", {}, {{"phases[0].capture_radius", 0.5}}},
+      {"cohesion_100", "cohesion force 100 F_g", {{"contact.cohesion_force", 100}}},
+      {"ballistic", "no dynamics: sticking where they touch", {}, {{"phases[0].interval", 0}}}};
 }
 
 // Places in the list.
@@ -42,7 +45,9 @@ class Samples : public PaperExperiment {
  public:
   void plan(PaperJobs& jobs) override {
     all_ = jobs.scale().realizations;
-    for (const Setting& s : settings()) groups_.push_back(jobs.samples(s.tag, s.laws, s.set));
+    interval_ = jobs.scale().interval;
+    for (const Setting& s : settings(interval_))
+      groups_.push_back(jobs.samples(s.tag, s.laws, s.set));
   }
 
   void report(const PaperResults& results, const std::filesystem::path&, Section& section,
@@ -65,7 +70,7 @@ class Samples : public PaperExperiment {
         .legend = LegendPlace::below};
     std::vector<std::string> numbers;
     Curve points{.name = "depositions, numbered as in the table"};
-    const std::vector<Setting> all = settings();
+    const std::vector<Setting> all = settings(interval_);
     for (std::size_t k = 0; k < all.size(); ++k) {
       const auto density = results.mean(groups_[k], "volume_fraction");
       const auto coordination = results.mean(groups_[k], "coordination");
@@ -141,10 +146,10 @@ class Samples : public PaperExperiment {
 
   Table table_of(const std::vector<SlowerDeposit>& sequence) const {
     Table table{
-        .caption =
-            "Is a grain every 0.01 slow enough? Whole samples from the same random numbers, each "
-            "slower than the last, until the volume fraction changes by less than 0.1 %. "
-            "When the last grain has come, before they settle.",
+        .caption = "Is a grain every " + number_text(interval_) +
+                   " slow enough? Whole samples from the same random numbers, each "
+                   "slower than the last, until the volume fraction changes by less than 0.1 %. "
+                   "When the last grain has come, before they settle.",
         .columns = {{"a grain every [sqrt(d/g)]", true},
                     {"volume fraction", true},
                     {"coordination", true},
@@ -194,6 +199,7 @@ class Samples : public PaperExperiment {
   }
 
   std::vector<RunGroup> groups_;
+  double interval_ = 0;  // [sqrt(d/g)]
   int all_ = 0;
 };
 

@@ -34,7 +34,8 @@ class Shear : public PaperExperiment {
   void report(const PaperResults& results, const std::filesystem::path&, Section& section,
               Findings& findings) const override {
     const PaperStrength loose = paper_strength(results, runs_.loose),
-                        strong = paper_strength(results, runs_.loose_strong),
+                        weak = paper_strength(results, runs_.weak),
+                        strong = paper_strength(results, runs_.strong),
                         compact = paper_strength(results, runs_.compact),
                         rough = paper_strength(results, runs_.compact_rough);
     section.blocks.emplace_back(Paragraph{
@@ -46,15 +47,26 @@ class Shear : public PaperExperiment {
         (scale_.grains_per_depth == 1 ? " grain" : " grains") +
         " a depth and sample, the paper takes 10. Steps of " + number_text(scene_.step.dt) +
         " sqrt(d/g)."});
-    section.blocks.emplace_back(table({{"unperturbed, F_c = 10⁴ F_g", &loose},
+    section.blocks.emplace_back(table({{"unperturbed, F_c = 10² F_g", &weak},
+                                       {"unperturbed, F_c = 10⁴ F_g", &loose},
                                        {"unperturbed, F_c = 10⁶ F_g", &strong},
                                        {"perturbed, friction 0.3", &compact},
                                        {"perturbed, friction 0.6", &rough}}));
-    if (loose.grains + strong.grains > 0)
+    section.blocks.emplace_back(
+        Paragraph{"That a hundredfold cohesion force changes the unperturbed strength little is "
+                  "read as said of samples made "
+                  "with F_c = 10² and 10⁴ F_g, since the paper gives the density of a sample made "
+                  "with 10²: bonds so "
+                  "weak let it fall in until it is dense, and friction replaces what bonds held. "
+                  "From 10⁴ to 10⁶ the network "
+                  "stays loose, and its bonds bend at a torque that is proportional to F_c. "
+                  "Compared at the mean depth of "
+                  "the shallower samples."});
+    if (loose.grains + weak.grains + strong.grains > 0)
       section.blocks.emplace_back(Figure{
           plot("shear_unperturbed", "Shear strength of unperturbed samples",
                {.label = "shear strength", .unit = "F_g", .logarithmic = true},
-               {{"F_c = 10⁴ F_g", &loose}, {"F_c = 10⁶ F_g", &strong}}),
+               {{"F_c = 10² F_g", &weak}, {"F_c = 10⁴ F_g", &loose}, {"F_c = 10⁶ F_g", &strong}}),
           "Smallest horizontal force that moves a grain, with standard errors over grains, and "
           "straight lines through them."});
     if (compact.grains + rough.grains > 0)
@@ -63,7 +75,8 @@ class Shear : public PaperExperiment {
                       {.label = "shear strength", .unit = "F_g", .low = 0},
                       {{"friction 0.3", &compact}, {"friction 0.6", &rough}}),
                  "The same after the piston."});
-    compare(loose, strong, compact, rough, findings);
+    compare_perturbed(compact, rough, findings);
+    compare_unperturbed(loose, weak, strong, compact, findings);
   }
 
  private:
@@ -102,9 +115,8 @@ class Shear : public PaperExperiment {
     return plot;
   }
 
-  static void compare(const PaperStrength& loose, const PaperStrength& strong,
-                      const PaperStrength& compact, const PaperStrength& rough,
-                      Findings& findings) {
+  static void compare_perturbed(const PaperStrength& compact, const PaperStrength& rough,
+                                Findings& findings) {
     const auto line = [&](const std::string& id, const PaperStrength& s,
                           const std::optional<Line>& fit) {
       if (fit) findings[id] = measured(fit->slope, fit->slope_error, s);
@@ -121,15 +133,22 @@ class Shear : public PaperExperiment {
       findings["shear.perturbed.intercept"] =
           measured(fit.intercept / (fit.intercept + fit.slope * compact.depth.back()), {}, compact);
     }
-    if (loose.against_depth) {
-      findings["shear.unperturbed.intercept"] =
-          measured(loose.against_depth->intercept / loose.mean(), {}, loose);
-      if (compact.against_depth)
-        findings["shear.unperturbed.slope"] =
-            measured(loose.against_depth->slope / compact.against_depth->slope, {}, loose);
-    }
-    if (!loose.depth.empty() && !strong.depth.empty())
+  }
+
+  static void compare_unperturbed(const PaperStrength& loose, const PaperStrength& weak,
+                                  const PaperStrength& strong, const PaperStrength& compact,
+                                  Findings& findings) {
+    if (!loose.against_depth) return;
+    const Line& line = *loose.against_depth;
+    findings["shear.unperturbed.intercept"] = measured(line.intercept / loose.mean(), {}, loose);
+    if (compact.against_depth)
+      findings["shear.unperturbed.slope"] =
+          measured(line.slope / compact.against_depth->slope, {}, loose);
+    if (!weak.depth.empty())
       findings["shear.unperturbed.cohesion_effect"] =
+          measured((line.intercept + line.slope * weak.mean_depth()) / weak.mean(), {}, weak);
+    if (!strong.depth.empty())
+      findings["shear.unperturbed.strong_cohesion_effect"] =
           measured(strong.mean() / loose.mean(), {}, strong);
   }
 

@@ -7,10 +7,16 @@
 
 namespace quicksand {
 
-double PaperStrength::mean() const {
-  return std::accumulate(strength.begin(), strength.end(), 0.0) /
-         static_cast<double>(strength.size());
+namespace {
+
+double mean_of_all(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
+
+}  // namespace
+
+double PaperStrength::mean() const { return mean_of_all(strength); }
+double PaperStrength::mean_depth() const { return mean_of_all(depth); }
 
 std::optional<double> PaperStrength::constant_down_to() const {
   if (depth.size() < 2 || std::ranges::any_of(error, [](double e) { return e <= 0; })) return {};
@@ -90,17 +96,23 @@ std::vector<Curve> strength_curves(const PaperStrength& strength, const std::str
 }
 
 StrengthRuns plan_strength(PaperJobs& jobs) {
-  // About where the packings end, over the height of the box: deposited, and after the piston.
-  constexpr double kLoose = 0.9, kCompact = 0.5;
-  constexpr double kLooseForce = 100, kCompactForce = 100;  // of the first trials [F_g]
+  // About where the packings end, over the height of the box: deposited, after the piston, and deposited with bonds
+  // so weak that the deposit is dense.
+  constexpr double kLoose = 0.9, kCompact = 0.5, kWeak = 0.55;
+  constexpr double kFirstForce = 100;  // of the first trials [F_g]
   const double height = jobs.scale().height;
   const RunGroup usual = jobs.samples();
-  const RunGroup strong = jobs.samples("cohesion_1e6", {{"contact.cohesion_force", 1e6}});
+  const auto with_cohesion = [&](const char* tag, double force) {
+    return jobs.samples(tag, {{"contact.cohesion_force", force}});
+  };
+  const RunGroup weak = with_cohesion("cohesion_100", 100);
+  const RunGroup strong = with_cohesion("cohesion_1e6", 1e6);
   const RunGroup rough = jobs.samples("friction_0.6", {{"contact.friction", 0.6}});
-  return {.loose = jobs.shears(usual, kLoose * height, kLooseForce),
-          .loose_strong = jobs.shears(strong, kLoose * height, kLooseForce),
-          .compact = jobs.shears(jobs.pistons(usual), kCompact * height, kCompactForce),
-          .compact_rough = jobs.shears(jobs.pistons(rough), kCompact * height, kCompactForce)};
+  return {.loose = jobs.shears(usual, kLoose * height, kFirstForce),
+          .weak = jobs.shears(weak, kWeak * height, kFirstForce),
+          .strong = jobs.shears(strong, kLoose * height, kFirstForce),
+          .compact = jobs.shears(jobs.pistons(usual), kCompact * height, kFirstForce),
+          .compact_rough = jobs.shears(jobs.pistons(rough), kCompact * height, kFirstForce)};
 }
 
 }  // namespace quicksand

@@ -19,7 +19,8 @@ struct PaperStrength {
   std::optional<Line> against_depth;   // [F_g/d], [F_g]
   std::optional<Line> against_weight;  // slope: the effective friction coefficient [1]
 
-  double mean() const;  // over depths [F_g]; needs one
+  double mean() const;        // over depths [F_g]; needs one
+  double mean_depth() const;  // [d]; needs one
 
   // Greatest depth down to which all strengths agree with their weighted mean within two standard errors;
   // absent unless there are two depths, each with an error. [d]
@@ -35,7 +36,8 @@ std::vector<Curve> strength_curves(const PaperStrength& strength, const std::str
 
 // The groups of shear runs that the figures on strength share.
 struct StrengthRuns {
-  RunGroup loose, loose_strong;     // unperturbed, with the cohesion force and a hundred times it
+  RunGroup loose;         // unperturbed
+  RunGroup weak, strong;  // the same made with a hundredth and a hundredfold cohesion force
   RunGroup compact, compact_rough;  // perturbed by the piston, friction 0.3 and 0.6
 };
 StrengthRuns plan_strength(PaperJobs& jobs);

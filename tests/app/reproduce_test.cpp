@@ -146,6 +146,25 @@ TEST_F(Reproduce, AnAdiabaticSequenceIsTheMeanOfThoseThatGotThere) {
   EXPECT_EQ(table.rows[2][1].text, "0.45 (1)") << "one of two";
 }
 
+TEST_F(Reproduce, PlainContactDynamicsHasOneStepForEverything) {
+  PaperScale scale = small();
+  make_plain(scale, 2e-3);
+  PaperJobs jobs(scale, folder_.path());
+  const RunGroup samples = jobs.samples();
+  jobs.shears(jobs.pistons(samples), 10, 5);
+  jobs.pulls(jobs.pushes(samples, 1), 1);
+  for (const Job& job : jobs.jobs()) {
+    const StepSettings& step = job.scenario.step;
+    EXPECT_EQ(step.dt, 2e-3) << job.id;
+    EXPECT_EQ(step.break_rule, BreakRule::geometric) << job.id;
+    EXPECT_FALSE(step.curvature_term) << job.id;
+    EXPECT_FALSE(step.max_turn) << job.id;
+    for (const Phase& phase : job.scenario.phases) EXPECT_FALSE(phase.dt) << job.id;
+  }
+  const Scenario& sample = jobs.jobs()[samples.runs[0]].scenario;
+  EXPECT_EQ(std::get<DepositPhase>(sample.phases[0].kind).interval, 2e-3);
+}
+
 TEST_F(Reproduce, AHigherSampleIsPressedMoreSlowly) {
   const auto ramp = [&](double height) {
     PaperScale scale = small();
@@ -263,6 +282,34 @@ TEST_F(Reproduce, StrengthIsPooledOverTheGrainsOfAllRuns) {
   EXPECT_NEAR(strength.against_depth->slope, 2, 1e-12);
   EXPECT_NEAR(strength.against_depth->intercept, 10, 1e-12);
   EXPECT_NEAR(strength.against_weight->slope, 0.4, 1e-12);
+}
+
+// The loose sample has 100 + 10 depth; the dense one of weak bonds, which is lower, 75 at 2 d and 125 at 4 d.
+TEST_F(Reproduce, StrengthsOfTwoCohesionForcesAreComparedAtTheSameDepth) {
+  PaperScale scale = small();
+  scale.realizations = 1;
+  PaperJobs jobs(scale, folder_.path());
+  const auto shear = make_shear_experiment();
+  shear->plan(jobs);
+  const StrengthRuns runs = plan_strength(jobs);
+  EXPECT_EQ(jobs.jobs()[runs.weak.runs[0]].scenario.grain_law.cohesion_force, 100);
+  const auto leave = [&](const RunGroup& group, const std::map<double, double>& strengths) {
+    Json forces = Json::array();
+    for (const auto& [depth, strength] : strengths)
+      forces.push_back({{"depth", depth},
+                        {"force_low", strength},
+                        {"force_high", strength},
+                        {"weight_above", depth}});
+    leave_results(jobs.jobs()[group.runs[0]], {{"critical_forces", forces}});
+  };
+  leave(runs.loose, {{4, 140}, {8, 180}, {12, 220}});
+  leave(runs.weak, {{2, 75}, {4, 125}});
+  leave(runs.strong, {{4, 1400}, {8, 1800}, {12, 2200}});
+  Section section;
+  Findings findings;
+  shear->report(PaperResults(jobs.jobs()), folder_.path(), section, findings);
+  EXPECT_NEAR(findings.at("shear.unperturbed.cohesion_effect").value, 130 / 100.0, 1e-12);
+  EXPECT_NEAR(findings.at("shear.unperturbed.strong_cohesion_effect").value, 10, 1e-12);
 }
 
 TEST(PaperStrength, IsConstantDownToWhereAStrengthLeavesTheMean) {
@@ -385,6 +432,15 @@ TEST_F(Reproduce, AnUnknownFigureIsRefusedWithTheNearest) {
   const Outcome outcome = reproduce({"penetrtion"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_NE(outcome.err.find("did you mean \"penetration\""), std::string::npos) << outcome.err;
+}
+
+TEST_F(Reproduce, TheComparisonOfRulesHasNoPlainForm) {
+  const Outcome refused = reproduce({"break_rule", "--plain", "0.002", "--dry-run"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("varies the rule itself"), std::string::npos) << refused.err;
+  const Outcome all = reproduce({"--plain", "0.002", "--dry-run"});
+  EXPECT_EQ(all.exit_code, 0) << all.err;
+  EXPECT_EQ(all.out.find("linearised"), std::string::npos) << all.out;
 }
 
 TEST_F(Reproduce, ATooSmallBoxIsRefused) {
