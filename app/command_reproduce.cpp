@@ -54,7 +54,7 @@ std::vector<Chosen> chosen(const ReproduceArguments& options) {
     if (std::ranges::find(names, word) == names.end())
       throw InputError("figure \"" + word + "\"", "is not known" + suggestion(word, names));
   std::vector<Chosen> all;
-  // Which compares with plain Contact Dynamics what it replaces.
+  // It sets the rules itself, plain Contact Dynamics among them, side by side.
   constexpr const char* kOfRules = "break_rule";
   const auto asked = [&](std::string_view name) {
     return std::ranges::find(options.figures, name) != options.figures.end();
@@ -95,6 +95,9 @@ PaperScale scale_of(const ReproduceArguments& options) {
     if (!values.empty()) by_default = values;
   };
   constexpr double kLeastStep = 1e-5, kMostStep = 0.1;
+  if (options.plain && (options.push_step || !options.time_steps.empty()))
+    throw InputError("--plain", std::string("sets the step of everything; leave out ") +
+                                    (options.push_step ? "--push-step" : "--time-steps"));
   if (options.plain)
     make_plain(scale, checked("--plain", *options.plain, kLeastStep, kMostStep, " sqrt(d/g)"));
   if (options.push_step)
@@ -205,8 +208,9 @@ Report report_of(const ReproduceArguments& options, const PaperJobs& jobs, const
         "cannot agree, and walls and ground are nearer.");
   if (scale.plain_step)
     report.intro.push_back(
-        "Plain Contact Dynamics: everything in fixed steps of " + number_text(*scale.plain_step) +
-        " sqrt(d/g), a grain a step; a bond breaks when its gap after the step's straight move "
+        "Plain Contact Dynamics: everything in steps of " + number_text(*scale.plain_step) +
+        " sqrt(d/g), halved only where one does not converge, a grain a step; a bond breaks when "
+        "its gap after the step's straight move "
         "is above d_c, so that it also breaks where its pair turns by more than √(2 d_c/d) in a "
         "step. What breaks depends on the step.");
   Findings findings;
@@ -295,7 +299,7 @@ Command add_reproduce(CLI::App& program) {
   command
       ->add_option(
           "--plain", options->plain,
-          "plain Contact Dynamics: everything in fixed steps of this, a grain a step; bonds break "
+          "plain Contact Dynamics: everything in steps of this, a grain a step; bonds break "
           "by their gap after a straight move")
       ->type_name("DT");
   command

@@ -25,7 +25,7 @@ Vec2 momentum(const World& world);
 std::vector<Pair> touching_pairs(const World& world);
 
 // Counts for each disk (nd): active bonds, broken bonds, initial bonds, touching contacts, loaded
-// contacts (positive normal impulse). Walls count as neighbours.
+// contacts (compressed, or an active bond). Walls count as neighbours.
 struct Neighbours {
   std::vector<int> active, broken, initial, initial_active, touching, loaded;
 };

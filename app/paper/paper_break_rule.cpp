@@ -1,7 +1,8 @@
 // Pushes under each break rule with smaller and smaller time steps, in a looser and a denser sample: which
 // settings, if any, give all of the paper's numbers together.
 //
-// A coarse step lets the linearised rule hold bonds against impacts, and the others break them; what does not depend on the step is where the rules meet.
+// A coarse step lets the linearised rule hold bonds against impacts, and the energy and geometric rules break them;
+// plain steps do both. What does not depend on the step is where the rules meet.
 #include <algorithm>
 #include <cmath>
 
@@ -114,7 +115,8 @@ class BreakRules : public PaperExperiment {
   Table table_of(const PaperResults& results) const {
     Table table{.caption =
                     "After the push, when everything rests, by the sample's volume fraction. "
-                    "Steps are dt, but halved until no bonded pair turns farther than max_turn.",
+                    "Steps are dt, but halved until no bonded pair turns farther than max_turn; "
+                    "plain ones are not.",
                 .columns = {{"sample"},
                             {"rule"},
                             {"dt [√(d/g)]", true},

@@ -2,6 +2,7 @@
 #include "app/json/json_reader.h"
 #include "app/paper/outcome_table.h"
 #include "app/paper/paper_experiments.h"
+#include "app/report/typeset_number.h"
 #include "core/contact_law.h"
 
 namespace quicksand {
@@ -24,10 +25,11 @@ class Choices : public PaperExperiment {
     push("friction 0.6", "friction_0.6", {{"contact.friction", 0.6}});
     // Effective radius over that of the reference, 2 r_a r_b/(r_a + r_b); grains are equal among themselves.
     const double reference = rolling_length(1, kGrain, kIntruder);
+    const ContactLaw& law = jobs.jobs()[samples.runs.front()].scenario.grain_law;
     push("rolling at the intruder by the mean of both radii", "rolling_mean",
-         at_intruder(jobs, (kGrain + kIntruder) / 2 / reference));
+         at_intruder(law, (kGrain + kIntruder) / 2 / reference));
     push("rolling at the intruder by the smaller radius", "rolling_smaller",
-         at_intruder(jobs, kGrain / reference));
+         at_intruder(law, kGrain / reference));
 
     for (const double force : {jobs.scale().push_forces.front(), kForce}) {
       const RunGroup pushed = jobs.pushes(samples, force);
@@ -42,8 +44,8 @@ class Choices : public PaperExperiment {
       pistons_.push_back({text, jobs.pistons(samples, tag, other)});
     };
     press("reference: " + number_text(load.force) + " F_c that rise over " +
-              number_text(load.ramp * jobs.scale().height) + " sqrt(d/g), " +
-              number_text(load.mass) + " grain masses on the paper's width",
+              typeset(load.ramp * jobs.scale().height) + " sqrt(d/g), " + number_text(load.mass) +
+              " grain masses on the paper's width",
           "", load);
     press("rising three times as slowly", "slow", {.ramp = 3 * load.ramp});
     press("half the force", "half", {.force = load.force / 2});
@@ -69,16 +71,15 @@ class Choices : public PaperExperiment {
                                           " times the push force."});
     section.blocks.emplace_back(piston_outcomes(
         results, "The same samples after the piston, under other loads.", pistons_, all_));
-    section.blocks.emplace_back(
-        Paragraph{"The paper has a volume fraction of " + paper("piston.after.volume_fraction") +
-                  ", " + paper("piston.active_of_contacts") + " active of contacts, " +
-                  paper("piston.remaining_of_initial") +
-                  " remaining of initial bonds and a coordination "
-                  "number of " +
-                  paper("piston.after.coordination") +
-                  ". Its load is not among the facts that we have of it. Choices of the deposition "
-                  "are in the "
-                  "section on samples, break rule and time step in one of their own."});
+    section.blocks.emplace_back(Paragraph{
+        "The paper has a volume fraction of " + paper("piston.after.volume_fraction") + ", " +
+        paper("piston.active_of_contacts") + " active of contacts, " +
+        paper("piston.remaining_of_initial") +
+        " remaining of initial bonds and a coordination "
+        "number of " +
+        paper("piston.after.coordination") +
+        ". Its load is not among the facts that we have of it. Choices of the deposition "
+        "are those of the figure samples, break rule and time step those of break_rule."});
   }
 
  private:
@@ -95,8 +96,7 @@ class Choices : public PaperExperiment {
   }
 
   // The law of the grains at the intruder, too, with its rolling friction times `factor`.
-  static ParameterValues at_intruder(const PaperJobs& jobs, double factor) {
-    const ContactLaw& law = jobs.jobs().front().scenario.grain_law;
+  static ParameterValues at_intruder(const ContactLaw& law, double factor) {
     return {{"intruder_contact",
              {{"friction", *law.friction},
               {"rolling_friction", factor * *law.rolling_friction},

@@ -50,6 +50,7 @@ PaperScale quick_scale() {
 
 void make_plain(PaperScale& scale, double step) {
   scale.plain_step = scale.push_step = scale.interval = step;
+  scale.denser_if_quicker = false;
 }
 
 ParameterValues dense_deposition() { return {{"step.dt", 1e-3}, {"phases[0].interval", 1e-3}}; }

@@ -22,7 +22,8 @@ struct PaperScale {
   std::vector<double> push_forces{0.1, 0.33, 0.67, 1, 2, 3};  // [F_c]
   double push_step = 1e-3;  // of pushes [sqrt(d/g)]; with 1e-2 many bonds too many break
   std::vector<double> time_steps{1e-2, 3e-3, 1e-3};  // for each break rule [sqrt(d/g)]
-  // Whether a quicker deposition makes a denser sample, which it does by its own weight: not in low boxes.
+  // Whether a quicker deposition makes a denser sample, which it does by its own weight: not in low boxes, nor where
+  // a grain a step is as quick.
   bool denser_if_quicker = true;
   std::vector<double> shear_depths{0.1, 0.25, 0.4, 0.55, 0.7};  // over the packing's height [1]
   int grains_per_depth = 10;
@@ -44,7 +45,7 @@ ParameterValues dense_deposition();
 
 // Runs that differ by their seed only, as indices into PaperJobs::jobs().
 struct RunGroup {
-  std::string name;               // "push_1.interval_0.05"
+  std::string name;               // "sample.push_1_friction_0.6"
   std::vector<std::size_t> runs;  // (realizations)
   ParameterValues laws;           // changes that hold for all that follows, such as friction
 };

@@ -4,6 +4,7 @@
 
 #include "app/json/json_reader.h"
 #include "app/paper/paper_experiments.h"
+#include "app/report/typeset_number.h"
 
 namespace quicksand {
 
@@ -17,25 +18,24 @@ struct Setting {
 };
 
 std::vector<Setting> settings(double interval) {
-  const auto every = [](double time) { return "a grain every " + number_text(time); };
-  return {
-      {"", "reference: " + every(interval) + ", no drop velocity"},
-      {kDenseDeposition, "a grain every 0.001, dt 0.001", {}, dense_deposition()},
-      {"adiabatic",
-       every(5 * interval) + ", or " + number_text(25 * interval) + " if that changes the density",
-       {},
-       {{"phases[0].adiabatic",
-         {{"factor", 5}, {"tolerance", 1e-3}, {"max_interval", 25 * interval}}}}},
-      {"drop_10", "drop velocity 10 √(gd)", {}, {{"phases[0].drop_velocity", 10}}},
-      {"rolling_0.05", "half the rolling friction", {{"contact.rolling_friction", 0.05}}},
-      {"rolling_0.02", "a fifth of the rolling friction", {{"contact.rolling_friction", 0.02}}},
-      {"polydisperse",
-       "diameters with 35 % deviation",
-       {},
-       {{"phases[0].polydispersity.deviation", 0.35}}},
-      {"capture_0.5", "capture radius 0.5 d", {}, {{"phases[0].capture_radius", 0.5}}},
-      {"cohesion_100", "cohesion force 100 F_g", {{"contact.cohesion_force", 100}}},
-      {"ballistic", "no dynamics: sticking where they touch", {}, {{"phases[0].interval", 0}}}};
+  const auto every = [](double time) { return "a grain every " + typeset(time); };
+  return {{"", "reference: " + every(interval) + ", no drop velocity"},
+          {kDenseDeposition, "a grain every 0.001, dt 0.001", {}, dense_deposition()},
+          {"adiabatic",
+           every(5 * interval) + ", or " + typeset(25 * interval) + " if that changes the density",
+           {},
+           {{"phases[0].adiabatic",
+             {{"factor", 5}, {"tolerance", 1e-3}, {"max_interval", 25 * interval}}}}},
+          {"drop_10", "drop velocity 10 √(gd)", {}, {{"phases[0].drop_velocity", 10}}},
+          {"rolling_0.05", "half the rolling friction", {{"contact.rolling_friction", 0.05}}},
+          {"rolling_0.02", "a fifth of the rolling friction", {{"contact.rolling_friction", 0.02}}},
+          {"polydisperse",
+           "diameters with 35 % deviation",
+           {},
+           {{"phases[0].polydispersity.deviation", 0.35}}},
+          {"capture_0.5", "capture radius 0.5 d", {}, {{"phases[0].capture_radius", 0.5}}},
+          {"cohesion_100", "cohesion force 100 F_g", {{"contact.cohesion_force", 100}}},
+          {"ballistic", "no dynamics: sticking where they touch", {}, {{"phases[0].interval", 0}}}};
 }
 
 // Places in the list.
@@ -101,7 +101,7 @@ class Samples : public PaperExperiment {
                    std::to_string(kWeak + 1) + ", of weaker bonds, is left out."});
     const std::vector<SlowerDeposit> sequence =
         adiabatic_sequence(results.runs(groups_[kAdiabatic]));
-    section.blocks.emplace_back(table_of(sequence));
+    if (!sequence.empty()) section.blocks.emplace_back(table_of(sequence));
     if (sequence.size() > 1)
       note(findings, "unperturbed.interval_effect", mean_over(sequence[1].changes));
     const auto find = [&](const char* id, std::size_t setting, const char* quantity) {
@@ -130,7 +130,7 @@ class Samples : public PaperExperiment {
   static std::vector<SlowerDeposit> adiabatic_sequence(const std::vector<const RunResults*>& runs) {
     std::vector<SlowerDeposit> sequence;
     for (const RunResults* run : runs) {
-      const Json& deposits = run->summary().at("adiabatic");
+      const Json deposits = run->summary().value("adiabatic", Json::array());
       sequence.resize(std::max(sequence.size(), deposits.size()));
       for (std::size_t k = 0; k < deposits.size(); ++k) {
         const Json& deposit = deposits[k];
@@ -145,17 +145,18 @@ class Samples : public PaperExperiment {
   }
 
   Table table_of(const std::vector<SlowerDeposit>& sequence) const {
-    Table table{
-        .caption = "Is a grain every " + number_text(interval_) +
-                   " slow enough? Whole samples from the same random numbers, each "
-                   "slower than the last, until the volume fraction changes by less than 0.1 %. "
-                   "When the last grain has come, before they settle.",
-        .columns = {{"a grain every [sqrt(d/g)]", true},
-                    {"volume fraction", true},
-                    {"coordination", true},
-                    {"change of the volume fraction, over it", true}}};
+    Table table{.caption = "Is a grain every " + number_text(interval_) +
+                           " slow enough? Whole samples from the same random numbers, each "
+                           "slower than the last, until the volume fraction changes by less than "
+                           "0.1 %, or up to 25 times the interval; "
+                           "the last row has only those that had not settled. When the last grain "
+                           "has come, before they settle.",
+                .columns = {{"a grain every [sqrt(d/g)]", true},
+                            {"volume fraction", true},
+                            {"coordination", true},
+                            {"change of the volume fraction, over it", true}}};
     for (const SlowerDeposit& slower : sequence)
-      table.rows.push_back({{.text = number_text(slower.interval)},
+      table.rows.push_back({{.text = typeset(slower.interval)},
                             cell_of(mean_over(slower.volume_fractions), all_),
                             cell_of(mean_over(slower.coordinations), all_),
                             cell_of(mean_over(slower.changes), all_)});

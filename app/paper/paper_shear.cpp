@@ -52,16 +52,8 @@ class Shear : public PaperExperiment {
                                        {"unperturbed, F_c = 10⁶ F_g", &strong},
                                        {"perturbed, friction 0.3", &compact},
                                        {"perturbed, friction 0.6", &rough}}));
-    section.blocks.emplace_back(
-        Paragraph{"That a hundredfold cohesion force changes the unperturbed strength little is "
-                  "read as said of samples made "
-                  "with F_c = 10² and 10⁴ F_g, since the paper gives the density of a sample made "
-                  "with 10²: bonds so "
-                  "weak let it fall in until it is dense, and friction replaces what bonds held. "
-                  "From 10⁴ to 10⁶ the network "
-                  "stays loose, and its bonds bend at a torque that is proportional to F_c. "
-                  "Compared at the mean depth of "
-                  "the shallower samples."});
+    if (loose.against_depth && !weak.depth.empty())
+      section.blocks.emplace_back(Paragraph{about_weak_bonds(loose, weak)});
     if (loose.grains + weak.grains + strong.grains > 0)
       section.blocks.emplace_back(Figure{
           plot("shear_unperturbed", "Shear strength of unperturbed samples",
@@ -76,7 +68,7 @@ class Shear : public PaperExperiment {
                       {{"friction 0.3", &compact}, {"friction 0.6", &rough}}),
                  "The same after the piston."});
     compare_perturbed(compact, rough, findings);
-    compare_unperturbed(loose, weak, strong, compact, findings);
+    compare_unperturbed(loose, strong, compact, findings);
   }
 
  private:
@@ -135,21 +127,33 @@ class Shear : public PaperExperiment {
     }
   }
 
-  static void compare_unperturbed(const PaperStrength& loose, const PaperStrength& weak,
-                                  const PaperStrength& strong, const PaperStrength& compact,
-                                  Findings& findings) {
-    if (!loose.against_depth) return;
-    const Line& line = *loose.against_depth;
-    findings["shear.unperturbed.intercept"] = measured(line.intercept / loose.mean(), {}, loose);
-    if (compact.against_depth)
-      findings["shear.unperturbed.slope"] =
-          measured(line.slope / compact.against_depth->slope, {}, loose);
-    if (!weak.depth.empty())
+  static void compare_unperturbed(const PaperStrength& loose, const PaperStrength& strong,
+                                  const PaperStrength& compact, Findings& findings) {
+    if (loose.against_depth) {
+      const Line& line = *loose.against_depth;
+      findings["shear.unperturbed.intercept"] = measured(line.intercept / loose.mean(), {}, loose);
+      if (compact.against_depth)
+        findings["shear.unperturbed.slope"] =
+            measured(line.slope / compact.against_depth->slope, {}, loose);
+    }
+    if (!loose.depth.empty() && !strong.depth.empty())
       findings["shear.unperturbed.cohesion_effect"] =
-          measured((line.intercept + line.slope * weak.mean_depth()) / weak.mean(), {}, weak);
-    if (!strong.depth.empty())
-      findings["shear.unperturbed.strong_cohesion_effect"] =
           measured(strong.mean() / loose.mean(), {}, strong);
+  }
+
+  static std::string about_weak_bonds(const PaperStrength& loose, const PaperStrength& weak) {
+    const double depth = weak.mean_depth();
+    return "The paper says that a hundredfold cohesion force changes the unperturbed strength "
+           "little. The table of "
+           "numbers reads that of 10⁴ and 10⁶ F_g. It may speak of 10² and 10⁴, since the paper "
+           "gives the density "
+           "of a sample made with 10², whose bonds are so weak that it falls in until it is dense: "
+           "at the mean depth "
+           "of its grains, " +
+           typeset(depth) + " d, its mean strength is " + typeset(weak.mean()) +
+           " F_g, and the line of 10⁴ has " +
+           typeset(loose.against_depth->intercept + loose.against_depth->slope * depth) +
+           " F_g there.";
   }
 
   StrengthRuns runs_;

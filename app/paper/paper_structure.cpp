@@ -79,7 +79,9 @@ class StructureOfSamples : public PaperExperiment {
                   .y = {.label = "density", .unit = "1/F_c", .logarithmic = true},
                   .legend = LegendPlace::below};
     Table counts{
-        .caption = "What counts as a contact: neighbours of a grain, and shares of active bonds.",
+        .caption =
+            "What counts as a contact: neighbours of a grain, and active bonds over them (a "
+            "contact between grains counts for both, one with a wall or the intruder once).",
         .columns = {{"state"},
                     {"touching (here)", true},
                     {"of grains that touch any", true},
@@ -142,7 +144,7 @@ class StructureOfSamples : public PaperExperiment {
     const auto add = [&](auto quantity) {
       std::vector<double> values;
       for (const ContactCounts& c : counts)
-        if (c.touching > 0) values.push_back(quantity(c));
+        if (c.loaded > 0) values.push_back(quantity(c));
       row.push_back(cell_of(mean_over(values), all_));
     };
     add([](const ContactCounts& c) { return c.touching; });
