@@ -1,4 +1,4 @@
-// The paper's experiments: how their runs are chained and shared, and the report.
+// The paper's experiments: what is found in their results, and the command with its report.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -6,115 +6,20 @@
 #include "app/paper/paper_experiments.h"
 #include "app/paper/paper_strength.h"
 #include "app/paper/push_speed.h"
-#include "app/scene/scenario_json.h"
-#include "core/contact_law.h"
 #include "core/errors.h"
-#include "core/whole_file.h"
 #include "tests/support/files.h"
-#include "tests/support/program_fixture.h"
+#include "tests/support/paper_fixture.h"
 
 namespace quicksand::test {
 namespace {
 
-class Reproduce : public ProgramFixture {
+class Reproduce : public PaperFixture {
  protected:
-  PaperScale small() const {
-    PaperScale scale = quick_scale();
-    scale.width = 12;
-    scale.height = 20;
-    return scale;
-  }
   Outcome reproduce(std::vector<std::string> words) const {
     words.insert(words.begin(), "reproduce");
     return quicksand(words);
   }
-  // As a run that finished leaves it.
-  static void leave_results(const Job& job, const Json& summary,
-                            const std::string& series = "time,step,phase\n0,0,push\n") {
-    std::filesystem::create_directories(job.folder.path);
-    write_whole(job.folder.scene(), to_text(job.scenario));
-    write_whole(job.folder.series(), series);
-    Json all = summary;
-    all["finished"] = true;
-    all["version"] = "0";
-    write_whole(job.folder.summary(), all.dump());
-  }
 };
-
-TEST_F(Reproduce, EachPushStartsFromTheSampleOfItsSeed) {
-  PaperJobs jobs(small(), folder_.path());
-  const RunGroup samples = jobs.samples();
-  const RunGroup pushes = jobs.pushes(samples, 0.33);
-  ASSERT_EQ(pushes.runs.size(), 2U);
-  for (std::size_t k = 0; k < 2; ++k) {
-    const Job& push = jobs.jobs()[pushes.runs[k]];
-    const Job& sample = jobs.jobs()[samples.runs[k]];
-    EXPECT_EQ(*push.after, samples.runs[k]);
-    EXPECT_EQ(push.scenario.start_from, sample.folder.state().string());
-    EXPECT_EQ(push.scenario.seed, sample.scenario.seed);
-    EXPECT_EQ(std::get<PushPhase>(push.scenario.phases[0].kind).force, 0.33 * 1e4);
-  }
-  EXPECT_NE(jobs.jobs()[samples.runs[0]].scenario.seed, jobs.jobs()[samples.runs[1]].scenario.seed);
-}
-
-TEST_F(Reproduce, RunsThatTwoFiguresNeedAreMadeOnce) {
-  PaperJobs jobs(small(), folder_.path());
-  make_penetration_experiment()->plan(jobs);
-  const std::size_t alone = jobs.jobs().size();
-  make_velocity_experiment()->plan(jobs);
-  const std::size_t with_thresholds = alone + 2;
-  EXPECT_EQ(jobs.jobs().size(), with_thresholds);
-  make_pull_out_experiment()->plan(jobs);
-  EXPECT_EQ(jobs.jobs().size(), with_thresholds + 2 * quick_scale().push_forces.size());
-}
-
-TEST_F(Reproduce, LawsOfASampleHoldForAllThatFollows) {
-  PaperJobs jobs(small(), folder_.path());
-  const RunGroup rough = jobs.samples("friction_0.6", {{"contact.friction", 0.6}});
-  const RunGroup shears = jobs.shears(jobs.pistons(rough), 10, 5);
-  EXPECT_EQ(jobs.jobs()[shears.runs[0]].scenario.grain_law.friction, 0.6);
-  const RunGroup usual = jobs.shears(jobs.pistons(jobs.samples()), 10, 5);
-  EXPECT_EQ(jobs.jobs()[usual.runs[0]].scenario.grain_law.friction, 0.3);
-}
-
-// A bond is restored with the chance 1 - exp(-waited/healing_time).
-TEST_F(Reproduce, AnIntruderIsPulledOutWithAllBondsRestoredOrSome) {
-  PaperJobs jobs(small(), folder_.path());
-  const RunGroup pushes = jobs.pushes(jobs.samples(), 1);
-  const auto heal = [&](double restored) {
-    const RunGroup pulls = jobs.pulls(pushes, 1, restored);
-    return std::get<HealPhase>(jobs.jobs()[pulls.runs[0]].scenario.phases[0].kind);
-  };
-  EXPECT_FALSE(heal(1).waited);
-  EXPECT_EQ(heal(0).waited, 0.0);
-  EXPECT_DOUBLE_EQ(std::exp(-*heal(0.5).waited / *heal(0.5).healing_time), 0.5);
-}
-
-TEST_F(Reproduce, ARollingRadiusIsChosenByTheLawOfTheIntruder) {
-  PaperJobs jobs(small(), folder_.path());
-  make_choices_experiment()->plan(jobs);
-  const auto rolling_at_intruder = [&](const std::string& tag) {
-    const RunGroup pushes = jobs.pushes(jobs.samples(), 1, tag);
-    const Scenario& scene = jobs.jobs()[pushes.runs[0]].scenario;
-    const ContactLaw& law = scene.intruder_law.value_or(scene.grain_law);
-    EXPECT_EQ(law.cohesion_range, scene.grain_law.cohesion_range);
-    return rolling_length(*law.rolling_friction, 0.5, 1.5);
-  };
-  EXPECT_DOUBLE_EQ(rolling_at_intruder(""), 0.1 * 0.75);
-  EXPECT_DOUBLE_EQ(rolling_at_intruder("rolling_mean"), 0.1 * 1);
-  EXPECT_DOUBLE_EQ(rolling_at_intruder("rolling_smaller"), 0.1 * 0.5);
-}
-
-// The pressure and the mass behind it are those on the paper's width.
-TEST_F(Reproduce, ANarrowPistonIsAsMuchLighter) {
-  PaperScale scale = small();
-  scale.width = 25.5;
-  PaperJobs jobs(scale, folder_.path());
-  const RunGroup pressed = jobs.pistons(jobs.samples(), "heavy", {.force = 30, .mass = 20000});
-  const auto& piston = std::get<PistonPhase>(jobs.jobs()[pressed.runs[0]].scenario.phases[0].kind);
-  EXPECT_DOUBLE_EQ(piston.mass, 10000);
-  EXPECT_DOUBLE_EQ(piston.force, 15 * 1e4);
-}
 
 // Two seeds; the density of the first changes twice, that of the second settles at once.
 TEST_F(Reproduce, AnAdiabaticSequenceIsTheMeanOfThoseThatGotThere) {
@@ -144,48 +49,6 @@ TEST_F(Reproduce, AnAdiabaticSequenceIsTheMeanOfThoseThatGotThere) {
   const Table& table = std::get<Table>(section.blocks.back());
   ASSERT_EQ(table.rows.size(), 3U);
   EXPECT_EQ(table.rows[2][1].text, "0.45 (1)") << "one of two";
-}
-
-TEST_F(Reproduce, PlainContactDynamicsHasOneStepForEverything) {
-  PaperScale scale = small();
-  make_plain(scale, 2e-3);
-  PaperJobs jobs(scale, folder_.path());
-  const RunGroup samples = jobs.samples();
-  jobs.shears(jobs.pistons(samples), 10, 5);
-  jobs.pulls(jobs.pushes(samples, 1), 1);
-  for (const Job& job : jobs.jobs()) {
-    const StepSettings& step = job.scenario.step;
-    EXPECT_EQ(step.dt, 2e-3) << job.id;
-    EXPECT_EQ(step.break_rule, BreakRule::geometric) << job.id;
-    EXPECT_FALSE(step.curvature_term) << job.id;
-    EXPECT_FALSE(step.max_turn) << job.id;
-    for (const Phase& phase : job.scenario.phases) EXPECT_FALSE(phase.dt) << job.id;
-  }
-  const Scenario& sample = jobs.jobs()[samples.runs[0]].scenario;
-  EXPECT_EQ(std::get<DepositPhase>(sample.phases[0].kind).interval, 2e-3);
-}
-
-TEST_F(Reproduce, AHigherSampleIsPressedMoreSlowly) {
-  const auto ramp = [&](double height) {
-    PaperScale scale = small();
-    scale.height = height;
-    PaperJobs jobs(scale, folder_.path());
-    const RunGroup pressed = jobs.pistons(jobs.samples());
-    const Scenario& scene = jobs.jobs()[pressed.runs[0]].scenario;
-    return std::get<PistonPhase>(scene.phases[0].kind).ramp_time;
-  };
-  EXPECT_DOUBLE_EQ(ramp(199), 2 * ramp(99.5));
-  EXPECT_GE(ramp(199), 19);
-}
-
-TEST_F(Reproduce, EveryFigureIsMadeOfScenesThatCanRun) {
-  for (const PaperFigure& figure : paper_figures()) {
-    PaperJobs jobs(PaperScale{}, folder_.path());
-    figure.make()->plan(jobs);
-    EXPECT_GT(jobs.jobs().size(), 0U) << figure.name;
-    for (const Job& job : jobs.jobs())
-      EXPECT_EQ(to_text(scenario_from_json(to_json(job.scenario))), to_text(job.scenario));
-  }
 }
 
 // On the ground the depth is the same with and without drag; the bonds are not.
