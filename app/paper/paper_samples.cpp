@@ -39,7 +39,7 @@ std::vector<Setting> settings(double interval) {
 }
 
 // Places in the list.
-constexpr std::size_t kAdiabatic = 2, kWeak = 8;
+constexpr std::size_t kAdiabatic = 2, kWeakBonds = 8;
 
 class Samples : public PaperExperiment {
  public:
@@ -79,7 +79,7 @@ class Samples : public PaperExperiment {
                             cell_of(coordination, all_),
                             cell_of(results.mean(groups_[k], "active_bond_fraction"), all_)});
       // Another material, far from the others.
-      if (!density || k == kWeak) continue;
+      if (!density || k == kWeakBonds) continue;
       points.x.push_back(density->value);
       points.y.push_back(coordination->value);
       points.x_error.push_back(density->standard_error.value_or(0));
@@ -98,7 +98,7 @@ class Samples : public PaperExperiment {
         Figure{std::move(plot),
                "Each deposition's volume fraction and coordination number. The paper's "
                "sample lies where the two bands cross. Number " +
-                   std::to_string(kWeak + 1) + ", of weaker bonds, is left out."});
+                   std::to_string(kWeakBonds + 1) + ", of weaker bonds, is left out."});
     const std::vector<SlowerDeposit> sequence =
         adiabatic_sequence(results.runs(groups_[kAdiabatic]));
     if (!sequence.empty()) section.blocks.emplace_back(table_of(sequence));
@@ -110,8 +110,8 @@ class Samples : public PaperExperiment {
     find("unperturbed.volume_fraction", 0, "volume_fraction");
     find("unperturbed.coordination", 0, "coordination");
     find("unperturbed.active_bond_fraction", 0, "active_bond_fraction");
-    find("unperturbed.cohesion_1e2.volume_fraction", kWeak, "volume_fraction");
-    find("unperturbed.cohesion_1e2.coordination", kWeak, "coordination");
+    find("unperturbed.cohesion_1e2.volume_fraction", kWeakBonds, "volume_fraction");
+    find("unperturbed.cohesion_1e2.coordination", kWeakBonds, "coordination");
     // Before it is let go: in a high box it falls in.
     const RunGroup& sticking = groups_[all.size() - 1];
     note(findings, "literature.ballistic.volume_fraction",

@@ -98,7 +98,7 @@ std::vector<Curve> strength_curves(const PaperStrength& strength, const std::str
 StrengthRuns plan_strength(PaperJobs& jobs) {
   // About where the packings end, over the height of the box: deposited, after the piston, and deposited with bonds
   // so weak that the deposit is dense.
-  constexpr double kLoose = 0.9, kCompact = 0.5, kWeak = 0.55;
+  constexpr double kLooseTop = 0.9, kCompactTop = 0.5, kWeakTop = 0.55;
   constexpr double kFirstForce = 100;  // of the first trials [F_g]
   const double height = jobs.scale().height;
   const RunGroup usual = jobs.samples();
@@ -108,11 +108,11 @@ StrengthRuns plan_strength(PaperJobs& jobs) {
   const RunGroup weak = with_cohesion("cohesion_100", 100);
   const RunGroup strong = with_cohesion("cohesion_1e6", 1e6);
   const RunGroup rough = jobs.samples("friction_0.6", {{"contact.friction", 0.6}});
-  return {.loose = jobs.shears(usual, kLoose * height, kFirstForce),
-          .weak = jobs.shears(weak, kWeak * height, kFirstForce),
-          .strong = jobs.shears(strong, kLoose * height, kFirstForce),
-          .compact = jobs.shears(jobs.pistons(usual), kCompact * height, kFirstForce),
-          .compact_rough = jobs.shears(jobs.pistons(rough), kCompact * height, kFirstForce)};
+  return {.loose = jobs.shears(usual, kLooseTop * height, kFirstForce),
+          .weak = jobs.shears(weak, kWeakTop * height, kFirstForce),
+          .strong = jobs.shears(strong, kLooseTop * height, kFirstForce),
+          .compact = jobs.shears(jobs.pistons(usual), kCompactTop * height, kFirstForce),
+          .compact_rough = jobs.shears(jobs.pistons(rough), kCompactTop * height, kFirstForce)};
 }
 
 }  // namespace quicksand
