@@ -25,7 +25,7 @@ class Choices : public PaperExperiment {
     push("friction 0.6", "friction_0.6", {{"contact.friction", 0.6}});
     // Effective radius over that of the reference, 2 r_a r_b/(r_a + r_b); grains are equal among themselves.
     const double reference = rolling_length(1, kGrain, kIntruder);
-    const ContactLaw& law = jobs.jobs()[samples.runs.front()].scenario.grain_law;
+    const ContactLaw law = jobs.jobs()[samples.runs.front()].scenario.grain_law;
     push("rolling at the intruder by the mean of both radii", "rolling_mean",
          at_intruder(law, (kGrain + kIntruder) / 2 / reference));
     push("rolling at the intruder by the smaller radius", "rolling_smaller",
