@@ -201,7 +201,8 @@ Report report_of(const ReproduceArguments& options, const PaperJobs& jobs, const
       .intro = {"Every number of the paper beside ours, and how each was obtained. Boxes of " +
                 number_text(scale.width) + " x " + number_text(scale.height) + " d, " +
                 std::to_string(scale.realizations) +
-                " realizations; the paper has 51 x 199 d and 10."}};
+                (scale.realizations == 1 ? " realization" : " realizations") +
+                "; the paper has 51 x 199 d and 10."}};
   if (scale.width != PaperScale{}.width || scale.height != PaperScale{}.height)
     report.intro.emplace_back(
         "The box is smaller than the paper's: depths, heights and what depends on the weight above "
