@@ -10,6 +10,7 @@
 #include "app/exit_code.h"
 #include "app/json/json_reader.h"
 #include "app/nearest_name.h"
+#include "app/paper/findings_file.h"
 #include "app/paper/paper_experiments.h"
 #include "app/report/provenance.h"
 #include "app/threads_option.h"
@@ -21,6 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view kNscd = "nscd";
 constexpr int kMostRealizations = 1000, kMostGrains = 1000;
 
 struct ReproduceArguments {
@@ -29,6 +31,8 @@ struct ReproduceArguments {
   std::optional<double> width, height;
   std::vector<double> push_forces, time_steps;
   std::optional<double> push_step, plain;
+  std::string method = "exact";
+  std::optional<fs::path> beside;  // folder of another method's results
   std::optional<int> grains_per_depth;
   fs::path out = "out/paper";
   std::int64_t threads = 0;  // 0: all cores
@@ -63,7 +67,16 @@ std::vector<Chosen> chosen(const ReproduceArguments& options) {
     throw InputError(
         "--plain",
         "leaves nothing to compare for the figure break_rule, which varies the rule itself");
+  if (options.method == kNscd && asked(kOfRules))
+    throw InputError("--method nscd",
+                     "has one failure criterion; figure break_rule compares those "
+                     "of exact steps");
   for (const PaperFigure& figure : paper_figures()) {
+    // Unless it is asked for: what another method is about, or what none of them needs.
+    if (options.figures.empty() &&
+        (figure.name == "nscd_setting" ||
+         (options.method == kNscd && (figure.name == kOfRules || figure.name == "choices"))))
+      continue;
     if (options.figures.empty() ? options.plain && figure.name == kOfRules : !asked(figure.name))
       continue;
     all.push_back({&figure, figure.make()});
@@ -100,6 +113,13 @@ PaperScale scale_of(const ReproduceArguments& options) {
                                     (options.push_step ? "--push-step" : "--time-steps"));
   if (options.plain)
     make_plain(scale, checked("--plain", *options.plain, kLeastStep, kMostStep, " sqrt(d/g)"));
+  if (options.method == kNscd) {
+    if (options.plain || options.push_step)
+      throw InputError("--method nscd", std::string("has time steps of its own; leave out ") +
+                                            (options.plain ? "--plain" : "--push-step"));
+    make_nscd(scale, NscdSetting{});
+    if (!options.grains_per_depth) scale.grains_per_depth = 1;
+  }
   if (options.push_step)
     scale.push_step =
         checked("--push-step", *options.push_step, kLeastStep, kMostStep, " sqrt(d/g)");
@@ -124,6 +144,8 @@ std::string command_of(const ReproduceArguments& options) {
     for (const double value : values) list += (list.empty() ? "" : ",") + number_text(value);
     if (!values.empty()) add(name, list);
   };
+  if (options.method != "exact") add("--method", options.method);
+  if (options.beside) add("--beside", options.beside->string());
   if (options.plain) add("--plain", number_text(*options.plain));
   if (options.push_step) add("--push-step", number_text(*options.push_step));
   add_list("--push-forces", options.push_forces);
@@ -132,6 +154,10 @@ std::string command_of(const ReproduceArguments& options) {
     add("--grains-per-depth", std::to_string(*options.grains_per_depth));
   add("--out", options.out.string());
   return command_text(words);
+}
+
+std::string method_name(const ReproduceArguments& options) {
+  return options.plain ? "exact steps, gap criterion" : options.method;
 }
 
 double seconds_of(const PaperResults& results, std::size_t jobs) {
@@ -207,6 +233,18 @@ Report report_of(const ReproduceArguments& options, const PaperJobs& jobs, const
     report.intro.emplace_back(
         "The box is smaller than the paper's: depths, heights and what depends on the weight above "
         "cannot agree, and walls and ground are nearer.");
+  if (scale.nscd)
+    report.intro.push_back(
+        "By the paper's own method, standard nonsmooth contact dynamics (NSCD): " +
+        std::to_string(scale.nscd->sweeps) +
+        " sweeps of projected Gauss-Seidel a step in random order, taken as they are, in steps "
+        "of " +
+        number_text(scale.nscd->deposit_step) + " (deposition) and " +
+        number_text(scale.nscd->fast_step) +
+        " sqrt(d/g) (all else). A bond fails where the gap after the step is above d_c, whether "
+        "the "
+        "step converged or not; while grains are deposited every touch forms a bond. The numbers "
+        "depend on sweeps and time step.");
   if (scale.plain_step)
     report.intro.push_back(
         "Plain Contact Dynamics: everything in steps of " + number_text(*scale.plain_step) +
@@ -232,7 +270,13 @@ Report report_of(const ReproduceArguments& options, const PaperJobs& jobs, const
       Paragraph{std::to_string(count.inside) + " inside the stated tolerance, " +
                 std::to_string(count.outside) + " outside, " + std::to_string(count.not_measured) +
                 (all_figures ? " not measured." : " not measured and left out here.")});
-  if (!targets.targets.empty()) comparison.blocks.emplace_back(comparison_table(targets, findings));
+  write_findings(options.out / "findings.json", method_name(options), findings);
+  if (!targets.targets.empty()) {
+    if (options.beside)
+      comparison.blocks.emplace_back(comparison_of_methods(
+          targets, {{method_name(options), findings}, read_findings(*options.beside)}));
+    comparison.blocks.emplace_back(comparison_table(targets, findings));
+  }
   report.sections.push_back(std::move(comparison));
   std::ranges::move(figures, std::back_inserter(report.sections));
   report.sections.push_back(section_on_runs(jobs, pool, results));
@@ -297,6 +341,16 @@ Command add_reproduce(CLI::App& program) {
       ->add_option("--push-step", options->push_step,
                    "time step of pushes [0.001 sqrt(d/g); quick: 0.01]")
       ->type_name("DT");
+  command
+      ->add_option("--method", options->method,
+                   "exact: every step solved; nscd: the paper's own, standard nonsmooth contact "
+                   "dynamics [exact]")
+      ->check(CLI::IsMember({"exact", "nscd"}))
+      ->type_name("METHOD");
+  command
+      ->add_option("--beside", options->beside,
+                   "findings.json of another method's report, for a column of its own")
+      ->type_name("FILE");
   command
       ->add_option(
           "--plain", options->plain,

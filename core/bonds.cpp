@@ -25,6 +25,11 @@ void Bonds::form(const std::vector<Pair>& pairs) {
   formed += static_cast<std::int64_t>(pairs.size());
 }
 
+void Bonds::form_again(Bond& bond) {
+  bond.state = BondState::active;
+  ++formed;
+}
+
 void Bonds::heal(const std::vector<Pair>& pairs) {
   std::vector<Pair> unlisted;
   for (const Pair& pair : pairs) {

@@ -1,7 +1,8 @@
 // The memory of the bonds: which pairs are bonded, which were and are broken for good.
 //
 // A bond is formed at first touch while bonding is on. It is active until its gap passes the
-// cohesion range; then it is broken and never comes back by itself: only healing restores it.
+// cohesion range; then it is broken and never comes back by itself: only healing restores it, or a
+// touch in a phase that says that every touch does.
 #pragma once
 
 #include <vector>
@@ -39,6 +40,8 @@ struct Bonds {
   const Bond* find(Pair pair) const { return const_cast<Bonds*>(this)->find(pair); }
   // Adds active bonds for these sorted pairs, none of which may be listed yet.
   void form(const std::vector<Pair>& pairs);
+  // A broken bond, active again by a touch; counts as formed. Its initial mark stays as it is.
+  void form_again(Bond& bond);
   // Makes the bonds of these sorted pairs, each once, active again; adds those that are not listed. None
   // may be active. Initial marks stay as they are, and new bonds have none.
   void heal(const std::vector<Pair>& pairs);

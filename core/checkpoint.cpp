@@ -24,7 +24,7 @@ using Reader = CheckpointReader;
 static_assert(std::endian::native == std::endian::little, "arrays are stored little-endian");
 
 constexpr const char* kFormat = "quicksand checkpoint";
-constexpr int kVersion = 4;
+constexpr int kVersion = 5, kOldestVersion = 4;
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{4} << 30U;  // [bytes]
 // Memory that reading takes: the bytes are there as they are, as JSON and as a world.
 constexpr double kBytesPerByte = 4;
@@ -106,6 +106,7 @@ void describe_world(Archive& archive, World& world) {
   archive.value("time", world.time);
   archive.value("step", world.step);
   archive.value("random", world.random.state);
+  archive.added("rebonding", world.rebonding);
   archive.array("way", world.way.places);
   archive.value("way_surface", world.way.surface);
 }
@@ -131,6 +132,13 @@ void describe_protocol(Archive& archive, State& state) {
   archive.value("energy_dissipated", state.energy_dissipated);
   archive.value("energy_gained", state.energy_gained);
   archive.value("trial_start", state.trial_start);
+  const auto describe_errors = [&](const char* name, auto& histogram) {
+    archive.added((std::string(name) + "_counts").c_str(), histogram.counts);
+    archive.added((std::string(name) + "_largest").c_str(), histogram.largest);
+  };
+  describe_errors("sweep_residual", state.sweep_errors.residual);
+  describe_errors("sweep_bond_gap", state.sweep_errors.bond_gap);
+  describe_errors("sweep_penetration", state.sweep_errors.penetration);
 }
 
 void write_world(Writer& w, const World& world) {
@@ -143,6 +151,7 @@ void write_world(Writer& w, const World& world) {
       world.drag ? std::vector<double>{world.drag->linear, world.drag->quadratic}
                  : std::vector<double>{};
   w.array("drag", drag);
+  if (world.sweep_random) w.value("sweep_random", world.sweep_random->state);
   Columns bonds, contacts, walls;
   for (const Bond& bond : world.bonds.list) {
     bonds.a.push_back(bond.pair.a), bonds.b.push_back(bond.pair.b);
@@ -197,6 +206,12 @@ World world_from(const Json& json) {
   reader.array("drag", drag);
   require(drag.empty() || drag.size() == 2, "drag is not two numbers");
   if (drag.size() == 2) world.drag = Drag{.linear = drag[0], .quadratic = drag[1]};
+
+  if (json.contains("sweep_random")) {
+    std::uint64_t state = 0;
+    reader.value("sweep_random", state);
+    world.sweep_random = Random{state};
+  }
 
   Columns bonds, contacts, walls;
   reader.object("bonds", [&](Reader& a) { describe_bonds(a, bonds); });
@@ -296,9 +311,10 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
     const Json json = Json::from_cbor(content);
     require(json.is_object() && json.value("format", "") == kFormat, "this is no checkpoint");
     const int version = json.at("version").get<int>();
-    if (version != kVersion)
+    if (version < kOldestVersion || version > kVersion)
       throw OtherVersion(path.string(), "its format version is " + std::to_string(version) +
-                                            ", this program reads version " +
+                                            ", this program reads versions " +
+                                            std::to_string(kOldestVersion) + " to " +
                                             std::to_string(kVersion));
     Checkpoint checkpoint;
     checkpoint.scene = json.at("scene").get<std::string>();

@@ -20,6 +20,11 @@ class CheckpointWriter {
   void value(const char* key, const T& x) {
     json_[key] = x;
   }
+  // A value that earlier versions of the format do not have: who reads one of these keeps its own.
+  template <class T>
+  void added(const char* key, const T& x) {
+    value(key, x);
+  }
   template <class E>
   void word(const char* key, const E& x) {
     json_[key] = static_cast<int>(x);
@@ -67,6 +72,10 @@ class CheckpointReader {
   template <class T>
   void value(const char* key, T& x) {
     json_.at(key).get_to(x);
+  }
+  template <class T>
+  void added(const char* key, T& x) {
+    if (json_.contains(key)) value(key, x);
   }
   template <class E>
   void word(const char* key, E& x) {

@@ -52,8 +52,8 @@ bool possible(const Search& search) {
   const ForceBracket& bracket = search.bracket;
   if (search.kind > SearchKind::push || (search.kind != SearchKind::none) != !!search.base)
     return false;
-  if (!positive(bracket.first) || !not_negative(bracket.low) || bracket.trials < 0 ||
-      !positive(bracket.high.value_or(1)) || !not_negative(search.interval) ||
+  if (!positive(bracket.first) || !not_negative(bracket.low) || !not_negative(bracket.held) ||
+      bracket.trials < 0 || !positive(bracket.high.value_or(1)) || !not_negative(search.interval) ||
       !not_negative(search.force))
     return false;
   if (is_of_force(search.kind) && search.trial_runs && search.targets.empty()) return false;
@@ -91,6 +91,11 @@ bool pairs_in_order(const World& world, const std::vector<Item>& items) {
   return true;
 }
 
+bool possible(const LogHistogram& histogram) {
+  return (histogram.counts.empty() || histogram.counts.size() == LogHistogram::kBins + 1) &&
+         std::ranges::all_of(histogram.counts, [](std::int64_t n) { return n >= 0; });
+}
+
 const char* impossible(const World& world) {
   if (world.box.sides > Sides::walls || !not_negative(world.box.width) ||
       !finite(world.box.height) || (world.box.sides != Sides::open && world.box.width == 0))
@@ -122,6 +127,9 @@ const char* impossible(const Checkpoint& checkpoint) {
   if (protocol.phase < 0 ||
       !finite(protocol.phase_start, protocol.next_drop, protocol.rest_since, protocol.trial_start))
     return "the protocol stands nowhere";
+  const SweepErrors& errors = protocol.sweep_errors;
+  if (!possible(errors.residual) || !possible(errors.bond_gap) || !possible(errors.penetration))
+    return "no such distribution of errors";
   if (!possible(protocol.search)) return "no such search";
   if (!all_possible(protocol.critical_forces) || !all_possible(protocol.adiabatic_deposits))
     return "a number that a search found is not possible";

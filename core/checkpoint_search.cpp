@@ -19,6 +19,7 @@ void describe_present(Archive& archive, Search& search) {
   archive.value("first", search.bracket.first);
   archive.value("low", search.bracket.low);
   archive.optional("high", search.bracket.high);
+  archive.added("held", search.bracket.held);
   archive.value("trials", search.bracket.trials);
   archive.value("undecided", search.undecided);
   archive.value("interval", search.interval);
@@ -36,6 +37,7 @@ void describe_results(Archive& archive, State& state) {
     a.value("weight_above", found.weight_above);
     a.value("force_low", found.force_low);
     a.optional("force_high", found.force_high);
+    a.added("force_held", found.force_held);
     a.value("trials", found.trials);
     a.value("undecided", found.undecided);
   });

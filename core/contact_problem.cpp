@@ -83,7 +83,7 @@ double contact_reach(const World& world, const std::vector<Vec3>& free_velocity,
 
 void find_contacts(const World& world, const std::vector<Pair>& candidates,
                    const std::vector<Vec3>& free_velocity, double dt,
-                   std::vector<Contact>& contacts) {
+                   std::vector<Contact>& contacts, NewBond new_bond) {
   contacts.clear();
   const double reach = contact_reach(world, free_velocity, dt);
   const double scale = world.impulse_dt > 0 ? dt / world.impulse_dt : 0;
@@ -110,7 +110,10 @@ void find_contacts(const World& world, const std::vector<Pair>& candidates,
     const ContactLaw& law = world.law(pair);
     if (bonded) contact.cohesion = law.cohesion_force.value_or(0);
     if (contact.cohesion > 0) contact.turning = turning_rate(world, contact, world.disks.velocity);
-    if (old == world.contacts.end() || old->pair != pair) continue;
+    if (old == world.contacts.end() || old->pair != pair) {
+      if (new_bond == NewBond::balanced) contact.impulse.x() = dt * contact.cohesion;
+      continue;
+    }
     contact.impulse = scale * old->impulse;
     if (!law.friction) contact.impulse.y() = 0;
     if (!law.rolling_friction) contact.impulse.z() = 0;
@@ -198,7 +201,8 @@ void build_problem(const World& world, const std::vector<Contact>& contacts,
     row.gap_tolerance = contact.cohesion == 0 ? kPlainGapTolerance : 0.1 * law.cohesion_range;
     if (std::abs(contact.gap) > std::min(kLeastGap, kLeastGapShare * row.gap_tolerance))
       row.offset.x() = contact.gap / dt;
-    if (contact.cohesion == 0) continue;
+    row.cohesive = contact.cohesion > 0;
+    if (!row.cohesive) continue;
 
     strongest_bond = std::max(strongest_bond, contact.cohesion);
     if (step.curvature_term) row.offset.x() += dt * contact.turning / 2;

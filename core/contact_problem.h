@@ -36,10 +36,12 @@ double contact_reach(const World& world, const std::vector<Vec3>& free_velocity,
 // others: bonded pairs, and those that may touch within the step (judged by the free velocities). They depend
 // on the world alone, not on how many pairs farther apart a list happens to hold. Impulses are inherited from
 // world.contacts by pair, as far as the law still has them, and scaled to the new step; bonds are taken to turn as
-// they did before. Sorted by pair.
+// they did before. A bonded pair that has none begins with N = 0, or with the N = F_c dt that balances its cohesion:
+// a solver that stops early would leave the difference as a force. Sorted by pair.
+enum class NewBond : std::uint8_t { from_zero, balanced };
 void find_contacts(const World& world, const std::vector<Pair>& candidates,
                    const std::vector<Vec3>& free_velocity, double dt,
-                   std::vector<Contact>& contacts);
+                   std::vector<Contact>& contacts, NewBond new_bond = NewBond::from_zero);
 
 // Adds to `contacts` the candidates that are not contacts but would overlap by more than `tolerance`
 // [d] after moving with `velocity` (nd + nw). Returns how many were added.

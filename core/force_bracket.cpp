@@ -10,13 +10,15 @@ double ForceBracket::next() const {
   return low == 0 ? *high / 2 : low + (*high - low) / 2;
 }
 
-void ForceBracket::record(bool moved) {
+void ForceBracket::record(bool moved, bool decided) {
   const double force = next();
   ++trials;
-  if (moved)
+  if (moved) {
     high = force;
-  else
+  } else {
     low = force;
+    if (decided) held = force;
+  }
 }
 
 bool ForceBracket::done(double tolerance) const {

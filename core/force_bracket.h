@@ -18,12 +18,14 @@ struct ForceBracket {
   double first = 1;                 // force of the first trial, above 0 [F_g]
   double low = 0;                   // greatest force that did not move it; 0: none was found [F_g]
   std::optional<double> high = {};  // smallest force that did; empty: none was found [F_g]
-  int trials = 0;                   // outcomes recorded
+  double held =
+      0;  // greatest force whose trial came to rest, others only ran out of time; 0: none [F_g]
+  int trials = 0;  // outcomes recorded
 
   // Force of the next trial [F_g].
   double next() const;
-  // Outcome of the trial with that force.
-  void record(bool moved);
+  // Outcome of the trial with that force; what did not move is `decided` if it came to rest.
+  void record(bool moved, bool decided = true);
   // Whether the interval is narrow enough [1], or the limits of the search are reached: then low is 0
   // (everything moved down to first/2^20) or high is empty (nothing did up to first 2^20).
   bool done(double tolerance) const;

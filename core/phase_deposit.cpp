@@ -9,7 +9,7 @@
 namespace quicksand {
 
 void Protocol::enter(const DepositPhase& phase) {
-  world_.bonding = true;
+  form_bonds(true, phase.bonds);
   if (phase.adiabatic) {
     begin_search(SearchKind::adiabatic);
     state_.search.interval = phase.interval;

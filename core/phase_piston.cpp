@@ -1,5 +1,7 @@
 // The phase "piston": a horizontal wall with mass presses from above. Its force rises linearly in time.
 #include <algorithm>
+#include <limits>
+#include <numbers>
 #include <optional>
 
 #include "core/protocols.h"
@@ -18,10 +20,18 @@ double highest_point(const Disks& disks) {
   return top.value_or(0);
 }
 
+// Share of the box below the piston that the disks fill; infinite where there is no room left.
+double filled_below(const World& world) {
+  double area = 0;
+  for (const double r : world.disks.radius) area += std::numbers::pi * r * r;
+  const double room = world.box.width * world.walls.back().point.y();
+  return room > 0 ? area / room : std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
 void Protocol::enter(const PistonPhase& phase) {
-  world_.bonding = phase.bonding;
+  form_bonds(phase.bonding, phase.bonds);
   if (world_.bonds.initial == 0) world_.bonds.mark_initial();
   world_.walls.push_back({.point = {0, highest_point(world_.disks)},
                           .normal = {0, -1},
@@ -38,6 +48,7 @@ void Protocol::before_step(const PistonPhase& phase) {
 
 bool Protocol::is_over(const PistonPhase& phase) {
   if (lasted(phase.max_time)) return true;
+  if (phase.volume_fraction && filled_below(world_) >= *phase.volume_fraction) return true;
   if (!lasted(phase.ramp_time)) return false;  // rest counts from the end of the ramp
   const double speed = world_.walls.back().velocity.norm();
   return phase.until == RestOf::driven ? rested(speed <= phase.rest_speed, phase.rest_time)

@@ -5,7 +5,7 @@
 namespace quicksand {
 
 void Protocol::enter(const PullPhase& phase) {
-  world_.bonding = false;
+  form_bonds(false);
   begin_search(SearchKind::pull);
   Search& search = state_.search;
   search.bracket.first = phase.trials.first_force;
@@ -27,7 +27,7 @@ bool Protocol::is_over(const PullPhase& phase) {
   const Disks& before = search.base->disks;
   const bool out = phase.distance ? height >= before.position[intruder].y() + *phase.distance
                                   : height - before.radius[intruder] > packing_top(*search.base);
-  return search_is_over(phase.trials, out);
+  return search_is_over(phase.trials, out, phase.trials.until);
 }
 
 double Protocol::progress(const PullPhase& phase) const { return search_progress(phase.trials); }

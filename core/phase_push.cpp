@@ -7,7 +7,7 @@ namespace quicksand {
 
 // The intruder is the last disk as long as its phase lasts.
 void Protocol::enter(const PushPhase& phase) {
-  world_.bonding = phase.bonding;
+  form_bonds(phase.bonding, phase.bonds);
   world_.bonds.mark_initial();
   const double radius = phase.diameter / 2;
   const double x = phase.x.value_or(world_.box.width / 2);

@@ -3,7 +3,7 @@
 
 namespace quicksand {
 
-void Protocol::enter(const SettlePhase& phase) { world_.bonding = phase.bonding; }
+void Protocol::enter(const SettlePhase& phase) { form_bonds(phase.bonding, phase.bonds); }
 
 bool Protocol::is_over(const SettlePhase& phase) {
   return lasted(phase.max_time) || (phase.until_rest && at_rest(phase.rest_speed, phase.rest_time));

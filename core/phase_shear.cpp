@@ -35,7 +35,7 @@ void draw(std::vector<int>& items, std::size_t most, Random& random) {
 }  // namespace
 
 void Protocol::enter(const ShearPhase& phase) {
-  world_.bonding = false;
+  form_bonds(false);
   std::vector<SearchTarget> targets;
   const double top = packing_top(world_);
   for (const double depth : phase.depths) {
@@ -58,7 +58,7 @@ bool Protocol::is_over(const ShearPhase& phase) {
   // Positions are not wrapped at periodic sides.
   const int grain = search.targets.front().body;
   const double moved = world_.disks.position[grain].x() - search.base->disks.position[grain].x();
-  return search_is_over(phase.trials, moved >= phase.distance);
+  return search_is_over(phase.trials, moved >= phase.distance, phase.trials.until);
 }
 
 double Protocol::progress(const ShearPhase& phase) const { return search_progress(phase.trials); }

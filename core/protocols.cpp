@@ -13,6 +13,11 @@ bool Protocol::due(double moment) const {
   return world_.time >= moment - 1e-9 * std::max(1.0, moment);
 }
 
+void Protocol::form_bonds(bool bonding, BondingTouch touch) {
+  world_.bonding = bonding;
+  world_.rebonding = bonding && touch == BondingTouch::every;
+}
+
 bool Protocol::lasted(double duration) const { return due(state_.trial_start + duration); }
 
 Protocol::Protocol(const Scenario& scenario, World world, const ProtocolState& state)
@@ -90,7 +95,7 @@ void Protocol::change(const Scenario& scenario) {
   if (!now || !state_.entered) return;
   std::visit(
       [&](const auto& kind) {
-        if constexpr (requires { kind.bonding; }) world_.bonding = kind.bonding;
+        if constexpr (requires { kind.bonding; }) form_bonds(kind.bonding, kind.bonds);
       },
       now->kind);
   // Other phases set their force before each step, or in their next trial.
@@ -149,6 +154,7 @@ bool Protocol::try_step(const StepSettings& step, int halvings_left) {
   state_.external_work += report_.energy.work;
   const double lost = report_.energy.work - report_.energy.change;
   (lost < 0 ? state_.energy_gained : state_.energy_dissipated) += std::abs(lost);
+  if (step.nscd) state_.sweep_errors.add(report_.sweeps);
   if (report_.converged) return true;
   ++state_.unconverged_steps;
   state_.broken_in_unconverged += report_.bonds_broken;

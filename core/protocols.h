@@ -34,6 +34,7 @@ struct ProtocolState {
   double external_work = 0;
   double energy_dissipated = 0;
   double energy_gained = 0;  // by steps that ended with more than they began with and received
+  SweepErrors sweep_errors;  // of the steps by NSCD
   // Found over the whole run.
   std::vector<CriticalForce> critical_forces;
   std::vector<AdiabaticDeposit> adiabatic_deposits;
@@ -143,6 +144,8 @@ class Protocol {
   void finish_target();
   double search_progress(const SearchTrials& trials) const;
 
+  // Whether touches form bonds from now on, and which.
+  void form_bonds(bool bonding, BondingTouch touch = BondingTouch::first);
   bool due(double moment) const;       // whether the world's time has reached it
   bool lasted(double duration) const;  // whether the present phase has, or its trial
   // Whether all bodies, and walls with mass, have been slower than `speed` for `duration`.

@@ -9,6 +9,14 @@
 
 namespace quicksand {
 
+StepSettings nscd_step() {
+  return {.nscd = Nscd{},
+          .dt = 1e-3,
+          .break_rule = BreakRule::geometric,
+          .curvature_term = false,
+          .stop_if_unconverged = false};
+}
+
 std::string_view phase_name(const Phase& phase) {
   struct Name {
     std::string_view operator()(const DepositPhase&) const { return "deposit"; }

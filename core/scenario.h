@@ -15,6 +15,7 @@
 #include "core/disks.h"
 #include "core/drag.h"
 #include "core/solver.h"
+#include "core/sweep_order.h"
 #include "core/walls.h"
 
 namespace quicksand {
@@ -43,7 +44,19 @@ struct Box {
 // turning changes within the step, without the curvature term all that turn, and is there to show it.
 enum class BreakRule : std::uint8_t { energy, linearised, geometric };
 
+// Standard nonsmooth contact dynamics (NSCD): a step is so many sweeps of projected Gauss-Seidel, taken as they are;
+// see nscd.h. Its answer depends on sweeps and time step together.
+struct Nscd {
+  int sweeps = 100;  // in a step; again as many where these have missed contacts
+  SweepOrder order = SweepOrder::random;
+  // Engaged: a step ends early where its residual falls below this, looked at every tenth sweep. [1]
+  std::optional<double> tolerance;
+  bool operator==(const Nscd&) const = default;
+};
+
 struct StepSettings {
+  // Engaged: the scheme of the step is NSCD. Absent: every step is solved to the solver's tolerance.
+  std::optional<Nscd> nscd;
   double dt = 1e-2;  // [sqrt(d/g)]
   BreakRule break_rule = BreakRule::energy;
   bool curvature_term = true;  // second-order gap of bonded contacts
@@ -56,6 +69,13 @@ struct StepSettings {
   int max_halvings = 8;
   bool operator==(const StepSettings&) const = default;
 };
+
+// What choosing NSCD sets, as its literature has it: one time step, bonds that fail by their gap after the straight
+// move, whether the step converged or not.
+StepSettings nscd_step();
+
+// Which touches form a bond where bonds form: the first of a pair, or each while it has no active bond.
+enum class BondingTouch : std::uint8_t { first, every };
 
 // Whole samples are deposited, each at an interval longer by the factor, until the volume fraction
 // changes by less than the tolerance; the last one stays.
@@ -82,6 +102,7 @@ struct DepositPhase {
   std::optional<Polydispersity> polydispersity = {};  // absent: equal grains
   double capture_radius = 0;  // a grain is drawn in that comes this close to another's surface [d]
   std::optional<Adiabatic> adiabatic = {};  // engaged: `interval` is the first one
+  BondingTouch bonds = BondingTouch::first;
   bool operator==(const DepositPhase&) const = default;
 };
 
@@ -91,7 +112,8 @@ struct SettlePhase {
   double rest_time = 0.5;    // ... for this long [sqrt(d/g)]
   double max_time = 1000;    // ends the phase in any case [sqrt(d/g)]
   bool until_rest = true;    // false: exactly max_time
-  bool bonding = false;      // whether first touches form bonds
+  bool bonding = false;      // whether touches form bonds
+  BondingTouch bonds = BondingTouch::first;
   bool operator==(const SettlePhase&) const = default;
 };
 
@@ -118,6 +140,7 @@ struct PushPhase {
   RestOf until = RestOf::all;  // driven: the intruder alone, whatever the debris does
   bool release = false;        // whether the force ends with the phase; else it stays
   bool bonding = false;
+  BondingTouch bonds = BondingTouch::first;
   std::optional<Threshold> threshold = {};
   bool operator==(const PushPhase&) const = default;
 };
@@ -131,6 +154,8 @@ struct SearchTrials {
       1e-3;                // a trial ends as held when no body is faster than this ... [sqrt(g d)]
   double rest_time = 0.5;  // ... for this long [sqrt(d/g)]
   double max_time = 100;   // ends a trial undecided; counts as held [sqrt(d/g)]
+  RestOf until =
+      RestOf::all;  // driven: a trial ends when its body rests and no bond has failed for rest_time
   bool operator==(const SearchTrials&) const = default;
 };
 
@@ -174,7 +199,10 @@ struct PistonPhase {
   double rest_time = 0.5;
   double max_time = 1000;
   RestOf until = RestOf::all;  // driven: the piston alone, whatever loose grains do
+  // Engaged: the phase also ends when the disks fill this share of the box below the piston. [1]
+  std::optional<double> volume_fraction = {};
   bool bonding = false;
+  BondingTouch bonds = BondingTouch::first;
   bool remove = true;  // at the end, with its contacts and bonds; false: it stays and presses on
   bool operator==(const PistonPhase&) const = default;
 };

@@ -68,11 +68,17 @@ bool Protocol::search_is_over(const SearchTrials& trials, bool moved, RestOf unt
   Search& search = state_.search;
   if (search.trial_runs && world_.time > state_.trial_start) {
     const bool rests =
-        rests_of(until, search.targets.front().body, trials.rest_speed, trials.rest_time);
+        until == RestOf::all
+            ? at_rest(trials.rest_speed, trials.rest_time)
+            // A body at rest may still be given way by what breaks around it.
+            : rested(report_.bonds_broken == 0 &&
+                         world_.disks.velocity[search.targets.front().body].head<2>().norm() <=
+                             trials.rest_speed,
+                     trials.rest_time);
     if (moved || rests || lasted(trials.max_time)) {
       search.trial_runs = false;
       if (!moved && !rests) ++search.undecided;
-      search.bracket.record(moved);
+      search.bracket.record(moved, rests);
       if (search.bracket.done(trials.tolerance)) finish_target();
     }
   }
@@ -93,6 +99,7 @@ void Protocol::finish_target() {
                                     .depth = target.depth,
                                     .weight_above = target.weight_above,
                                     .force_low = search.bracket.low,
+                                    .force_held = search.bracket.held,
                                     .force_high = search.bracket.high,
                                     .trials = search.bracket.trials,
                                     .undecided = search.undecided});

@@ -31,6 +31,7 @@ struct ContactRow {
   double friction = 0;       // [1]
   double rolling = 0;        // [d]
   double gap_tolerance = 0;  // admissible |gap error| where N > 0 [d]
+  bool cohesive = false;     // whether free_velocity has an attraction of this contact
 };
 
 // Relative velocity H v of b to a at the contact, without the offset.

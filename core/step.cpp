@@ -32,6 +32,7 @@ struct Stepper::Scratch {
   std::vector<Contact> contacts, solved;
   ContactProblem problem;
   ContactSolver solver;
+  NscdSweeps sweeps;
   ContactState state;
   EnergyRule energy_rule;
   std::vector<BondBreak> breaks;
@@ -58,17 +59,32 @@ void move(World& world, const std::vector<Vec3>& velocity, double dt) {
 
 }  // namespace
 
+// `repeated`: some contacts have come in, or bonds turn otherwise, since `from` solved it.
+SolveReport Stepper::solve_once(World& world, const StepSettings& step,
+                                const SolverSettings& settings, bool repeated, Rung from) {
+  Scratch& s = *scratch_;
+  if (step.nscd) {
+    // Its own stream, so that scenes draw the same places and sizes whatever the order of the sweeps.
+    constexpr std::uint64_t kOfSweeps = 0x5357454550530000ULL;
+    if (!world.sweep_random && step.nscd->order == SweepOrder::random)
+      world.sweep_random = Random{world.random.state ^ kOfSweeps};
+    Random none;
+    return s.sweeps.solve(s.problem, *step.nscd, settings, s.state,
+                          world.sweep_random ? *world.sweep_random : none);
+  }
+  return repeated ? s.solver.solve_with_more(s.problem, settings, s.state, from)
+                  : s.solver.solve(s.problem, settings, s.state, from);
+}
+
 // Solves the contacts of the step, again with those that the prediction had missed and where bonds turn otherwise.
-void Stepper::solve_contacts(const World& world, const StepSettings& step,
-                             const SolverSettings& settings, StepReport& report) {
+void Stepper::solve_contacts(World& world, const StepSettings& step, const SolverSettings& settings,
+                             StepReport& report) {
   Scratch& s = *scratch_;
   for (int repeat = 0; repeat <= kMaxRepeats; ++repeat) {
     build_problem(world, s.contacts, s.free_velocity, step, s.problem);
     s.state.impulse.resize(s.contacts.size());
     for (std::size_t c = 0; c < s.contacts.size(); ++c) s.state.impulse[c] = s.contacts[c].impulse;
-    report.solve.add(
-        repeat == 0 ? s.solver.solve(s.problem, settings, s.state, report.solve.rung)
-                    : s.solver.solve_with_more(s.problem, settings, s.state, report.solve.rung));
+    report.solve.add(solve_once(world, step, settings, repeat > 0, report.solve.rung));
     report.bad_body = first_not_finite(s.state.velocity);
     report.finite = report.bad_body < 0;
     if (!report.finite || (!report.solve.converged && step.stop_if_unconverged)) return;
@@ -93,7 +109,7 @@ void Stepper::update_bonds(World& world, const StepSettings& step, StepReport& r
   Scratch& s = *scratch_;
   auto bond = world.bonds.list.begin();
   const auto tear = [&](Bond& torn) {
-    if (!report.converged) {
+    if (!report.converged && !step.nscd) {
       ++report.breaks_withheld;
       return;
     }
@@ -117,7 +133,13 @@ void Stepper::update_bonds(World& world, const StepSettings& step, StepReport& r
       continue;
     }
     Bond& known = *bond++;
-    if (known.state == BondState::broken) continue;
+    if (known.state == BondState::broken) {
+      if (world.rebonding && s.state.impulse[c].x() > 0 && world.law(pair).cohesion_force) {
+        world.bonds.form_again(known);
+        ++report.bonds_formed;
+      }
+      continue;
+    }
     const Vec3& va = s.state.velocity[row.a];
     const Vec3& vb = s.state.velocity[row.b];
     double gap = step.dt * (row.offset.x() + relative_velocity(row, va, vb).x());
@@ -131,7 +153,7 @@ void Stepper::update_bonds(World& world, const StepSettings& step, StepReport& r
   }
   pass_to(nullptr);
   world.bonds.broken += report.bonds_broken;
-  report.bonds_formed = static_cast<std::int64_t>(s.formed.size());
+  report.bonds_formed += static_cast<std::int64_t>(s.formed.size());
   if (!s.formed.empty()) world.bonds.form(s.formed);
 }
 
@@ -146,7 +168,8 @@ StepReport Stepper::advance(World& world, const StepSettings& step,
   if (!report.finite) return report;
 
   const double reach = contact_reach(world, s.free_velocity, step.dt);
-  find_contacts(world, s.neighbors.pairs(world, reach), s.free_velocity, step.dt, s.contacts);
+  find_contacts(world, s.neighbors.pairs(world, reach), s.free_velocity, step.dt, s.contacts,
+                step.nscd ? NewBond::balanced : NewBond::from_zero);
   solve_contacts(world, step, settings, report);
   s.breaks.clear();
   if (report.solve.converged && report.finite && step.break_rule == BreakRule::energy) {
@@ -170,6 +193,7 @@ StepReport Stepper::advance(World& world, const StepSettings& step,
   report.taken = report.finite && (report.converged || !step.stop_if_unconverged);
   if (!report.taken) return report;
 
+  if (step.nscd) report.sweeps = swept_step(s.problem, s.state, report.solve.residual);
   update_bonds(world, step, report);
   report.energy = energy_balance(world, s.contacts, s.problem, s.state.velocity, step.dt);
   move(world, s.state.velocity, step.dt);

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/energy_balance.h"
+#include "core/nscd.h"
 #include "core/solver.h"
 #include "core/world.h"
 
@@ -17,8 +18,9 @@ struct StepReport {
   SolveReport solve;
   double seconds = 0;    // that the step took, if taken
   EnergyBalance energy;  // if taken
+  SweptStep sweeps;      // of a step by NSCD
   std::int64_t bonds_formed = 0;
-  std::int64_t bonds_broken = 0;     // always 0 if not converged
+  std::int64_t bonds_broken = 0;     // always 0 if not converged, unless the step is one of NSCD
   std::int64_t breaks_withheld = 0;  // bonds beyond their range in an unconverged step
 };
 
@@ -35,7 +37,9 @@ class Stepper {
 
  private:
   struct Scratch;
-  void solve_contacts(const World& world, const StepSettings& step, const SolverSettings& settings,
+  SolveReport solve_once(World& world, const StepSettings& step, const SolverSettings& settings,
+                         bool repeated, Rung from);
+  void solve_contacts(World& world, const StepSettings& step, const SolverSettings& settings,
                       StepReport& report);
   void update_bonds(World& world, const StepSettings& step, StepReport& report);
 

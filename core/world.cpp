@@ -136,7 +136,8 @@ std::uint64_t world_hash(const World& world) {
   hash.add(world.time);
   hash.add(world.step);
   hash.add(world.random.state);
-  hash.add(static_cast<int>(world.bonding));
+  hash.add(static_cast<int>(world.bonding) + (world.rebonding ? 2 : 0));
+  if (world.sweep_random) hash.add(world.sweep_random->state);
   hash.add(world.box.width), hash.add(static_cast<int>(world.box.sides));
   hash.add(world.gravity.has_value() ? 1 : 0), hash.add(world.gravity.value_or(Vec2(0, 0)));
   if (world.drag) hash.add(world.drag->linear), hash.add(world.drag->quadratic);

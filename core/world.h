@@ -27,12 +27,14 @@ struct World {
   std::vector<Wall> walls;
   Bonds bonds;
   bool bonding = false;           // whether first touches form bonds now
+  bool rebonding = false;         // ... and so does each touch of a pair whose bond is broken
   std::vector<Contact> contacts;  // of the last step, sorted by pair
   double impulse_dt = 0;          // step that the contacts' impulses belong to [sqrt(d/g)]
   double time = 0;                // [sqrt(d/g)]
   std::int64_t step = 0;
   Random random;
-  IntruderWay way;  // decides nothing of the future, so it is not in the hash
+  std::optional<Random> sweep_random;  // of the order of sweeps, from the first that draws on
+  IntruderWay way;                     // decides nothing of the future, so it is not in the hash
 
   const ContactLaw& law(Pair pair) const;
   // Centre of b seen from the centre of a, through the nearest periodic image [d] (disks only).

@@ -22,7 +22,9 @@ std::span<const PaperFigure> paper_figures() {
       {"velocity", "Velocity of the driven intruder", make_velocity_experiment},
       {"break_rule", "Break rule, time step and density: what they do to the push",
        make_break_rule_experiment},
-      {"choices", "Free choices of the model, and what they do", make_choices_experiment}};
+      {"choices", "Free choices of the model, and what they do", make_choices_experiment},
+      {"nscd_setting", "The setting of standard nonsmooth contact dynamics, by a rule",
+       make_nscd_setting_experiment}};
   return kFigures;
 }
 

@@ -42,6 +42,7 @@ std::unique_ptr<PaperExperiment> make_drag_experiment();
 std::unique_ptr<PaperExperiment> make_velocity_experiment();
 std::unique_ptr<PaperExperiment> make_break_rule_experiment();
 std::unique_ptr<PaperExperiment> make_choices_experiment();
+std::unique_ptr<PaperExperiment> make_nscd_setting_experiment();
 
 // Draws the last state of a run of the group, the first one that finished; empty if there is none.
 std::optional<Gallery::Picture> picture_of(const PaperResults& results, const RunGroup& group,

@@ -26,6 +26,38 @@ void make_plain(Json& scene, double step) {
   for (Json& phase : scene["phases"]) phase.erase("dt");
 }
 
+// A scene by NSCD: the settings that its name and phases ask for. What rests is slower than the sweeps' own noise,
+// some 0.02 sqrt(g d) in a standing specimen.
+void make_nscd(Json& scene, const NscdSetting& setting, const std::string& file) {
+  constexpr double kRestSpeed = 0.05;  // [sqrt(g d)]
+  constexpr double kMostTime = 15;     // of a phase that waits for rest [sqrt(d/g)]
+  constexpr double kMostTrial = 8;     // of a trial [sqrt(d/g)]
+  set_value(scene, "method", "nscd", file);
+  scene["nscd"] = {{"sweeps", setting.sweeps}, {"order", "random"}};
+  bool deposits = false;
+  for (Json& phase : scene["phases"]) {
+    const std::string type = phase["type"];
+    phase.erase("solver_tolerance");
+    if (phase.contains("rest_speed")) phase["rest_speed"] = kRestSpeed;
+    if (phase.contains("max_time")) phase["max_time"] = kMostTime;
+    if (type == "deposit") {
+      deposits = true;
+      phase["interval"] = setting.deposit_step;
+      phase["drop_velocity"] = setting.drop_velocity;
+      phase["bonds"] = "every_touch";
+    } else if (type == "settle" && deposits) {
+      phase["bonding"] = true;
+      phase["bonds"] = "every_touch";
+    } else if (type == "pull" || type == "shear") {
+      phase["until"] = "body_rest";
+      phase["max_time"] = kMostTrial;
+    } else if (type == "piston") {
+      phase["max_time"] = 2 * kMostTime;
+    }
+  }
+  scene["step"]["dt"] = deposits ? setting.deposit_step : setting.fast_step;
+}
+
 std::string two_digits(std::size_t number) {
   std::string text = std::to_string(number);
   return text.size() < 2 ? "0" + text : text;
@@ -53,7 +85,24 @@ void make_plain(PaperScale& scale, double step) {
   scale.denser_if_quicker = false;
 }
 
+void make_nscd(PaperScale& scale, const NscdSetting& setting) {
+  scale.nscd = setting;
+  scale.interval = setting.deposit_step;
+  scale.push_step = setting.fast_step;
+  scale.denser_if_quicker = false;
+  scale.shear_time = 8;
+}
+
+// Pressed further than to the paper's volume fraction, the specimen loses its last bonds.
+PistonLoad nscd_piston() {
+  return {.force = 10, .ramp = 0.08, .mass = 200, .volume_fraction = 0.77};
+}
+
 ParameterValues dense_deposition() { return {{"step.dt", 1e-3}, {"phases[0].interval", 1e-3}}; }
+
+ParameterValues hard_drop(const NscdSetting& setting) {
+  return {{"phases[0].drop_velocity", setting.drop_velocity + 5}};
+}
 
 PaperJobs::PaperJobs(PaperScale scale, fs::path out)
     : scale_(std::move(scale)), out_(std::move(out)) {}
@@ -70,6 +119,7 @@ RunGroup PaperJobs::add(const std::string& scene, const std::string& name, const
   changes.insert(changes.end(), group.laws.begin(), group.laws.end());
   changes.insert(changes.end(), set.begin(), set.end());
   if (scale_.plain_step) make_plain(json, *scale_.plain_step);
+  if (scale_.nscd) make_nscd(json, *scale_.nscd, file.string());
   for (const auto& [path, value] : changes) set_value(json, path, value, file.string());
 
   Job job;
@@ -143,14 +193,42 @@ RunGroup PaperJobs::pulls(const RunGroup& pushes, double first_force_over_cohesi
   return add("pull", name, &pushes, {}, set);
 }
 
+RunGroup PaperJobs::samples_by(const NscdSetting& setting, std::uint64_t seed,
+                               const std::string& tag) {
+  PaperScale own = scale_;
+  make_nscd(own, setting);
+  own.realizations = 1;
+  std::swap(own, scale_);
+  const RunGroup group = samples(tag, {}, {{"seed", seed}});
+  std::swap(own, scale_);
+  return group;
+}
+
+RunGroup PaperJobs::pushes_by(const NscdSetting& setting, const RunGroup& samples,
+                              double force_over_cohesion, const std::string& tag) {
+  PaperScale own = scale_;
+  make_nscd(own, setting);
+  own.realizations = 1;
+  std::swap(own, scale_);
+  const RunGroup group = pushes(samples, force_over_cohesion, tag);
+  std::swap(own, scale_);
+  return group;
+}
+
+RunGroup PaperJobs::pistons(const RunGroup& samples) {
+  return pistons(samples, "", scale_.nscd ? nscd_piston() : PistonLoad{});
+}
+
 RunGroup PaperJobs::pistons(const RunGroup& samples, const std::string& tag,
                             const PistonLoad& load) {
   // The pressure, and the mass that it drives, are those on the paper's width.
   const double share = scale_.width / PaperScale{}.width;
+  ParameterValues set{{"phases[0].mass", load.mass * share},
+                      {"phases[0].force_over_cohesion", load.force * share},
+                      {"phases[0].ramp_time", load.ramp * scale_.height}};
+  if (load.volume_fraction) set.emplace_back("phases[0].volume_fraction", *load.volume_fraction);
   return add("piston", samples.name + ".piston" + (tag.empty() ? "" : "_" + tag), &samples, {},
-             {{"phases[0].mass", load.mass * share},
-              {"phases[0].force_over_cohesion", load.force * share},
-              {"phases[0].ramp_time", load.ramp * scale_.height}});
+             set);
 }
 
 RunGroup PaperJobs::shears(const RunGroup& states, double top, double first_force) {

@@ -15,6 +15,17 @@
 
 namespace quicksand {
 
+// What the paper leaves open of its method, standard nonsmooth contact dynamics. Chosen by the rule of the experiment
+// nscd_setting.
+struct NscdSetting {
+  int sweeps = 100;
+  double deposit_step =
+      1e-3;  // also the interval between grains: the paper has one grain a step [sqrt(d/g)]
+  double fast_step = 1e-3;   // of push, pull, piston and shear [sqrt(d/g)]
+  double drop_velocity = 0;  // [sqrt(g d)]
+  bool operator==(const NscdSetting&) const = default;
+};
+
 // How much of the paper's programme is computed.
 struct PaperScale {
   double width = 51, height = 199;  // of the box [d]
@@ -33,15 +44,24 @@ struct PaperScale {
   double interval = 1e-2;         // between the grains of a deposition [sqrt(d/g)]
   // Contact Dynamics without what our scenes add to it, in this one step [sqrt(d/g)]: see make_plain().
   std::optional<double> plain_step = {};
+  // Engaged: by the paper's own method.
+  std::optional<NscdSetting> nscd = {};
 };
 PaperScale quick_scale();
 // Everything in steps of one length, a grain a step; bonds break by their gap after the step's straight move, which
 // a bonded pair that turns opens: no energy of impacts, no curvature term, no shorter steps.
 void make_plain(PaperScale& scale, double step);
+// Everything by NSCD.
+void make_nscd(PaperScale& scale, const NscdSetting& setting);
+// The piston that makes the paper's compacted state by NSCD, see paper_piston.cpp.
+struct PistonLoad nscd_piston();
 
 // A deposition that makes samples as dense as the paper's: a grain every 0.001, in steps of as much.
 inline constexpr const char* kDenseDeposition = "interval_0.001";
 ParameterValues dense_deposition();
+// One that makes a denser sample by NSCD: grains come faster.
+inline constexpr const char* kHardDrop = "drop_harder";
+ParameterValues hard_drop(const NscdSetting& setting);
 
 // Runs that differ by their seed only, as indices into PaperJobs::jobs().
 struct RunGroup {
@@ -63,6 +83,8 @@ struct PistonLoad {
   // through all of a high sample, in which no step converges. [sqrt(d/g) for each d of height]
   double ramp = 0.1;
   double mass = 2000;  // on the paper's width, shared as the force is [grain masses]
+  // Engaged: it is taken away as soon as the disks fill this share of the box below it. [1]
+  std::optional<double> volume_fraction = {};
 };
 
 class PaperJobs {
@@ -86,8 +108,13 @@ class PaperJobs {
   RunGroup thresholds(const RunGroup& samples, double distance);
   // After bonds were restored: all, or so many of them, drawn by lot. [1]
   RunGroup pulls(const RunGroup& pushes, double first_force_over_cohesion, double restored = 1);
-  RunGroup pistons(const RunGroup& samples, const std::string& tag = {},
-                   const PistonLoad& load = {});
+  RunGroup pistons(const RunGroup& samples, const std::string& tag, const PistonLoad& load);
+  // With the load of the scale's method.
+  RunGroup pistons(const RunGroup& samples);
+  // One realization, with another setting of NSCD than the scale's, of this seed; `tag` as above.
+  RunGroup samples_by(const NscdSetting& setting, std::uint64_t seed, const std::string& tag);
+  RunGroup pushes_by(const NscdSetting& setting, const RunGroup& samples,
+                     double force_over_cohesion, const std::string& tag);
   // `top`: about where the packing ends [d].
   RunGroup shears(const RunGroup& states, double top, double first_force);
 

@@ -41,20 +41,25 @@ class Density : public PaperExperiment {
     height_ = jobs.scale().height;
     by_interval_ = jobs.scale().denser_if_quicker;
     // A lower rolling friction stays during the push.
+    by_drop_ = jobs.scale().nscd.has_value();
     samples_ = {jobs.samples(),
-                by_interval_ ? jobs.samples(kDenseDeposition, {}, dense_deposition())
-                             : jobs.samples("rolling_0.02", {{"contact.rolling_friction", 0.02}})};
+                by_drop_ ? jobs.samples(kHardDrop, {}, hard_drop(*jobs.scale().nscd))
+                : by_interval_
+                    ? jobs.samples(kDenseDeposition, {}, dense_deposition())
+                    : jobs.samples("rolling_0.02", {{"contact.rolling_friction", 0.02}})};
     for (const RunGroup& sample : samples_) curves_.push_back(jobs.push_curve(sample));
   }
 
   void report(const PaperResults& results, const std::filesystem::path&, Section& section,
               Findings& findings) const override {
     section.blocks.emplace_back(Paragraph{
-        by_interval_ ? "The denser sample is made with a grain every 0.001 in place of 0.01: it "
-                       "sinks into itself while it is made. All laws are the same."
-                     : "The denser sample is made with a fifth of the rolling friction, which "
-                       "also holds while the intruder is pushed: part of the difference may be "
-                       "due to that."});
+        by_drop_ ? "The denser sample is made of grains that come faster by 5 √(gd). All laws are "
+                   "the same."
+        : by_interval_ ? "The denser sample is made with a grain every 0.001 in place of 0.01: it "
+                         "sinks into itself while it is made. All laws are the same."
+                       : "The denser sample is made with a fifth of the rolling friction, which "
+                         "also holds while the intruder is pushed: part of the difference may be "
+                         "due to that."});
     const char* const names[] = {"usual sample", "denser sample"};
     Plot plot{.name = "density",
               .title = "Depth of the intruder in samples of two densities",
@@ -124,7 +129,7 @@ class Density : public PaperExperiment {
 
   std::vector<RunGroup> samples_;
   std::vector<PushCurve> curves_;  // of each
-  bool by_interval_ = true;
+  bool by_interval_ = true, by_drop_ = false;
   double height_ = 0;
   int all_ = 0;
 };

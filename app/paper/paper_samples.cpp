@@ -17,25 +17,37 @@ struct Setting {
   ParameterValues set = {};
 };
 
-std::vector<Setting> settings(double interval) {
+Setting denser(const PaperScale& scale) {
+  if (!scale.nscd)
+    return {kDenseDeposition, "a grain every 0.001, dt 0.001", {}, dense_deposition()};
+  return {kHardDrop, "drop velocity larger by 5 √(gd)", {}, hard_drop(*scale.nscd)};
+}
+
+std::vector<Setting> settings(const PaperScale& scale) {
+  const double interval = scale.interval;
   const auto every = [](double time) { return "a grain every " + typeset(time); };
-  return {{"", "reference: " + every(interval) + ", no drop velocity"},
-          {kDenseDeposition, "a grain every 0.001, dt 0.001", {}, dense_deposition()},
-          {"adiabatic",
-           every(5 * interval) + ", or " + typeset(25 * interval) + " if that changes the density",
-           {},
-           {{"phases[0].adiabatic",
-             {{"factor", 5}, {"tolerance", 1e-3}, {"max_interval", 25 * interval}}}}},
-          {"drop_10", "drop velocity 10 √(gd)", {}, {{"phases[0].drop_velocity", 10}}},
-          {"rolling_0.05", "half the rolling friction", {{"contact.rolling_friction", 0.05}}},
-          {"rolling_0.02", "a fifth of the rolling friction", {{"contact.rolling_friction", 0.02}}},
-          {"polydisperse",
-           "diameters with 35 % deviation",
-           {},
-           {{"phases[0].polydispersity.deviation", 0.35}}},
-          {"capture_0.5", "capture radius 0.5 d", {}, {{"phases[0].capture_radius", 0.5}}},
-          {"cohesion_100", "cohesion force 100 F_g", {{"contact.cohesion_force", 100}}},
-          {"ballistic", "no dynamics: sticking where they touch", {}, {{"phases[0].interval", 0}}}};
+  return {
+      {"", "reference: " + every(interval) + ", no drop velocity"},
+      denser(scale),
+      {"adiabatic",
+       every(5 * interval) +
+           (scale.nscd ? "" : ", or " + typeset(25 * interval) + " if that changes the density"),
+       {},
+       {{"phases[0].adiabatic",
+         // By NSCD, a step of its one length after the other, the third would take hours.
+         {{"factor", 5},
+          {"tolerance", 1e-3},
+          {"max_interval", (scale.nscd ? 5 : 25) * interval}}}}},
+      {"drop_10", "drop velocity 10 √(gd)", {}, {{"phases[0].drop_velocity", 10}}},
+      {"rolling_0.05", "half the rolling friction", {{"contact.rolling_friction", 0.05}}},
+      {"rolling_0.02", "a fifth of the rolling friction", {{"contact.rolling_friction", 0.02}}},
+      {"polydisperse",
+       "diameters with 35 % deviation",
+       {},
+       {{"phases[0].polydispersity.deviation", 0.35}}},
+      {"capture_0.5", "capture radius 0.5 d", {}, {{"phases[0].capture_radius", 0.5}}},
+      {"cohesion_100", "cohesion force 100 F_g", {{"contact.cohesion_force", 100}}},
+      {"ballistic", "no dynamics: sticking where they touch", {}, {{"phases[0].interval", 0}}}};
 }
 
 // Places in the list.
@@ -45,9 +57,8 @@ class Samples : public PaperExperiment {
  public:
   void plan(PaperJobs& jobs) override {
     all_ = jobs.scale().realizations;
-    interval_ = jobs.scale().interval;
-    for (const Setting& s : settings(interval_))
-      groups_.push_back(jobs.samples(s.tag, s.laws, s.set));
+    scale_ = jobs.scale();
+    for (const Setting& s : settings(scale_)) groups_.push_back(jobs.samples(s.tag, s.laws, s.set));
   }
 
   void report(const PaperResults& results, const std::filesystem::path&, Section& section,
@@ -70,7 +81,7 @@ class Samples : public PaperExperiment {
         .legend = LegendPlace::below};
     std::vector<std::string> numbers;
     Curve points{.name = "depositions, numbered as in the table"};
-    const std::vector<Setting> all = settings(interval_);
+    const std::vector<Setting> all = settings(scale_);
     for (std::size_t k = 0; k < all.size(); ++k) {
       const auto density = results.mean(groups_[k], "volume_fraction");
       const auto coordination = results.mean(groups_[k], "coordination");
@@ -145,7 +156,7 @@ class Samples : public PaperExperiment {
   }
 
   Table table_of(const std::vector<SlowerDeposit>& sequence) const {
-    Table table{.caption = "Is a grain every " + number_text(interval_) +
+    Table table{.caption = "Is a grain every " + number_text(scale_.interval) +
                            " slow enough? Whole samples from the same random numbers, each "
                            "slower than the last, until the volume fraction changes by less than "
                            "0.1 %, or up to 25 times the interval; "
@@ -200,7 +211,7 @@ class Samples : public PaperExperiment {
   }
 
   std::vector<RunGroup> groups_;
-  double interval_ = 0;  // [sqrt(d/g)]
+  PaperScale scale_;
   int all_ = 0;
 };
 

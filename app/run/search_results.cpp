@@ -23,6 +23,7 @@ Json json_of(const CriticalForce& found) {
           {"depth", found.depth},
           {"weight_above", found.weight_above},
           {"force_low", found.force_low},
+          {"force_held", found.force_held},
           {"force_high", or_null(found.force_high)},
           {"trials", found.trials},
           {"undecided", found.undecided}};
@@ -119,10 +120,12 @@ Json search_results(const Scenario& scenario, const ProtocolState& state) {
 
 std::vector<std::string> search_warnings(const Json& results, int phases_finished) {
   std::vector<std::string> warnings;
-  int never = 0, always = 0;
+  int never = 0, always = 0, unbracketed = 0;
   for (const Json& found : results.value("critical_forces", Json::array())) {
     if (found.at("force_high").is_null()) ++never;
     if (found.at("force_low") == 0) ++always;
+    // Results that do not have it yet say nothing.
+    if (found.value("force_held", found.at("force_low")) != found.at("force_low")) ++unbracketed;
   }
   const auto bodies = [](int n) { return std::to_string(n) + (n == 1 ? " body" : " bodies"); };
   const std::string times =
@@ -131,6 +134,11 @@ std::vector<std::string> search_warnings(const Json& results, int phases_finishe
   if (always > 0)
     warnings.push_back(bodies(always) + " moved at every force down to first_force/2^" +
                        std::to_string(ForceBracket::kMostDoublings) + ".");
+  if (unbracketed > 0)
+    warnings.push_back(bodies(unbracketed) +
+                       " did not come to rest in the trial with force_low: it ran out of time "
+                       "(max_time), so the interval has no lower end that holds; force_held is the "
+                       "greatest force that did.");
   for (const Json& deposit : results.value("adiabatic_unsettled", Json::array())) {
     const Json& change = deposit.at("change");
     warnings.push_back(

@@ -33,7 +33,12 @@ void describe_piston(Fields& f, PistonPhase& p, const ContactLaw& law) {
   describe_rest(f, p.rest_speed, p.rest_time, p.max_time);
   f.choice({"until", "rest of everything, or of the piston alone; from the end of the ramp"},
            kPistonEnds, p.until);
-  f.flag({"bonding", "whether first touches form bonds"}, p.bonding);
+  f.number(
+      {"volume_fraction",
+       "ends the phase as soon as the disks fill this share of the box below the piston; absent: "
+       "no such end"},
+      above(0, 1, "1"), p.volume_fraction);
+  describe_bonding(f, p.bonding, p.bonds);
   f.flag({"remove", "whether the piston is taken away at the end; else it stays and presses on"},
          p.remove);
   if (f.reading() && p.max_time <= p.ramp_time) {

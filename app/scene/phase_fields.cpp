@@ -15,6 +15,7 @@ namespace {
 constexpr std::string_view kPhases[] = {"deposit", "settle", "push",  "pull",
                                         "shear",   "heal",   "piston"};
 
+constexpr std::string_view kBondingTouches[] = {"first_touch", "every_touch"};
 constexpr std::string_view kPushEnds[] = {"rest", "intruder_rest"};
 constexpr double kDense = 0.91;  // more than any packing of equal disks reaches
 
@@ -41,6 +42,7 @@ void describe_deposit(Fields& f, DepositPhase& p, const Box& box) {
             "a falling grain is drawn in by the first that comes this close to its "
             "surface; 0: only where they touch"},
            between(0, 10, "d"), p.capture_radius);
+  describe_bonds(f, p.bonds);
   if (!f.reading()) return;
   if (p.grains == 0 && p.height == 0) {
     f.refuse("grains", "and height are both 0; give a number of grains, a height [d] or both");
@@ -54,7 +56,7 @@ void describe_deposit(Fields& f, DepositPhase& p, const Box& box) {
 void describe_settle(Fields& f, SettlePhase& p) {
   describe_rest(f, p.rest_speed, p.rest_time, p.max_time);
   f.flag({"until_rest", "false: lasts exactly max_time"}, p.until_rest);
-  f.flag({"bonding", "whether first touches form bonds"}, p.bonding);
+  describe_bonding(f, p.bonding, p.bonds);
 }
 
 void describe_push(Fields& f, PushPhase& p, const ContactLaw& law) {
@@ -67,10 +69,21 @@ void describe_push(Fields& f, PushPhase& p, const ContactLaw& law) {
   f.choice({"until", "rest of all bodies, or of the intruder alone"}, kPushEnds, p.until);
   describe_threshold(f, p);
   f.flag({"release", "whether the force ends with the phase; else it stays"}, p.release);
-  f.flag({"bonding", "whether first touches form bonds"}, p.bonding);
+  describe_bonding(f, p.bonding, p.bonds);
 }
 
 }  // namespace
+
+void describe_bonds(Fields& f, BondingTouch& bonds) {
+  f.choice(
+      {"bonds", "which touches form a bond: the first of a pair, or each while its bond is broken"},
+      kBondingTouches, bonds);
+}
+
+void describe_bonding(Fields& f, bool& bonding, BondingTouch& bonds) {
+  f.flag({"bonding", "whether touches form bonds; which ones, says bonds"}, bonding);
+  describe_bonds(f, bonds);
+}
 
 void describe_rest(Fields& f, double& rest_speed, double& rest_time, double& max_time) {
   f.number({"rest_speed", "rest means that no body is faster than this ..."},

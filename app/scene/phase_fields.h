@@ -11,6 +11,10 @@ constexpr double kMaxTime = 1e9;  // [sqrt(d/g)]
 // When a phase ends; see SettlePhase.
 void describe_rest(Fields& f, double& rest_speed, double& rest_time, double& max_time);
 
+// Which touches form bonds, in a phase in which they do, and in one that says whether.
+void describe_bonds(Fields& f, BondingTouch& bonds);
+void describe_bonding(Fields& f, bool& bonding, BondingTouch& bonds);
+
 // A force [F_g], which may be given over the cohesion force of `law` instead. `least` is -1 where it
 // may be negative, else 0.
 void describe_force(Fields& f, const char* help, double least, double& force,

@@ -15,6 +15,9 @@ namespace {
 // Words in the order of the enums. A new solver is one more word here.
 constexpr std::string_view kSides[] = {"open", "periodic", "walls"};
 constexpr std::string_view kBreakRules[] = {"energy", "linearised", "geometric"};
+constexpr std::string_view kStepMethods[] = {"exact", "nscd"};
+enum class StepMethod : std::uint8_t { exact, nscd };
+constexpr std::string_view kOrders[] = {"random", "sorted", "alternating"};
 constexpr std::string_view kOnUnconverged[] = {"continue", "halve"};
 constexpr std::string_view kMethods[] = {"auto", "interior_point", "gauss_seidel"};
 constexpr std::string_view kInitialBonds[] = {"none", "touching"};
@@ -23,6 +26,7 @@ constexpr std::string_view kWallRoles[] = {"floor", "side", "piston"};
 constexpr std::int64_t kMaxSeed = std::int64_t{1} << 53U;  // JavaScript editors keep these exact
 constexpr std::int64_t kMaxIterations = 1'000'000'000;
 constexpr std::int64_t kMaxHalvings = 30;
+constexpr std::int64_t kMaxSweeps = 1'000'000;
 constexpr std::size_t kMaxWalls = 1000;
 constexpr std::size_t kMaxPhases = 1000;
 constexpr double kRadius = 0.5;  // lengths in the file are diameters or in r = d/2
@@ -101,6 +105,38 @@ void describe_law(Fields& f, ContactLaw& law) {
            above(0, 1, "r", kRadius), law.cohesion_range);
 }
 
+void describe_nscd(Fields& f, Nscd& nscd) {
+  std::int64_t sweeps = nscd.sweeps;
+  f.integer({"sweeps", "of projected Gauss-Seidel in a step"}, 1, kMaxSweeps, sweeps);
+  nscd.sweeps = static_cast<int>(sweeps);
+  f.choice({"order", "of the contacts in a sweep: drawn anew for each, by pairs, or that and back"},
+           kOrders, nscd.order);
+  f.number({"tolerance", "residual that ends a step early; absent: all sweeps are made"},
+           above(0, 1, "1"), nscd.tolerance);
+}
+
+// The scheme of the step, and the defaults that follow from it.
+void describe_method(Fields& f, StepSettings& step) {
+  StepMethod method = step.nscd ? StepMethod::nscd : StepMethod::exact;
+  f.choice(
+      {"method",
+       "exact: each step is solved to the solver's tolerance; nscd: standard nonsmooth contact "
+       "dynamics, so many sweeps a step, taken as they are: its answer depends on sweeps and "
+       "dt. It sets on_unconverged to continue, break_rule to geometric, curvature_term to "
+       "false and dt to 0.001, unless step has others"},
+      kStepMethods, method);
+  std::optional<Nscd> nscd = step.nscd;
+  f.optional_object({"nscd", "of the method nscd"}, nscd, describe_nscd);
+  if (!f.reading()) return;
+  if (method == StepMethod::exact && nscd) {
+    f.refuse("nscd", "is given, but method is \"exact\"; set method to \"nscd\" or leave it out");
+  }
+  if (method == StepMethod::nscd) {
+    step = nscd_step();
+    step.nscd = nscd.value_or(Nscd{});
+  }
+}
+
 void describe_step(Fields& f, StepSettings& step) {
   f.number({"dt", "time step; a phase may have its own"}, between(kLeastStep, 1, "sqrt(d/g)"),
            step.dt);
@@ -118,6 +154,11 @@ void describe_step(Fields& f, StepSettings& step) {
   f.integer({"max_halvings", "see on_unconverged; 0: the run stops at once"}, 0, kMaxHalvings,
             halvings);
   step.max_halvings = static_cast<int>(halvings);
+  if (f.reading() && step.nscd && step.break_rule == BreakRule::energy) {
+    f.refuse("break_rule",
+             "is \"energy\", which needs converged steps; with method \"nscd\" it is "
+             "\"geometric\" or \"linearised\"");
+  }
 }
 
 void describe_solver(Fields& f, SolverSettings& solver) {
@@ -189,6 +230,7 @@ void describe_scene(Fields& f, Scenario& s) {
                     s.wall_law, describe_law);
   f.optional_object({"intruder_contact", "law of the intruder's contacts; as contact if absent"},
                     s.intruder_law, describe_law);
+  describe_method(f, s.step);
   f.object({"step", "time step and break rule"}, [&](Fields& g) { describe_step(g, s.step); });
   f.object({"solver", "contact solver"}, [&](Fields& g) { describe_solver(g, s.solver); });
   describe_bodies(f, s.disks, s.disk_forces);

@@ -102,10 +102,11 @@ Scenario read_scene(const SceneRequest& request) {
   std::vector<Override> changes;
   try {
     json = parse_json(text);
-    for (const std::string& assignment : request.overrides) {
+    for (const std::string& assignment : request.overrides)
       changes.push_back(parse_override(assignment));
-      apply_override(json, changes.back());
-    }
+    // What the method sets can be set apart, whatever the order on the command line.
+    std::ranges::stable_partition(changes, [](const Override& c) { return c.path == "method"; });
+    for (const Override& change : changes) apply_override(json, change);
     Scenario scenario = scenario_from_json(json);
     if (request.seed) scenario.seed = *request.seed;
     if (scenario.name.empty()) scenario.name = request.file.stem().string();

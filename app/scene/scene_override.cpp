@@ -94,6 +94,17 @@ void erase_other_terms(Json& object, const std::string& name) {
   }
 }
 
+// What the method of the step sets is its own again.
+void erase_of_method(Json& scene) {
+  if (const auto step = scene.find("step"); step != scene.end() && step->is_object())
+    for (const char* key : {"dt", "break_rule", "curvature_term", "max_turn", "on_unconverged"})
+      step->erase(key);
+  if (const auto phases = scene.find("phases"); phases != scene.end() && phases->is_array())
+    for (Json& phase : *phases)
+      if (phase.is_object()) phase.erase("dt");
+  if (scene["method"] != "nscd") scene.erase("nscd");
+}
+
 }  // namespace
 
 Override parse_override(const std::string& assignment) {
@@ -136,7 +147,9 @@ void set_value(Json& scene, const std::string& path, Json value, const std::stri
     place = &(*place)[part.name];
     name = part.name;
   }
+  const bool other_method = path == "method" && (place->is_null() ? "exact" : *place) != value;
   *place = std::move(value);
+  if (other_method) erase_of_method(scene);
 }
 
 Json value_at(const Json& scene, const std::string& path) {

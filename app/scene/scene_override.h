@@ -21,6 +21,8 @@ Override parse_override(const std::string& assignment);
 // Throws InputError.
 void apply_override(Json& scene, const Override& change);
 
+// Another method, of the time step, takes away what the method sets: step but its max_halvings, dt of the phases, and
+// nscd with the exact one.
 // The same with a JSON value; `where` is the place that an error names.
 void set_value(Json& scene, const std::string& path, Json value, const std::string& where);
 

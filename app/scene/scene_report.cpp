@@ -65,6 +65,7 @@ struct PhaseText {
                              : "") +
            (p.interval > 0 ? ", one every " + number(p.interval) + " sqrt(d/g)"
                            : std::string(", all at once, sticking where they touch")) +
+           (p.bonds == BondingTouch::every ? ", bonds at every touch" : "") +
            (p.capture_radius > 0 ? ", captured within " + number(p.capture_radius) + " d" : "") +
            (p.adiabatic ? "; whole samples, the interval times " + number(p.adiabatic->factor) +
                               " each, until the volume fraction changes by less than " +
@@ -75,7 +76,7 @@ struct PhaseText {
   std::string operator()(const SettlePhase& p) const {
     return (p.until_rest ? rest(p.rest_speed, p.rest_time, p.max_time)
                          : "for " + number(p.max_time) + " sqrt(d/g)") +
-           bonding(p.bonding);
+           bonding(p.bonding, p.bonds);
   }
   std::string operator()(const PushPhase& p) const {
     const std::string intruder =
@@ -86,7 +87,7 @@ struct PhaseText {
              trials(threshold_trials(p), moving(p.until, "the intruder"));
     return intruder + ", pushed down with " + force_text(p.force) + ", " +
            rest(p.rest_speed, p.rest_time, p.max_time, moving(p.until, "the intruder")) +
-           bonding(p.bonding) + (p.release ? "; then it is released" : "");
+           bonding(p.bonding, p.bonds) + (p.release ? "; then it is released" : "");
   }
   std::string operator()(const HealPhase& p) const {
     const std::string which =
@@ -100,21 +101,24 @@ struct PhaseText {
     return "piston of " + number(p.mass) + " grain masses, pressed down with " +
            force_text(p.force) + " after a ramp of " + number(p.ramp_time) + " sqrt(d/g), then " +
            rest(p.rest_speed, p.rest_time, p.max_time, moving(p.until, "the piston")) +
-           bonding(p.bonding) + (p.remove ? "; then it is taken away" : "; it stays");
+           (p.volume_fraction
+                ? ", or until the disks fill " + number(*p.volume_fraction) + " of the box below it"
+                : "") +
+           bonding(p.bonding, p.bonds) + (p.remove ? "; then it is taken away" : "; it stays");
   }
 
   std::string operator()(const PullPhase& p) const {
     return "smallest upward force that " +
            (p.distance ? "lifts the intruder by " + number(*p.distance) + " d"
                        : std::string("takes the intruder out of the packing")) +
-           "; " + trials(p.trials);
+           "; " + trials(p.trials, moving(p.trials.until, "the intruder"));
   }
   std::string operator()(const ShearPhase& p) const {
     std::string depths;
     for (const double depth : p.depths) depths += (depths.empty() ? "" : ", ") + number(depth);
     return "smallest force along x that moves a grain by " + number(p.distance) + " d, " +
            std::to_string(p.grains_per_depth) + " grains each at depths of " + depths + " d; " +
-           trials(p.trials);
+           trials(p.trials, moving(p.trials.until, "the grain"));
   }
 
   static std::string trials(const SearchTrials& t, const std::string& moving = "nothing is") {
@@ -135,8 +139,10 @@ struct PhaseText {
     return "until " + moving + " faster than " + number(speed) + " sqrt(g d) for " + number(time) +
            " sqrt(d/g), at most " + number(most) + " sqrt(d/g)";
   }
-  static std::string bonding(bool forms) {
-    return forms ? ", first touches form bonds" : ", no bonds form";
+  static std::string bonding(bool forms, BondingTouch touch) {
+    return !forms                         ? ", no bonds form"
+           : touch == BondingTouch::first ? ", first touches form bonds"
+                                          : ", every touch forms a bond";
   }
 };
 
@@ -217,10 +223,24 @@ std::string scene_report(const Scenario& s) {
                                                   number(*s.step.max_turn) + " rad a step"
                                             : std::string()) +
                            "; an unconverged step: " + word(scene, "step", "on_unconverged"));
-  text += line("solver", word(scene, "solver", "method") + " to a residual of " +
-                             number(s.solver.tolerance) + ", at most " +
-                             std::to_string(s.solver.max_factorisations) + " factorisations or " +
-                             std::to_string(s.solver.max_iterations) + " sweeps a step");
+  if (s.step.nscd) {
+    text += line("method", "nscd: standard nonsmooth contact dynamics, " +
+                               std::to_string(s.step.nscd->sweeps) + " sweeps a step in " +
+                               word(scene, "nscd", "order") + " order" +
+                               (s.step.nscd->tolerance ? ", fewer where the residual falls below " +
+                                                             number(*s.step.nscd->tolerance)
+                                                       : "") +
+                               ", taken as they are");
+    text += line("", "its defaults for step: dt 0.001, break_rule geometric, no curvature_term,");
+    text += line("", "on_unconverged continue (the literature's practice; each may be set apart)");
+    text += line("", "warning: the answer depends on sweeps and dt, and is a limit of neither");
+    text += line("", "a step counts as converged at a residual of " + number(s.solver.tolerance));
+  }
+  if (!s.step.nscd)
+    text += line("solver", word(scene, "solver", "method") + " to a residual of " +
+                               number(s.solver.tolerance) + ", at most " +
+                               std::to_string(s.solver.max_factorisations) + " factorisations or " +
+                               std::to_string(s.solver.max_iterations) + " sweeps a step");
   text += line("bodies", bodies_text(s));
   if (!s.walls.empty()) {
     text += line("walls", std::to_string(s.walls.size()) + " besides the box's");

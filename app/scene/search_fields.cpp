@@ -6,6 +6,7 @@ namespace quicksand {
 namespace {
 
 constexpr std::size_t kMaxDepths = 1000;
+constexpr std::string_view kTrialEnds[] = {"rest", "body_rest"};
 constexpr std::int64_t kMaxGrains = 100'000;  // at a depth
 
 void describe_interval(Fields& f, double& tolerance) {
@@ -27,6 +28,11 @@ void describe_trials(Fields& f, SearchTrials& t, const ContactLaw& law) {
   f.number({"rest_time", "... for this long"}, between(0, kMaxTime, "sqrt(d/g)"), t.rest_time);
   f.number({"max_time", "ends a trial in any case: undecided, counted as held"},
            above(0, kMaxTime, "sqrt(d/g)"), t.max_time);
+  f.choice(
+      {"until",
+       "a trial ends when everything rests, or as soon as the body that is pulled rests and no "
+       "bond has failed for rest_time"},
+      kTrialEnds, t.until);
   if (!f.reading()) return;
   if (force_over_cohesion && law.cohesion_force.value_or(0) == 0) {
     f.refuse("first_force_over_cohesion",

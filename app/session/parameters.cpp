@@ -157,7 +157,8 @@ std::vector<ParameterGroup> parameters_of(const Scenario& scenario) {
   ParameterGroup contacts{"Contacts", {}}, computing{"Computing", {}};
   add(contacts, all, "contact",
       Names{"cohesion_force", "cohesion_range", "friction", "rolling_friction"});
-  add(computing, all, "", Names{"seed"});
+  add(computing, all, "", Names{"seed", "method"});
+  add(computing, all, "nscd", Names{"sweeps", "order"});
   add(computing, all, "step", Names{"dt", "max_turn", "break_rule"});
   add(computing, all, "solver", Names{"method", "tolerance"});
   return {std::move(contacts),

@@ -17,9 +17,9 @@ namespace quicksand {
 namespace {
 
 // Parts of a scene that a running simulation takes over; the others say how it begins.
-constexpr auto kHoldAtOnce =
-    std::to_array<std::string_view>({"contact", "wall_contact", "intruder_contact", "gravity",
-                                     "drag", "step", "solver", "phases", "physical"});
+constexpr auto kHoldAtOnce = std::to_array<std::string_view>(
+    {"contact", "wall_contact", "intruder_contact", "gravity", "drag", "step", "method", "nscd",
+     "solver", "phases", "physical"});
 
 bool holds_at_once(const std::string& path) {
   const std::string part = path.substr(0, path.find_first_of(".["));
