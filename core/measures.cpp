@@ -173,6 +173,28 @@ WeightAbove weight_above_intruder(const World& world, const MeasureChoices& choi
   return {above.column / all, above.level / all};
 }
 
+namespace {
+
+// Of the pairs, those within this gap.
+WithinGap within_gap(const World& world, std::span<const Pair> pairs, double gap,
+                     std::int64_t grains, std::int64_t bonds) {
+  std::int64_t near = 0, ends = 0;
+  const auto is_grain = [&](int body) {
+    return !is_wall(body) && world.disks.role[body] == Role::grain;
+  };
+  for (const Pair& pair : pairs) {
+    if (!world.movable(pair) || world.gap(pair) > gap) continue;
+    ++near;
+    ends += (is_grain(pair.a) ? 1 : 0) + (is_grain(pair.b) ? 1 : 0);
+  }
+  WithinGap found;
+  if (grains > 0) found.coordination = static_cast<double>(ends) / static_cast<double>(grains);
+  if (near > 0) found.active_bond_fraction = static_cast<double>(bonds) / static_cast<double>(near);
+  return found;
+}
+
+}  // namespace
+
 Sample measure(const World& world, const MeasureChoices& choices) {
   Sample s;
   s.time = world.time;
@@ -195,6 +217,9 @@ Sample measure(const World& world, const MeasureChoices& choices) {
     ++s.bonds_active;
     initial_active += bond.initial ? 1 : 0;
   }
+  const std::vector<Pair> near = pairs_within(world, kContactMargins.back());
+  for (std::size_t k = 0; k < s.within.size(); ++k)
+    s.within[k] = within_gap(world, near, kContactMargins[k], s.grains, s.bonds_active);
   for (const Pair& pair : touching) {
     ++s.contacts;
     s.max_overlap = std::max(s.max_overlap, -world.gap(pair));

@@ -1,6 +1,7 @@
 // What is measured on a world. Fractions and numbers are [1], lengths [d], energies [F_g d].
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -63,6 +64,14 @@ WeightAbove weight_above_intruder(const World& world, const MeasureChoices& choi
 // Top of the grains (intruders left out) [d]; 0 if there are none.
 double packing_top(const World& world);
 
+// Neighbours counted up to a wider gap than a bond's: a step that is not exact leaves true neighbours that far apart,
+// so a number of contacts that depends on the margin says more of the method than of the packing.
+struct WithinGap {
+  double coordination = 0;  // mean number of neighbours of a grain within the gap
+  std::optional<double> active_bond_fraction;  // active bonds over pairs within it; empty: no pairs
+};
+inline constexpr std::array kContactMargins{1e-3, 1e-2};  // [d]
+
 struct Sample {
   double time = 0;
   std::int64_t step = 0;
@@ -75,6 +84,7 @@ struct Sample {
   double coordination_loaded = 0;                 // ... that carry a compressive force or a bond
   std::optional<double> active_bond_fraction;     // active bonds over contacts; empty: no contacts
   std::optional<double> remaining_bond_fraction;  // active initial bonds over initial; empty: none
+  std::array<WithinGap, kContactMargins.size()> within;  // each of kContactMargins
   std::int64_t contacts = 0;
   std::int64_t bonds_active = 0;
   std::int64_t bonds_formed = 0;

@@ -48,6 +48,7 @@ std::vector<Reading> readings(const World& world, const View& view) {
         {"active bonds " + (active ? percent(*active) : std::string("-")), "active bonds 100.0 %"});
   }
   all.push_back(depth(sample));
+  if (!view.method.empty()) all.push_back({view.method, view.method});
   return all;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "core/scenario.h"
@@ -67,6 +68,8 @@ struct View {
   std::optional<Range> range = std::nullopt;
   // Force of a line 0.4 d wide [F_g]; from the data if absent.
   std::optional<double> force_scale = std::nullopt;
+  // The time-stepping scheme, where pictures must name it; empty: the exact one.
+  std::string method = {};
   // Adds SI units to the scale bar and the time.
   std::optional<PhysicalScale> physical = std::nullopt;
   // [px]; follows from the size of the picture if absent.

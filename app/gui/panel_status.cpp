@@ -77,8 +77,14 @@ void show_status(PanelFrame& frame) {
       170);
   const std::int64_t unconverged = session.protocol().state().unconverged_steps;
   std::string warning;
+  const bool nscd = session.scenario().step.nscd.has_value();
+  if (nscd)
+    put("Method", "NSCD, " + grouped(session.scenario().step.nscd->sweeps) + " sweeps", 150);
   if (session.failed()) {
     warning = "Stopped: a step did not converge";
+  } else if (nscd) {
+    // Its steps do not converge, by design.
+    warning = "Not converged by design: depends on sweeps and dt";
   } else if (unconverged > 0) {
     warning = grouped(unconverged) + (unconverged == 1 ? " step" : " steps") + " did not converge";
   }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "app/json/json_reader.h"
 #include "app/report/typeset_number.h"
@@ -37,6 +38,50 @@ constexpr auto kComputing = std::to_array<Named>(
 
 double number_or(const RunResults& run, const char* key, double otherwise) {
   return run.summary().contains(key) ? run.final_value(key).value_or(otherwise) : otherwise;
+}
+
+bool is_nscd(const RunResults& run) { return run.summary().value("method", "exact") == "nscd"; }
+
+// How far the steps of runs by NSCD are off: a table, and the distributions over all steps.
+void add_step_errors(std::span<const RunResults> runs, const std::vector<std::string>& names,
+                     std::vector<Block>& blocks) {
+  Table table{.caption = "By how much the steps by NSCD are off, over all steps.",
+              .columns = {{"run"},
+                          {"of each step"},
+                          {"median", true},
+                          {"90 %", true},
+                          {"99 %", true},
+                          {"worst", true}}};
+  Plot plot{.name = "step_errors",
+            .title = "Errors of the steps by NSCD",
+            .x = {.label = "residual [1], gap of bonds and overlap [d]", .logarithmic = true},
+            .y = {.label = "share of steps, a bin", .low = 0},
+            .legend = LegendPlace::below};
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (!is_nscd(runs[i])) continue;
+    const Json errors = runs[i].summary().value("step_errors", Json::object());
+    for (const auto& [name, spread] : errors.items()) {
+      std::vector<Cell> row{{names[i]}, {name}};
+      for (const char* key : {"median", "p90", "p99", "worst"})
+        row.push_back({typeset(spread.value(key, 0.0), 2)});
+      table.rows.push_back(std::move(row));
+      Curve curve{.name = (runs.size() > 1 ? names[i] + ", " : "") + name};
+      const std::vector<double> counts = spread.value("counts", std::vector<double>{});
+      const double all = std::accumulate(counts.begin(), counts.end(), 0.0);
+      for (std::size_t k = 0; k < counts.size(); ++k) {
+        const double exponent = spread.value("low", 0.0) + (static_cast<double>(k) + 0.5) /
+                                                               spread.value("bins_per_decade", 1.0);
+        curve.x.push_back(std::pow(10.0, exponent));
+        curve.y.push_back(counts[k] / all);
+      }
+      if (!curve.x.empty()) plot.curves.push_back(std::move(curve));
+    }
+  }
+  if (table.rows.empty()) return;
+  blocks.emplace_back(std::move(table));
+  blocks.emplace_back(Figure{std::move(plot),
+                             "Residual of each step, widest gap of a loaded bond after it, and "
+                             "deepest overlap that it leaves."});
 }
 
 std::string value_text(const RunResults& run, const std::string& key) {
@@ -190,6 +235,19 @@ std::vector<std::string> run_warnings(const RunResults& run) {
   }
   if (summary.value("interrupted", false)) warnings.emplace_back("The run was interrupted.");
   const double unconverged = number_or(run, "unconverged_steps", 0);
+  if (is_nscd(run)) {
+    warnings.push_back(
+        "Computed by standard nonsmooth contact dynamics (NSCD), " +
+        typeset(number_or(run, "sweeps", 0)) +
+        " sweeps a step, taken as they are: " + typeset(unconverged) + " of " +
+        typeset(number_or(run, "steps", 0)) + " steps did not converge, and " +
+        typeset(number_or(run, "bonds_broken_in_unconverged_steps", 0)) +
+        " bonds failed in them by the gap criterion, as the method has it. The results depend on "
+        "sweeps and time step; the section on computing shows by how much the steps are off.");
+    std::ranges::move(search_warnings(summary, summary.value("phases_finished", 0)),
+                      std::back_inserter(warnings));
+    return warnings;
+  }
   if (unconverged > 0) {
     warnings.push_back(typeset(unconverged) + " steps did not converge; the worst residual is " +
                        typeset(number_or(run, "worst_residual", 0), 2) + ".");
@@ -259,7 +317,9 @@ Report run_report(std::span<const RunResults> runs) {
   if (!pictures.blocks.empty()) report.sections.push_back(std::move(pictures));
 
   report.sections.push_back({.title = "Model", .blocks = modelled(runs, names)});
-  report.sections.push_back({.title = "Computing", .blocks = {computing(runs, names)}});
+  Section computing_section{.title = "Computing", .blocks = {computing(runs, names)}};
+  add_step_errors(runs, names, computing_section.blocks);
+  report.sections.push_back(std::move(computing_section));
   return report;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "app/json/json_reader.h"
 
@@ -9,6 +10,26 @@ namespace quicksand {
 
 double worst_overlap(const ProtocolState& state, double present_overlap) {
   return std::max(state.worst_overlap, present_overlap);
+}
+
+std::string nscd_note(const Scenario& scenario, const ProtocolState& state, std::int64_t steps) {
+  if (!scenario.step.nscd) return {};
+  const SweepErrors& errors = state.sweep_errors;
+  const auto spread = [](const LogHistogram& h, const char* unit) {
+    char text[96];
+    std::snprintf(text, sizeof text, "median %.1e, 99 %% below %.1e, worst %.1e%s", h.quantile(0.5),
+                  h.quantile(0.99), h.largest, unit);
+    return std::string(text);
+  };
+  return "standard nonsmooth contact dynamics (nscd), " +
+         std::to_string(scenario.step.nscd->sweeps) +
+         " sweeps a step: " + std::to_string(state.unconverged_steps) + " of " +
+         std::to_string(steps) + " steps did not converge to " +
+         number_text(scenario.solver.tolerance) + " and " +
+         std::to_string(state.broken_in_unconverged) +
+         " bonds failed in them, as the method has it; residual " + spread(errors.residual, "") +
+         "; gap of bonds " + spread(errors.bond_gap, " d") + "; overlap " +
+         spread(errors.penetration, " d") + ". The results depend on sweeps and time step";
 }
 
 std::string distrust(const ProtocolState& state, double present_overlap,

@@ -14,6 +14,9 @@ struct StrictBounds {
 // The worst overlap of a run that stands here [d].
 double worst_overlap(const ProtocolState& state, double present_overlap);
 
+// What the steps of a run by NSCD are, in a sentence: a method that does not converge by design. Empty for other runs.
+std::string nscd_note(const Scenario& scenario, const ProtocolState& state, std::int64_t steps);
+
 // Why the run is not to be believed, in a sentence; empty if nothing is wrong. `present_overlap`: deepest
 // overlap of two bodies now [d].
 std::string distrust(const ProtocolState& state, double present_overlap,

@@ -1,6 +1,7 @@
 #include "app/run/film.h"
 
 #include <array>
+#include <string>
 
 #include "core/whole_file.h"
 
@@ -9,6 +10,8 @@ namespace quicksand {
 View view_of(const Scenario& scenario, View view) {
   view.fit = scenario.box.width > 0 && scenario.box.height > 0 ? Fit::box : Fit::content;
   view.physical = scenario.physical;
+  view.method =
+      scenario.step.nscd ? "NSCD, " + std::to_string(scenario.step.nscd->sweeps) + " sweeps" : "";
   return view;
 }
 

@@ -80,7 +80,11 @@ class Run {
         result.notes.push_back("the last phase (" +
                                std::string(phase_name(scenario_.phases.back())) +
                                ") ended at its max_time, before it came to rest");
-      if (const std::string doubts = distrust_now({}); !options_.strict && !doubts.empty())
+      const std::string method =
+          nscd_note(scenario_, protocol().state(), course_.world().step - first_step_);
+      if (!method.empty()) result.notes.push_back(method);
+      if (const std::string doubts = distrust_now({});
+          method.empty() && !options_.strict && !doubts.empty())
         result.notes.push_back("not to be believed: " + doubts);
       std::ranges::move(moving_bases_, std::back_inserter(result.notes));
       std::ranges::move(

@@ -1,5 +1,6 @@
 #include "app/run/summary.h"
 
+#include <algorithm>
 #include <array>
 #include <cinttypes>
 #include <cstdio>
@@ -12,6 +13,22 @@
 namespace quicksand {
 
 namespace {
+
+// Of all steps: quantiles, and the counts of bins whose lower ends are 10^(low + k/bins_per_decade).
+Json spread(const LogHistogram& h) {
+  const auto first = std::ranges::find_if(h.counts, [](std::int64_t n) { return n > 0; });
+  const auto last =
+      std::find_if(h.counts.rbegin(), h.counts.rend(), [](std::int64_t n) { return n > 0; }).base();
+  return {{"median", h.quantile(0.5)},
+          {"p90", h.quantile(0.9)},
+          {"p99", h.quantile(0.99)},
+          {"worst", h.largest},
+          {"low", LogHistogram::kLowest +
+                      static_cast<double>(first - h.counts.begin()) / LogHistogram::kBinsPerDecade},
+          {"bins_per_decade", LogHistogram::kBinsPerDecade},
+          {"counts",
+           first < last ? std::vector<std::int64_t>(first, last) : std::vector<std::int64_t>{}}};
+}
 
 Json si_units(const PhysicalScale& physical) {
   const SiScale si = si_scale(physical);
@@ -69,6 +86,15 @@ Json summary(const Scenario& scenario, const World& world, const ProtocolState& 
   json["halved_steps"] = state.halved_steps;
   json["bonds_broken_in_unconverged_steps"] = state.broken_in_unconverged;
   json["bond_breaks_withheld"] = state.breaks_withheld;
+  if (scenario.step.nscd) {
+    json["method"] = "nscd";
+    json["sweeps"] = scenario.step.nscd->sweeps;
+    json["step_errors"] = {{"residual [1]", spread(state.sweep_errors.residual)},
+                           {"gap of bonds [d]", spread(state.sweep_errors.bond_gap)},
+                           {"overlap [d]", spread(state.sweep_errors.penetration)}};
+  } else {
+    json["method"] = "exact";
+  }
   json.update(search_results(scenario, state));
   json["model_terms"] = model_terms(scenario);
   json["world_hash"] = world_hash_text(world);

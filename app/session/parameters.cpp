@@ -158,6 +158,8 @@ std::vector<ParameterGroup> parameters_of(const Scenario& scenario) {
   add(contacts, all, "contact",
       Names{"cohesion_force", "cohesion_range", "friction", "rolling_friction"});
   add(computing, all, "", Names{"seed", "method"});
+  // Beside that of the solver.
+  if (computing.parameters.size() == 2) computing.parameters.back().label = "step method";
   add(computing, all, "nscd", Names{"sweeps", "order"});
   add(computing, all, "step", Names{"dt", "max_turn", "break_rule"});
   add(computing, all, "solver", Names{"method", "tolerance"});

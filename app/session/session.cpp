@@ -99,6 +99,7 @@ bool Session::set(const std::string& path, const Json& value) {
   validate(changed);
   scenario_ = std::move(changed);
   view.physical = scenario_.physical;
+  view.method = view_of(scenario_, view).method;
   if (!holds_at_once(path)) return false;
   const bool too_late = is_set_up(path, protocol());
   Scenario now = scenario_;
@@ -149,6 +150,7 @@ void Session::restore(const std::filesystem::path& file) {
   StateFile state = read_state(file);
   scenario_ = state.scenario;
   view.physical = scenario_.physical;
+  view.method = view_of(scenario_, view).method;
   start(scenario_, std::move(state.checkpoint));
 }
 

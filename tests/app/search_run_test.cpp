@@ -68,8 +68,8 @@ TEST_F(SearchRun, LeavesTheCriticalForcesAsTableAndInTheSummary) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const std::string table = text("critical_forces.csv");
   EXPECT_TRUE(
-      table.starts_with("phase,kind,body,x,y,depth,weight_above,force_low,force_high,trials,"
-                        "undecided\n0,pull,2,14.0,1.0,"))
+      table.starts_with("phase,kind,body,x,y,depth,weight_above,force_low,force_held,force_high,"
+                        "trials,undecided\n0,pull,2,14.0,1.0,"))
       << table;
   EXPECT_EQ(std::ranges::count(table, '\n'), 4) << table;
   EXPECT_FALSE(has("adiabatic.csv"));
