@@ -105,6 +105,8 @@ std::vector<Task> kernel_tasks(const Options& options);
 void report_kernels(std::span<const Row> rows, const Options& options, Section& section);
 std::vector<Task> thread_tasks(const Options& options);
 void report_threads(std::span<const Row> rows, const Options& options, Section& section);
+std::vector<Task> nscd_tasks(const Options& options);
+void report_nscd(std::span<const Row> rows, const Options& options, Section& section);
 std::vector<Task> peer_tasks(const Options& options);
 void report_peers(std::span<const Row> rows, const Options& options, Section& section);
 

@@ -28,6 +28,9 @@ std::span<const Part> parts() {
            kernel_tasks, report_kernels},
       Part{"threads", "Further cores", "time of a solution on one core and on more, same bytes",
            thread_tasks, report_threads},
+      Part{"nscd", "Standard nonsmooth contact dynamics",
+           "time of an update of a contact, and sweeps that a chain needs", nscd_tasks,
+           report_nscd},
       Part{"peers", "Other programs", "the same scenes in Box2D, Yade and Siconos, where installed",
            peer_tasks, report_peers, false}};
   return all;
