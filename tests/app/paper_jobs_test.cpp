@@ -3,9 +3,11 @@
 
 #include <cmath>
 
+#include "app/paper/findings_file.h"
 #include "app/paper/paper_experiments.h"
 #include "app/scene/scenario_json.h"
 #include "core/contact_law.h"
+#include "core/errors.h"
 #include "tests/support/paper_fixture.h"
 
 namespace quicksand::test {
@@ -105,6 +107,64 @@ TEST_F(PaperRuns, PlainContactDynamicsHasOneStepForEverything) {
   }
   const Scenario& sample = jobs.jobs()[samples.runs[0]].scenario;
   EXPECT_EQ(std::get<DepositPhase>(sample.phases[0].kind).interval, 2e-3);
+}
+
+TEST_F(PaperRuns, ByNscdEveryRunHasItsSettingAndDepositsBondAtEveryTouch) {
+  PaperScale scale = small();
+  make_nscd(scale, {.sweeps = 30, .deposit_step = 2e-3, .fast_step = 1e-3, .drop_velocity = 3});
+  PaperJobs jobs(scale, folder_.path());
+  const RunGroup samples = jobs.samples();
+  jobs.shears(jobs.pistons(samples), 10, 5);
+  jobs.pulls(jobs.pushes(samples, 1), 1);
+  for (const Job& job : jobs.jobs()) {
+    StepSettings expected = nscd_step();
+    expected.nscd->sweeps = 30;
+    expected.dt = job.id.starts_with("sample/") ? 2e-3 : 1e-3;
+    EXPECT_EQ(job.scenario.step, expected) << job.id;
+    for (const Phase& phase : job.scenario.phases) EXPECT_FALSE(phase.dt) << job.id;
+  }
+  const Scenario& sample = jobs.jobs()[samples.runs[0]].scenario;
+  const auto& deposit = std::get<DepositPhase>(sample.phases[0].kind);
+  EXPECT_EQ(deposit.interval, 2e-3);
+  EXPECT_EQ(deposit.drop_velocity, 3);
+  EXPECT_EQ(deposit.bonds, BondingTouch::every);
+  EXPECT_EQ(std::get<SettlePhase>(sample.phases[1].kind).bonds, BondingTouch::every);
+}
+
+TEST_F(PaperRuns, TheSettingOfNscdIsChosenFromASpecimenThatIsNoRealization) {
+  PaperScale scale = small();
+  make_nscd(scale, {});
+  PaperJobs jobs(scale, folder_.path());
+  make_nscd_setting_experiment()->plan(jobs);
+  const std::size_t tried = jobs.jobs().size();
+  jobs.samples();
+  for (std::size_t k = 0; k < tried; ++k)
+    if (jobs.jobs()[k].id.find(".push") == std::string::npos) {
+      EXPECT_EQ(jobs.jobs()[k].scenario.seed, 101U) << jobs.jobs()[k].id;
+    }
+  for (std::size_t k = tried; k < jobs.jobs().size(); ++k)
+    EXPECT_LT(jobs.jobs()[k].scenario.seed, 101U);
+}
+
+TEST_F(PaperRuns, FindingsAreReadAsTheyWereWrittenAndStandBesideOthers) {
+  const auto file = folder_.path() / "findings.json";
+  const std::string id = "unperturbed.volume_fraction";
+  write_findings(file, "nscd",
+                 {{id, {.value = 0.41, .standard_error = 0.01, .n = 3, .note = "x"}}});
+  const MethodFindings read = read_findings(file);
+  EXPECT_EQ(read.method, "nscd");
+  EXPECT_EQ(read.findings.at(id).value, 0.41);
+  EXPECT_EQ(read.findings.at(id).standard_error, 0.01);
+  EXPECT_EQ(read.findings.at(id).n, 3);
+  PaperTargets targets = read_targets(shipped_targets());
+  std::erase_if(targets.targets, [&](const Target& t) { return t.id != id; });
+  const Table table =
+      comparison_of_methods(targets, {read, {"exact", {{id, {.value = 0.3}}}}, {"none", {}}});
+  ASSERT_EQ(table.rows.size(), 1U);
+  EXPECT_EQ(table.rows[0][3].text, "inside");
+  EXPECT_EQ(table.rows[0][5].text, "outside");
+  EXPECT_EQ(table.rows[0][7].text, "not measured");
+  EXPECT_THROW(read_findings(folder_.write("other.json", "{}")), InputError);
 }
 
 TEST_F(PaperRuns, AHigherSampleIsPressedMoreSlowly) {

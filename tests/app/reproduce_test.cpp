@@ -314,6 +314,17 @@ TEST_F(Reproduce, TheComparisonOfRulesHasNoPlainForm) {
   EXPECT_EQ(all.out.find("linearised"), std::string::npos) << all.out;
 }
 
+TEST_F(Reproduce, ByNscdLeavesOutWhatIsAboutExactSteps) {
+  const Outcome all = reproduce({"--method", "nscd", "--dry-run"});
+  EXPECT_EQ(all.exit_code, 0) << all.err;
+  EXPECT_EQ(all.out.find("linearised"), std::string::npos) << all.out;
+  EXPECT_EQ(all.out.find("setting_a"), std::string::npos) << all.out;
+  const Outcome other = reproduce({"--method", "nscd", "--push-step", "0.01", "--dry-run"});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_NE(other.err.find("leave out --push-step"), std::string::npos) << other.err;
+  EXPECT_EQ(reproduce({"--method", "nsdc", "--dry-run"}).exit_code, 2);
+}
+
 TEST_F(Reproduce, ATooSmallBoxIsRefused) {
   const Outcome outcome = reproduce({"--width", "3"});
   EXPECT_EQ(outcome.exit_code, 2);

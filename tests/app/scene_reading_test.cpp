@@ -36,6 +36,36 @@ std::string refusal(const std::string& text, const std::vector<std::string>& ove
   }
 }
 
+TEST(SceneReading, TheMethodSetsTheStepAndEachPartCanBeSetApart) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("scene.json", kSceneReadingScene);
+  const auto step = [&](const std::vector<std::string>& set) {
+    return read_scene({file, set, {}}).step;
+  };
+  EXPECT_EQ(step({"method=nscd"}), nscd_step());
+  StepSettings own = nscd_step();
+  own.dt = 5e-3;
+  own.curvature_term = true;
+  own.nscd->sweeps = 7;
+  EXPECT_EQ(step({"step.dt=5e-3", "step.curvature_term=true", "nscd.sweeps=7", "method=nscd"}),
+            own);
+  const std::string energy = refusal(kSceneReadingScene, {"method=nscd", "step.break_rule=energy"});
+  EXPECT_NE(energy.find("needs converged steps"), std::string::npos) << energy;
+}
+
+TEST(SceneReading, AnotherMethodTakesAwayWhatItSets) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("scene.json", R"({"box": {"width": 10}, "gravity": {},
+    "step": {"dt": 2e-2, "break_rule": "energy", "max_turn": 0.1, "max_halvings": 3},
+    "phases": [{"type": "settle", "max_time": 1, "dt": 1e-2}]})");
+  const Scenario scene = read_scene({file, {"method=nscd"}, {}});
+  StepSettings expected = nscd_step();
+  expected.max_halvings = 3;
+  EXPECT_EQ(scene.step, expected);
+  EXPECT_FALSE(scene.phases[0].dt);
+  EXPECT_EQ(read_scene({file, {"method=exact"}, {}}).step.dt, 2e-2) << "it is that already";
+}
+
 TEST(SceneReading, APlainSceneIsRead) { EXPECT_EQ(refusal(kSceneReadingScene), ""); }
 
 struct Mistake {
@@ -58,6 +88,8 @@ TEST_P(SceneMistake, IsRefusedWithPlaceRangeAndNearestName) {
 }
 
 const Mistake kMistakes[] = {
+    {"NscdOfTheExactMethod", "nscd={}", {"nscd", "method is \"exact\""}},
+    {"UnknownMethod", "method=nsdc", {"method", "did you mean \"nscd\""}},
     {"WrongType", "step.dt=\"fast\"", {"step.dt", "the text \"fast\"", "sqrt(d/g)"}},
     {"ListForNumber", "step.dt=[1]", {"step.dt", "a list of 1", "a number from 1e-08"}},
     {"NumberForWord", "box.sides=1", {"box.sides", "is 1", "open, periodic, walls"}},

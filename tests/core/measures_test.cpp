@@ -31,6 +31,20 @@ Scenario lattice(int columns, int rows, double shift, double rise) {
 
 const double kTriangularRise = std::sqrt(0.75);
 
+TEST(ContactCounts, AWiderGapCountsMoreNeighboursAndASmallerShareOfBonds) {
+  Scenario scene = empty_scene(Method::automatic);
+  scene.grain_law = paper_law(10);
+  scene.initial_bonds = InitialBonds::touching;
+  for (const double x : {0.0, 1.0, 2.0005, 3.005, 9.0}) scene.disks.push_back({.position = {x, 0}});
+  const Sample sample = measure(make_world(scene));
+  EXPECT_DOUBLE_EQ(sample.coordination, 2.0 / 5);
+  EXPECT_DOUBLE_EQ(sample.within[0].coordination, 4.0 / 5);
+  EXPECT_DOUBLE_EQ(sample.within[1].coordination, 6.0 / 5);
+  EXPECT_DOUBLE_EQ(*sample.active_bond_fraction, 1);
+  EXPECT_DOUBLE_EQ(*sample.within[0].active_bond_fraction, 1.0 / 2);
+  EXPECT_DOUBLE_EQ(*sample.within[1].active_bond_fraction, 1.0 / 3);
+}
+
 // Four in a row, their bonds active, torn and torn, and one alone; the last pair is not compressed.
 TEST(ContactCounts, TellTouchingFromLoadedAndBonded) {
   Scenario scene = empty_scene(Method::automatic);

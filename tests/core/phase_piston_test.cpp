@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "core/errors.h"
 #include "core/measures.h"
@@ -62,6 +63,21 @@ TEST(HeavyPiston, OnAColumnNeedsNoShorterSteps) {
     EXPECT_EQ(run.protocol.state().halved_steps, 0) << mass;
     EXPECT_NEAR(run.load() / (mass + kGrains), 1, 5e-3) << mass;
   }
+}
+
+TEST_P(Piston, EndsWhereTheDisksFillTheShareOfTheBoxBelowIt) {
+  PistonPhase falling = staying();
+  falling.volume_fraction = 0.126;  // four disks of pi/4 in 5 x 5 fill it
+  Scenario scene = pressed_column(GetParam(), falling);
+  scene.disks.resize(4);
+  for (std::size_t i = 0; i < 4; ++i)
+    scene.disks[i].position = {1.0 + static_cast<double>(i), i == 0 ? 5.0 : 0.5};
+  scene.phases[0].dt = 1e-3;
+  PhaseRun run(scene);
+  run.to_end_of_phase();
+  const double height = run.world().walls.back().point.y();
+  EXPECT_LE(height, std::numbers::pi / (5 * 0.126));
+  EXPECT_GT(height, 0.99 * std::numbers::pi / (5 * 0.126));
 }
 
 TEST_P(Piston, PassesItsForceAndAllWeightsOnToTheFloor) {

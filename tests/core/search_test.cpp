@@ -99,6 +99,23 @@ TEST_P(Pull, ATrialThatEndsByItsTimeIsHeldAndCounted) {
   const CriticalForce& found = run.forces.at(0);
   EXPECT_GT(found.force_low, 4) << "2 m g for 0.1 sqrt(d/g) do not lift it by 1 d";
   EXPECT_GT(found.undecided, 0);
+  EXPECT_EQ(found.force_held, 0) << "no trial came to rest";
+  EXPECT_FALSE(found.bracketed());
+}
+
+// A loose grain far from the pull rolls on for longer than a trial lasts.
+TEST_P(Pull, ATrialMayEndWhenItsBodyRestsAndNoBondFails) {
+  for (const RestOf until : {RestOf::all, RestOf::driven}) {
+    Scenario scene = hanging_chain(GetParam(), 0, 50);
+    scene.disks.push_back({.position = {0, 1}, .role = Role::intruder});
+    scene.disks.push_back({.position = {20, 0}, .velocity = {1, 100}});
+    scene.phases = {
+        {PullPhase{.trials = {.first_force = 40, .tolerance = 0.5, .max_time = 20, .until = until},
+                   .distance = 3}}};
+    const CriticalForce found = searched(scene).forces.at(0);
+    EXPECT_EQ(found.bracketed(), until == RestOf::driven);
+    EXPECT_EQ(found.undecided > 0, until == RestOf::all);
+  }
 }
 
 TEST_P(Pull, AnIntruderThatIsHeldForGoodIsReportedWithoutAnUpperForce) {
