@@ -93,9 +93,8 @@ void make_nscd(PaperScale& scale, const NscdSetting& setting) {
   scale.shear_time = 8;
 }
 
-// Pressed further than to the paper's volume fraction, the specimen loses its last bonds.
 PistonLoad nscd_piston() {
-  return {.force = 10, .ramp = 0.08, .mass = 200, .volume_fraction = 0.77};
+  return {.force = 10, .ramp = 0.08, .mass = 200, .volume_fraction = 0.72};
 }
 
 ParameterValues dense_deposition() { return {{"step.dt", 1e-3}, {"phases[0].interval", 1e-3}}; }
@@ -193,26 +192,29 @@ RunGroup PaperJobs::pulls(const RunGroup& pushes, double first_force_over_cohesi
   return add("pull", name, &pushes, {}, set);
 }
 
+template <class Plan>
+RunGroup PaperJobs::by(const NscdSetting& setting, Plan plan) {
+  const PaperScale usual = scale_;
+  make_nscd(scale_, setting);
+  scale_.realizations = 1;
+  const RunGroup group = plan();
+  scale_ = usual;
+  return group;
+}
+
 RunGroup PaperJobs::samples_by(const NscdSetting& setting, std::uint64_t seed,
                                const std::string& tag) {
-  PaperScale own = scale_;
-  make_nscd(own, setting);
-  own.realizations = 1;
-  std::swap(own, scale_);
-  const RunGroup group = samples(tag, {}, {{"seed", seed}});
-  std::swap(own, scale_);
-  return group;
+  return by(setting, [&] { return samples(tag, {}, {{"seed", seed}}); });
 }
 
 RunGroup PaperJobs::pushes_by(const NscdSetting& setting, const RunGroup& samples,
                               double force_over_cohesion, const std::string& tag) {
-  PaperScale own = scale_;
-  make_nscd(own, setting);
-  own.realizations = 1;
-  std::swap(own, scale_);
-  const RunGroup group = pushes(samples, force_over_cohesion, tag);
-  std::swap(own, scale_);
-  return group;
+  return by(setting, [&] { return pushes(samples, force_over_cohesion, tag); });
+}
+
+RunGroup PaperJobs::pistons_by(const NscdSetting& setting, const RunGroup& samples,
+                               const std::string& tag, const PistonLoad& load) {
+  return by(setting, [&] { return pistons(samples, tag, load); });
 }
 
 RunGroup PaperJobs::pistons(const RunGroup& samples) {

@@ -53,7 +53,8 @@ PaperScale quick_scale();
 void make_plain(PaperScale& scale, double step);
 // Everything by NSCD.
 void make_nscd(PaperScale& scale, const NscdSetting& setting);
-// The piston that makes the paper's compacted state by NSCD, see paper_piston.cpp.
+// The piston by NSCD. The paper gives the compacted state and no load; any that stops there will do, and where it stops
+// is chosen by a rule of the experiment nscd_setting.
 struct PistonLoad nscd_piston();
 
 // A deposition that makes samples as dense as the paper's: a grain every 0.001, in steps of as much.
@@ -115,10 +116,15 @@ class PaperJobs {
   RunGroup samples_by(const NscdSetting& setting, std::uint64_t seed, const std::string& tag);
   RunGroup pushes_by(const NscdSetting& setting, const RunGroup& samples,
                      double force_over_cohesion, const std::string& tag);
+  RunGroup pistons_by(const NscdSetting& setting, const RunGroup& samples, const std::string& tag,
+                      const PistonLoad& load);
   // `top`: about where the packing ends [d].
   RunGroup shears(const RunGroup& states, double top, double first_force);
 
  private:
+  // One realization of what `plan` plans, with this setting.
+  template <class Plan>
+  RunGroup by(const NscdSetting& setting, Plan plan);
   RunGroup add(const std::string& scene, const std::string& name, const RunGroup* after,
                ParameterValues laws, const ParameterValues& set);
 

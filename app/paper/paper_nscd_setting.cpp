@@ -33,6 +33,9 @@ const Deposition kDepositions[] = {
 };
 constexpr double kFastSteps[] = {1e-3, 1.2e-3, 1.4e-3};  // [sqrt(d/g)]
 
+// Shares of the box below the piston that the disks fill when it is taken away. [1]
+constexpr double kPistonStops[] = {0.70, 0.71, 0.72, 0.73, 0.74};
+
 class NscdSettings : public PaperExperiment {
  public:
   void plan(PaperJobs& jobs) override {
@@ -45,6 +48,7 @@ class NscdSettings : public PaperExperiment {
         // The push is of the usual number of sweeps, whatever the deposition's.
         NscdSetting pushing = setting;
         pushing.sweeps = NscdSetting{}.sweeps;
+        if (setting == NscdSetting{}) plan_pistons(jobs, samples);
         tried_.push_back({setting, samples,
                           jobs.pushes_by(pushing, samples, kPushForce, "dt_" + number_text(step))});
       }
@@ -107,9 +111,72 @@ class NscdSettings : public PaperExperiment {
     }
     if (least) table.rows[best].back().text += " (least)";
     section.blocks.emplace_back(std::move(table));
+    report_pistons(results, targets, section);
   }
 
  private:
+  void plan_pistons(PaperJobs& jobs, const RunGroup& samples) {
+    for (const double stop : kPistonStops) {
+      PistonLoad load = nscd_piston();
+      load.volume_fraction = stop;
+      pistons_.push_back(
+          {"", jobs.pistons_by(NscdSetting{}, samples, "stop_" + number_text(stop), load)});
+    }
+    // As much force on five times the mass passes the same states more slowly.
+    PistonLoad heavy = nscd_piston();
+    heavy.mass *= 5;
+    pistons_.push_back(
+        {", five times the mass", jobs.pistons_by(NscdSetting{}, samples, "heavy", heavy)});
+    PistonLoad slow = nscd_piston();
+    slow.ramp *= 1.5;
+    pistons_.push_back(
+        {", ramp longer by half", jobs.pistons_by(NscdSetting{}, samples, "slow", slow)});
+  }
+
+  void report_pistons(const PaperResults& results, const PaperTargets& targets,
+                      Section& section) const {
+    section.blocks.emplace_back(Paragraph{
+        "The piston's load is not in the paper. A force that rises to 10 F_c passes the published "
+        "state and goes on to a specimen without bonds, so the piston is taken away on the way. "
+        "Rule: "
+        "where, of these shares of the box below it, the specimen of the setting in use keeps the "
+        "share of initial bonds nearest to the paper's after it has settled; the other numbers are "
+        "predictions."});
+    Table table{.caption = "The specimen after the piston, by where the piston is taken away.",
+                .columns = {{"filled below the piston"},
+                            {"remaining of initial bonds", true},
+                            {"active of contacts", true},
+                            {"coordination (d_c)", true},
+                            {"coordination (1e-3 d)", true},
+                            {"coordination (1e-2 d)", true},
+                            {"volume fraction", true},
+                            {"height [d]", true}}};
+    table.rows.push_back({{"paper"},
+                          {paper_text(targets.at("piston.remaining_of_initial"))},
+                          {paper_text(targets.at("piston.active_of_contacts"))},
+                          {paper_text(targets.at("piston.after.coordination"))},
+                          {},
+                          {},
+                          {paper_text(targets.at("piston.after.volume_fraction"))},
+                          {}});
+    for (std::size_t k = 0; k < pistons_.size(); ++k) {
+      const double stop =
+          k < std::size(kPistonStops) ? kPistonStops[k] : *nscd_piston().volume_fraction;
+      std::vector<Cell> row{{number_text(stop) + pistons_[k].difference}};
+      for (const char* quantity : {"remaining_bond_fraction", "active_bond_fraction",
+                                   "coordination", "coordination_within_1e-3",
+                                   "coordination_within_1e-2", "volume_fraction", "packing_top"})
+        row.push_back(cell_of(results.mean(pistons_[k].runs, quantity), 1));
+      table.rows.push_back(std::move(row));
+    }
+    section.blocks.emplace_back(std::move(table));
+  }
+
+  struct Pressed {
+    std::string difference;
+    RunGroup runs;
+  };
+  std::vector<Pressed> pistons_;
   struct Tried {
     NscdSetting setting;
     RunGroup samples, pushes;

@@ -52,9 +52,12 @@ void add_step_errors(std::span<const RunResults> runs, const std::vector<std::st
                           {"90 %", true},
                           {"99 %", true},
                           {"worst", true}}};
+  constexpr double kLeastShown = 1e-10;  // below is rounding
   Plot plot{.name = "step_errors",
             .title = "Errors of the steps by NSCD",
-            .x = {.label = "residual [1], gap of bonds and overlap [d]", .logarithmic = true},
+            .x = {.label = "residual [1], gap of bonds and overlap [d]",
+                  .low = kLeastShown,
+                  .logarithmic = true},
             .y = {.label = "share of steps, a bin", .low = 0},
             .legend = LegendPlace::below};
   for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -71,6 +74,7 @@ void add_step_errors(std::span<const RunResults> runs, const std::vector<std::st
       for (std::size_t k = 0; k < counts.size(); ++k) {
         const double exponent = spread.value("low", 0.0) + (static_cast<double>(k) + 0.5) /
                                                                spread.value("bins_per_decade", 1.0);
+        if (std::pow(10.0, exponent) < kLeastShown) continue;
         curve.x.push_back(std::pow(10.0, exponent));
         curve.y.push_back(counts[k] / all);
       }
