@@ -122,9 +122,9 @@ const Quantity kQuantities[] = {
      [](const Row& r) -> Value { return r.sample.within[0].coordination; }},
     {"coordination_within_1e-2", "1", "mean number of neighbours of a grain up to a gap of 1e-2 d",
      [](const Row& r) -> Value { return r.sample.within[1].coordination; }},
-    {"active_bond_fraction_within_1e-3", "1", "active bonds over pairs up to a gap of 1e-3 d",
+    {"active_bonds_within_1e-3", "1", "active bonds over pairs up to a gap of 1e-3 d",
      [](const Row& r) { return or_none(r.sample.within[0].active_bond_fraction); }},
-    {"active_bond_fraction_within_1e-2", "1", "active bonds over pairs up to a gap of 1e-2 d",
+    {"active_bonds_within_1e-2", "1", "active bonds over pairs up to a gap of 1e-2 d",
      [](const Row& r) { return or_none(r.sample.within[1].active_bond_fraction); }},
 };
 
