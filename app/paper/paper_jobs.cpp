@@ -94,7 +94,7 @@ void make_nscd(PaperScale& scale, const NscdSetting& setting) {
 }
 
 PistonLoad nscd_piston() {
-  return {.force = 10, .ramp = 0.08, .mass = 200, .volume_fraction = 0.72};
+  return {.force = 10, .ramp = 0.08, .mass = 200, .volume_fraction = 0.73};
 }
 
 ParameterValues dense_deposition() { return {{"step.dt", 1e-3}, {"phases[0].interval", 1e-3}}; }

@@ -35,6 +35,7 @@ constexpr double kFastSteps[] = {1e-3, 1.2e-3, 1.4e-3};  // [sqrt(d/g)]
 
 // Shares of the box below the piston that the disks fill when it is taken away. [1]
 constexpr double kPistonStops[] = {0.70, 0.71, 0.72, 0.73, 0.74};
+constexpr double kOtherLoadsStop = 0.72;  // of the pistons with another mass or ramp
 
 class NscdSettings : public PaperExperiment {
  public:
@@ -124,10 +125,12 @@ class NscdSettings : public PaperExperiment {
     }
     // As much force on five times the mass passes the same states more slowly.
     PistonLoad heavy = nscd_piston();
+    heavy.volume_fraction = kOtherLoadsStop;
     heavy.mass *= 5;
     pistons_.push_back(
         {", five times the mass", jobs.pistons_by(NscdSetting{}, samples, "heavy", heavy)});
     PistonLoad slow = nscd_piston();
+    slow.volume_fraction = kOtherLoadsStop;
     slow.ramp *= 1.5;
     pistons_.push_back(
         {", ramp longer by half", jobs.pistons_by(NscdSetting{}, samples, "slow", slow)});
@@ -160,8 +163,7 @@ class NscdSettings : public PaperExperiment {
                           {paper_text(targets.at("piston.after.volume_fraction"))},
                           {}});
     for (std::size_t k = 0; k < pistons_.size(); ++k) {
-      const double stop =
-          k < std::size(kPistonStops) ? kPistonStops[k] : *nscd_piston().volume_fraction;
+      const double stop = k < std::size(kPistonStops) ? kPistonStops[k] : kOtherLoadsStop;
       std::vector<Cell> row{{number_text(stop) + pistons_[k].difference}};
       for (const char* quantity : {"remaining_bond_fraction", "active_bond_fraction",
                                    "coordination", "coordination_within_1e-3",
