@@ -52,6 +52,23 @@ class SessionTest : public ProgramFixture {
   }
 };
 
+// 1 F_g on the bond of a hanging grain moves it by nothing; the sweeps of a single bond are exact.
+TEST_F(SessionTest, TheMethodOfTheStepChangesInARunAndIsReplayed) {
+  const std::vector<std::string> commands{
+      load(), R"({"command": "run", "steps": 10})",
+      R"({"command": "set", "path": "method", "value": "nscd"})",
+      R"({"command": "set", "path": "nscd.sweeps", "value": 5})",
+      R"({"command": "run", "steps": 10})",
+      R"({"command": "expect", "quantity": "bonds_broken", "at_most": 0})",
+      R"({"command": "set", "path": "method", "value": "exact"})",
+      R"({"command": "run", "steps": 10})"};
+  ASSERT_EQ(play(commands).exit_code, 0);
+  const std::vector<Json> first = transcript();
+  EXPECT_EQ(first[2]["result"]["holds"], "now");
+  ASSERT_EQ(play(commands).exit_code, 0);
+  EXPECT_EQ(transcript().back()["hash"], first.back()["hash"]);
+}
+
 TEST_F(SessionTest, ComputesMeasuresAndWritesATranscript) {
   const Outcome played =
       play({load(), R"({"command": "run", "time": 0.5})",

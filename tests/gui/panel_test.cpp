@@ -61,6 +61,18 @@ TEST_F(PanelTest, SetsParameters) {
                  {{"command", "set"}, {"path", "step.break_rule"}, {"value", "geometric"}});
 }
 
+TEST_F(PanelTest, TheMethodOfTheStepIsChosenAndNamedInTheStatusLine) {
+  load();
+  Robot& r = idle_robot();
+  r.set("Parameters", "open");
+  r.set("Parameters/Computing", "open");
+  const std::vector<Json> given = r.set("Parameters/Computing/step method", "nscd");
+  ASSERT_EQ(given.size(), 1U);
+  perform(given[0]);
+  EXPECT_TRUE(session().scenario().step.nscd);
+  EXPECT_TRUE(session().view.method.starts_with("NSCD")) << session().view.method;
+}
+
 TEST_F(PanelTest, ParametersThatTheSceneDoesNotModelAreDisabled) {
   load();
   Robot& r = robot();
