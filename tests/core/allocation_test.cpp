@@ -43,6 +43,14 @@ TEST_P(Allocation, ARestingPackingAllocatesNothingAfterTheFirstSteps) {
   EXPECT_LE(allocations_of(run, 100), allowed(GetParam(), 100));
 }
 
+TEST(NscdAllocation, AStepAllocatesNothingAfterTheFirstSteps) {
+  Scenario scene = column(Method::automatic, 10, paper_law(100));
+  scene.step = nscd_step();
+  Simulation run(scene);
+  run.advance(10);
+  EXPECT_EQ(allocations_of(run, 100), 0);
+}
+
 // Grains that roll away: neighbours are searched and contacts ordered anew only now and then.
 TEST_P(Allocation, AMovingClusterAllocatesOnlyWhenItsListsAreMadeAnew) {
   Scenario scene = falling_cluster(GetParam(), 16, 1, paper_law());
