@@ -55,7 +55,8 @@ class SessionTest : public ProgramFixture {
 // 1 F_g on the bond of a hanging grain moves it by nothing; the sweeps of a single bond are exact.
 TEST_F(SessionTest, TheMethodOfTheStepChangesInARunAndIsReplayed) {
   const std::vector<std::string> commands{
-      load(), R"({"command": "run", "steps": 10})",
+      load(),
+      R"({"command": "run", "steps": 10})",
       R"({"command": "set", "path": "method", "value": "nscd"})",
       R"({"command": "set", "path": "nscd.sweeps", "value": 5})",
       R"({"command": "run", "steps": 10})",
