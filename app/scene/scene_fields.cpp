@@ -26,7 +26,7 @@ constexpr std::string_view kWallRoles[] = {"floor", "side", "piston"};
 constexpr std::int64_t kMaxSeed = std::int64_t{1} << 53U;  // JavaScript editors keep these exact
 constexpr std::int64_t kMaxIterations = 1'000'000'000;
 constexpr std::int64_t kMaxHalvings = 30;
-constexpr std::int64_t kMaxSweeps = 1'000'000;
+constexpr std::int64_t kMaxSweeps = 100'000;
 constexpr std::size_t kMaxWalls = 1000;
 constexpr std::size_t kMaxPhases = 1000;
 constexpr double kRadius = 0.5;  // lengths in the file are diameters or in r = d/2
