@@ -119,10 +119,11 @@ std::vector<SessionCommand> scene_commands() {
   return {define<Load>({"load", kSceneGroup, "Starts a scene. The commands that follow act on it.",
                         R"({"command": "load", "scene": "collapse", "set": {"box.width": 20}})"},
                        false),
-          define<Set>({"set", kSceneGroup,
-                       "Changes a value of the scene. Laws, gravity, drag, step, solver and phases "
-                       "change in the present run; box, bodies and seed from the next reset on.",
-                       R"({"command": "set", "path": "contact.cohesion_force", "value": 1e3})"}),
+          define<Set>(
+              {"set", kSceneGroup,
+               "Changes a value of the scene. Laws, gravity, drag, method, step, solver and phases "
+               "change in the present run; box, bodies and seed from the next reset on.",
+               R"({"command": "set", "path": "contact.cohesion_force", "value": 1e3})"}),
           define<Reset>({"reset", kSceneGroup, "Starts the scene again, with all its changes.",
                          R"({"command": "reset"})"}),
           define<Save>({"save", kSceneGroup, "Writes the present state.",
