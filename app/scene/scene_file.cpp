@@ -105,7 +105,8 @@ Scenario read_scene(const SceneRequest& request) {
     for (const std::string& assignment : request.overrides)
       changes.push_back(parse_override(assignment));
     // What the method sets can be set apart, whatever the order on the command line.
-    std::ranges::stable_partition(changes, [](const Override& c) { return c.path == "method"; });
+    std::stable_partition(changes.begin(), changes.end(),
+                          [](const Override& c) { return c.path == "method"; });
     for (const Override& change : changes) apply_override(json, change);
     Scenario scenario = scenario_from_json(json);
     if (request.seed) scenario.seed = *request.seed;
