@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -25,13 +26,20 @@ double area_below(double radius, double y) {
   return radius * radius * (std::numbers::pi / 2 + std::asin(h) + h * std::sqrt(1 - h * h));
 }
 
+double widest_touching_gap(const World& world) {
+  return std::max({touching_gap(world.grain_law), touching_gap(world.wall_law),
+                   touching_gap(world.intruder_law)});
+}
+
+bool touches(const World& world, Pair pair) {
+  return world.gap(pair) <= touching_gap(world.law(pair));
+}
+
 }  // namespace
 
 std::vector<Pair> touching_pairs(const World& world) {
-  const double widest = std::max({touching_gap(world.grain_law), touching_gap(world.wall_law),
-                                  touching_gap(world.intruder_law)});
-  std::vector<Pair> pairs = pairs_within(world, widest);
-  std::erase_if(pairs, [&](Pair p) { return world.gap(p) > touching_gap(world.law(p)); });
+  std::vector<Pair> pairs = pairs_within(world, widest_touching_gap(world));
+  std::erase_if(pairs, [&](Pair pair) { return !touches(world, pair); });
   return pairs;
 }
 
@@ -206,7 +214,12 @@ Sample measure(const World& world, const MeasureChoices& choices) {
   s.packing_top = packing_top(world);
   s.volume_fraction = volume_fraction(world, 0, 0.7 * s.packing_top);
 
-  const std::vector<Pair> touching = touching_pairs(world);
+  // One search serves all margins of what counts as a contact.
+  const std::vector<Pair> near =
+      pairs_within(world, std::max(widest_touching_gap(world), kContactMargins.back()));
+  std::vector<Pair> touching;
+  std::ranges::copy_if(near, std::back_inserter(touching),
+                       [&](Pair pair) { return touches(world, pair); });
   const ContactCounts counts = contact_counts(world, neighbours(world, touching));
   s.coordination = counts.touching;
   s.coordination_loaded = counts.loaded;
@@ -217,7 +230,6 @@ Sample measure(const World& world, const MeasureChoices& choices) {
     ++s.bonds_active;
     initial_active += bond.initial ? 1 : 0;
   }
-  const std::vector<Pair> near = pairs_within(world, kContactMargins.back());
   for (std::size_t k = 0; k < s.within.size(); ++k)
     s.within[k] = within_gap(world, near, kContactMargins[k], s.grains, s.bonds_active);
   for (const Pair& pair : touching) {

@@ -29,6 +29,8 @@ class Piston : public PaperExperiment {
     constexpr Line kLines[] = {{"packing_top", "height [d]"},
                                {"volume_fraction", "volume fraction"},
                                {"coordination", "coordination number"},
+                               {"coordination_within_1e-3", "the same, of gaps below 1e-3 d"},
+                               {"coordination_within_1e-2", "the same, of gaps below 1e-2 d"},
                                {"active_bond_fraction", "active bonds of contacts"},
                                {"remaining_bond_fraction", "remaining of initial bonds"}};
     Table table{.caption = "Before and after the piston, which is taken away at the end.",

@@ -29,6 +29,7 @@ class PullOut : public PaperExperiment {
                 .columns = {{"push force [F_c]", true},
                             {"pull-out force [F_c]", true},
                             {"pull-out over push", true},
+                            {"not at rest at the lower end", true},
                             {"weight above, by height", true},
                             {"weight above, by column", true}}};
     std::optional<Measured> largest;
@@ -41,6 +42,7 @@ class PullOut : public PaperExperiment {
       table.rows.push_back({{.text = number_text(push)},
                             cell_of(force, all_),
                             cell_of(ratio, all_),
+                            {.text = std::to_string(results.unbracketed(pulls_[k]))},
                             cell_of(results.mean(curve_.pushes[k], "weight_above_level"), all_),
                             cell_of(results.mean(curve_.pushes[k], "weight_above_column"), all_)});
     }

@@ -2,6 +2,7 @@
 
 #include "app/campaign/run_record.h"
 #include "app/report/typeset_number.h"
+#include "app/run/search_results.h"
 
 namespace quicksand {
 
@@ -56,6 +57,14 @@ std::vector<double> PaperResults::critical_forces(const RunGroup& group) const {
         forces.push_back((found["force_low"].get<double>() + found["force_high"].get<double>()) /
                          2);
   return forces;
+}
+
+int PaperResults::unbracketed(const RunGroup& group) const {
+  int count = 0;
+  for (const RunResults* run : runs(group))
+    for (const Json& found : run->summary().value("critical_forces", Json::array()))
+      if (!found["force_high"].is_null() && !is_bracketed(found)) ++count;
+  return count;
 }
 
 std::optional<Measured> PaperResults::critical_force(const RunGroup& group, double unit) const {

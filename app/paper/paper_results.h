@@ -32,6 +32,8 @@ class PaperResults {
   std::vector<double> critical_forces(const RunGroup& group) const;
   // Their mean in another unit. [F_g]
   std::optional<Measured> critical_force(const RunGroup& group, double unit) const;
+  // How many of these have a lower end that only ran out of time (is_bracketed).
+  int unbracketed(const RunGroup& group) const;
   // Mean of final values; absent if there are none.
   std::optional<Measured> mean(const RunGroup& group, const std::string& quantity) const;
   // Of final values, seed by seed, over the first group's. [1]

@@ -12,10 +12,14 @@ Measured measured(double value, std::optional<double> error, const PaperStrength
   return {.value = value,
           .standard_error = error,
           .n = strength.grains,
-          .note = "n counts grains" + (strength.never_moved > 0
-                                           ? "; " + std::to_string(strength.never_moved) +
-                                                 " more were moved by no force"
-                                           : std::string())};
+          .note = "n counts grains" +
+                  (strength.unbracketed > 0 ? ", " + std::to_string(strength.unbracketed) +
+                                                  " of them still moved slowly at the interval's "
+                                                  "lower end when their trial's time was over"
+                                            : std::string()) +
+                  (strength.never_moved > 0 ? "; " + std::to_string(strength.never_moved) +
+                                                  " more were moved by no force"
+                                            : std::string())};
 }
 
 std::string line_text(const std::optional<Line>& line, double Line::*value,
@@ -83,6 +87,7 @@ class Shear : public PaperExperiment {
                             {"at the surface [F_g]", true},
                             {"effective friction", true},
                             {"grains", true},
+                            {"not at rest at the lower end", true},
                             {"never moved", true}}};
     for (const auto& [name, strength] : all)
       table.rows.push_back(
@@ -91,6 +96,7 @@ class Shear : public PaperExperiment {
            {.text = line_text(strength->against_depth, &Line::intercept, &Line::intercept_error)},
            {.text = line_text(strength->against_weight, &Line::slope, &Line::slope_error)},
            {.text = std::to_string(strength->grains)},
+           {.text = std::to_string(strength->unbracketed)},
            {.text = std::to_string(strength->never_moved)}});
     return table;
   }

@@ -5,6 +5,8 @@
 #include <map>
 #include <numeric>
 
+#include "app/run/search_results.h"
+
 namespace quicksand {
 
 namespace {
@@ -47,6 +49,7 @@ PaperStrength paper_strength(const PaperResults& results, const RunGroup& shears
         continue;
       }
       ++pooled.grains;
+      pooled.unbracketed += is_bracketed(found) ? 0 : 1;
       depth_of_grain.push_back(found["depth"].get<double>());
       weight_of_grain.push_back(found["weight_above"].get<double>());
       strength_of_grain.push_back(

@@ -118,14 +118,18 @@ Json search_results(const Scenario& scenario, const ProtocolState& state) {
   return json;
 }
 
+bool is_bracketed(const Json& critical_force) {
+  const Json& low = critical_force.at("force_low");
+  return critical_force.value("force_held", low) == low;
+}
+
 std::vector<std::string> search_warnings(const Json& results, int phases_finished) {
   std::vector<std::string> warnings;
   int never = 0, always = 0, unbracketed = 0;
   for (const Json& found : results.value("critical_forces", Json::array())) {
     if (found.at("force_high").is_null()) ++never;
     if (found.at("force_low") == 0) ++always;
-    // Results that do not have it yet say nothing.
-    if (found.value("force_held", found.at("force_low")) != found.at("force_low")) ++unbracketed;
+    if (!is_bracketed(found)) ++unbracketed;
   }
   const auto bodies = [](int n) { return std::to_string(n) + (n == 1 ? " body" : " bodies"); };
   const std::string times =

@@ -16,6 +16,10 @@ Json search_results(const Scenario& scenario, const ProtocolState& state);
 // without a bound, depths without grains in the first `phases_finished` phases, and samples that had not settled.
 std::vector<std::string> search_warnings(const Json& results, int phases_finished);
 
+// Whether the greatest force of a critical force's interval that did not move the body held it until rest, rather
+// than until max_time. A result without force_held is taken as bracketed.
+bool is_bracketed(const Json& critical_force);
+
 // Writes the tables that have rows. Throws InputError.
 void write_search_tables(const RunFolder& folder, const ProtocolState& state);
 

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <numbers>
 
+#include "app/json/json_reader.h"
 #include "app/json/name_field.h"
 
 namespace quicksand {
@@ -118,13 +119,13 @@ void describe_nscd(Fields& f, Nscd& nscd) {
 // The scheme of the step, and the defaults that follow from it.
 void describe_method(Fields& f, StepSettings& step) {
   StepMethod method = step.nscd ? StepMethod::nscd : StepMethod::exact;
-  f.choice(
-      {"method",
-       "exact: each step is solved to the solver's tolerance; nscd: standard nonsmooth contact "
-       "dynamics, so many sweeps a step, taken as they are: its answer depends on sweeps and "
-       "dt. It sets on_unconverged to continue, break_rule to geometric, curvature_term to "
-       "false and dt to 0.001, unless step has others"},
-      kStepMethods, method);
+  static const std::string help =
+      "exact: each step is solved to the solver's tolerance; nscd: standard nonsmooth contact "
+      "dynamics, so many sweeps a step, taken as they are: its answer depends on sweeps and dt. It "
+      "sets on_unconverged to continue, break_rule to geometric, curvature_term to false and dt "
+      "to " +
+      number_text(nscd_step().dt) + ", unless step has others";
+  f.choice({"method", help.c_str()}, kStepMethods, method);
   std::optional<Nscd> nscd = step.nscd;
   f.optional_object({"nscd", "of the method nscd"}, nscd, describe_nscd);
   if (!f.reading()) return;

@@ -231,7 +231,8 @@ std::string scene_report(const Scenario& s) {
                                                              number(*s.step.nscd->tolerance)
                                                        : "") +
                                ", taken as they are");
-    text += line("", "its defaults for step: dt 0.001, break_rule geometric, no curvature_term,");
+    text += line("", "its defaults for step: dt " + number(nscd_step().dt) +
+                         ", break_rule geometric, no curvature_term,");
     text += line("", "on_unconverged continue (the literature's practice; each may be set apart)");
     text += line("", "warning: the answer depends on sweeps and dt, and is a limit of neither");
     text += line("", "a step counts as converged at a residual of " + number(s.solver.tolerance));

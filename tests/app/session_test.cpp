@@ -52,7 +52,7 @@ class SessionTest : public ProgramFixture {
   }
 };
 
-// 1 F_g on the bond of a hanging grain moves it by nothing; the sweeps of a single bond are exact.
+// A single bond needs one sweep, so that NSCD leaves the hanging grain where the exact method does.
 TEST_F(SessionTest, TheMethodOfTheStepChangesInARunAndIsReplayed) {
   const std::vector<std::string> commands{
       load(),
