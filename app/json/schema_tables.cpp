@@ -52,7 +52,7 @@ std::string values(const Json& schema) {
   if (type == "array") return list_values(schema);
   if (type == "string") return "text";
   if (type == "boolean") return "true or false";
-  if (type == "object") return type;
+  if (type == "object") return "object";
   return (type == "integer" ? "integer, " : "") + range(schema);
 }
 
