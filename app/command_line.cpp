@@ -5,6 +5,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/commands.h"
@@ -57,18 +58,37 @@ std::string explain(const CLI::ParseError& error, const CLI::App& program,
   return error.what() + help;
 }
 
-}  // namespace
-
-int run_command_line(int argc, const char* const* argv) {
-  CLI::App program("Contact dynamics of cohesive grain packings.", "quicksand");
+std::vector<Command> add_commands(CLI::App& program) {
   program.set_version_flag("--version", std::string("quicksand ") + QUICKSAND_VERSION);
   program.require_subcommand(1);
   program.footer("Example:\n  quicksand run assets/scenes/collapse.json");
-  const std::vector<Command> commands{
-      add_run(program),       add_resume(program), add_check(program),    add_render(program),
-      add_measure(program),   add_export(program), add_campaign(program), add_report(program),
-      add_reproduce(program), add_bench(program),  add_session(program),  add_window(program),
-      add_compare(program),   add_list(program)};
+  return {add_run(program),       add_resume(program), add_check(program),    add_render(program),
+          add_measure(program),   add_export(program), add_campaign(program), add_report(program),
+          add_reproduce(program), add_bench(program),  add_session(program),  add_window(program),
+          add_compare(program),   add_list(program)};
+}
+
+constexpr const char* kPurpose = "Contact dynamics of cohesive grain packings.";
+
+}  // namespace
+
+std::string command_line_problem(const std::vector<std::string>& words) {
+  CLI::App program(kPurpose, "quicksand");
+  const std::vector<Command> commands = add_commands(program);
+  std::vector<std::string> reversed(words.rbegin(), words.rend());  // as the library takes them
+  try {
+    program.parse(std::move(reversed));
+  } catch (const CLI::Success&) {
+    return {};  // --help, --version
+  } catch (const CLI::ParseError& error) {
+    return explain(error, program, commands);
+  }
+  return {};
+}
+
+int run_command_line(int argc, const char* const* argv) {
+  CLI::App program(kPurpose, "quicksand");
+  const std::vector<Command> commands = add_commands(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& request) {

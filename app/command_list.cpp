@@ -15,7 +15,9 @@
 #include "app/run/quantities.h"
 #include "app/scene/scenario_json.h"
 #include "app/scene/scene_file.h"
+#include "app/scene/scene_reference.h"
 #include "app/session/command_table.h"
+#include "app/session/session_reference.h"
 #include "core/errors.h"
 #include "render/view.h"
 
@@ -79,6 +81,10 @@ void list_campaign_schema(const CLI::App&) {
   std::printf("%s\n", campaign_schema().dump(2).c_str());
 }
 
+void list_scene_reference(const CLI::App&) { std::fputs(scene_reference().c_str(), stdout); }
+
+void list_session_reference(const CLI::App&) { std::fputs(session_reference().c_str(), stdout); }
+
 void list_man(const CLI::App& program) { std::fputs(man_page(program).c_str(), stdout); }
 
 void list_completion(const CLI::App& program) {
@@ -97,6 +103,8 @@ constexpr auto kListings = std::to_array<Listing>({{"scenes", list_scenes},
                                                    {"campaign_schema", list_campaign_schema},
                                                    {"commands", list_commands},
                                                    {"session_schema", list_session_schema},
+                                                   {"scene_reference", list_scene_reference},
+                                                   {"session_reference", list_session_reference},
                                                    {"man", list_man},
                                                    {"completion", list_completion}});
 
@@ -114,16 +122,17 @@ int list(const std::string& what, const CLI::App& program) {
 }  // namespace
 
 Command add_list(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("list",
-                                             "list scenes, colours, quantities, session commands, "
-                                             "columns of exports, schemas of files or the "
-                                             "manual page");
+  CLI::App* command =
+      program.add_subcommand("list",
+                             "list scenes, colours, quantities, session commands, "
+                             "columns of exports, schemas and references of files or "
+                             "the manual page");
   const auto what = std::make_shared<std::string>();
   command
       ->add_option("what", *what,
                    "scenes, colours, quantities, commands, columns, schema, campaign_schema, "
                    "session_schema, "
-                   "man or completion")
+                   "scene_reference, session_reference, man or completion")
       ->type_name("WHAT")
       ->required();
   command->footer("Example:\n  quicksand list quantities");

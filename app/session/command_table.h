@@ -1,5 +1,5 @@
 // The one vocabulary of sessions: every command with its arguments, meaning and example. Command files,
-// the live connection, panels, `quicksand list commands`, the schema and the README read this table.
+// the live connection, panels, `quicksand list commands`, the schema and the reference read this table.
 #pragma once
 
 #include <span>

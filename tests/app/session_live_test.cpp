@@ -73,14 +73,14 @@ TEST_F(LiveSession, CtrlCEndsItWhileItWaits) {
   EXPECT_EQ(end.code, 130) << end.problem;
 }
 
-// The README's Python example, word for word.
-TEST_F(LiveSession, TheReadmesPythonExampleSteersARun) {
+// The page's Python example, word for word.
+TEST_F(LiveSession, ThePythonExampleOfItsPageSteersARun) {
   if (run_external({"python3", "--version"}).missing) GTEST_SKIP() << "python3 is not installed";
-  const std::string readme = contents(kSource / "README.md");
-  const std::size_t begin = readme.find("```python\n");
+  const std::string page = contents(kSource / "assets/doc/sessions.md");
+  const std::size_t begin = page.find("```python\n");
   ASSERT_NE(begin, std::string::npos);
-  const std::size_t end = readme.find("```", begin + 3);
-  std::string example = readme.substr(begin + 10, end - begin - 10);
+  const std::size_t end = page.find("```", begin + 3);
+  std::string example = page.substr(begin + 10, end - begin - 10);
   const std::size_t program = example.find("build/quicksand");
   ASSERT_NE(program, std::string::npos);
   example.replace(program, std::string("build/quicksand").size(), QUICKSAND_PROGRAM);

@@ -378,11 +378,11 @@ TEST(CommandTable, EveryExampleIsAdmissible) {
   }
 }
 
-TEST(CommandTable, IsWhatTheReadmeAndTheShippedSchemaSay) {
-  const std::string readme = contents(kSource / "README.md");
+TEST(CommandTable, IsWhatItsPageAndTheShippedSchemaSay) {
+  const std::string page = contents(kSource / "assets/doc/sessions.md");
   for (const SessionCommand& command : session_commands())
-    EXPECT_NE(readme.find("`" + std::string(command.name) + "`"), std::string::npos)
-        << command.name << " is not in the README";
+    EXPECT_NE(page.find("`" + std::string(command.name) + "`"), std::string::npos)
+        << command.name << " is not in assets/doc/sessions.md";
   EXPECT_EQ(contents(kSource / "assets/schemas/session.schema.json"),
             session_schema().dump(2) + "\n")
       << "quicksand list session_schema > assets/schemas/session.schema.json";
