@@ -1,6 +1,6 @@
 #include <fcntl.h>
 
-#include "app/command_line.h"
+#include "app/cli/command_line.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 
 #include "app/bench/bench.h"
 #include "app/bench/statistics.h"
-#include "core/errors.h"
+#include "core/base/errors.h"
 
 namespace quicksand::bench {
 

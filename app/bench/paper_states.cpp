@@ -4,13 +4,16 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/assets.h"
-#include "app/build_info.h"
-#include "app/scene/scenario_json.h"
+#include "app/base/assets.h"
+#include "app/base/build_info.h"
 #include "app/scene/scene_file.h"
-#include "core/errors.h"
-#include "core/measures.h"
-#include "core/protocols.h"
+#include "app/scene_json/scenario_json.h"
+#include "core/base/errors.h"
+#include "core/measures/measures.h"
+#include "core/phases/protocol.h"
+#include "core/scene/make_world.h"
+#include "core/scene/scenario.h"
+#include "core/world/extent.h"
 
 namespace quicksand::bench {
 

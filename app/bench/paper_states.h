@@ -6,8 +6,8 @@
 #pragma once
 
 #include "app/bench/bench.h"
-#include "core/checkpoint.h"
-#include "core/scenario.h"
+#include "core/checkpoint/checkpoint.h"
+#include "core/scene/scenario.h"
 
 namespace quicksand::bench {
 

@@ -3,11 +3,11 @@
 #include <array>
 #include <cmath>
 
-#include "app/build_info.h"
-#include "app/machine.h"
-#include "app/report/report_text.h"
-#include "app/run/run_folder.h"
-#include "core/whole_file.h"
+#include "app/base/build_info.h"
+#include "app/base/machine.h"
+#include "app/plot/report_text.h"
+#include "app/run_folder/run_folder.h"
+#include "core/base/whole_file.h"
 
 namespace quicksand::bench {
 

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/contact_problem.h"
-#include "core/neighbors.h"
+#include "core/scene/scenario.h"
+#include "core/step/assemble.h"
+#include "core/world/neighbors.h"
 
 namespace quicksand::bench {
 

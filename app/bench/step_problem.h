@@ -1,9 +1,9 @@
 // The contact problem of a world's next step, as the step itself poses it first.
 #pragma once
 
-#include "core/scenario.h"
-#include "core/solver.h"
-#include "core/world.h"
+#include "core/problem/contact_problem.h"
+#include "core/scene/scenario.h"
+#include "core/world/world.h"
 
 namespace quicksand::bench {
 

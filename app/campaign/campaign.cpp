@@ -7,7 +7,7 @@
 #include "app/json/json_schema.h"
 #include "app/json/json_writer.h"
 #include "app/scene/scene_file.h"
-#include "core/errors.h"
+#include "core/base/errors.h"
 
 namespace quicksand {
 

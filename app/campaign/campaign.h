@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/campaign/job.h"
+#include "app/jobs/job.h"
 #include "app/json/json_text.h"
 
 namespace quicksand {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/json/name_field.h"
-#include "app/scene/scene_shapes.h"
+#include "app/scene_json/scene_shapes.h"
 
 namespace quicksand {
 

@@ -9,10 +9,12 @@
 #include "app/campaign/campaign.h"
 #include "app/campaign/results_table.h"
 #include "app/json/json_reader.h"
-#include "app/scene/scenario_json.h"
 #include "app/scene/scene_file.h"
 #include "app/scene/scene_override.h"
-#include "core/errors.h"
+#include "app/scene_json/scenario_json.h"
+#include "core/base/errors.h"
+#include "core/scene/scenario.h"
+#include "core/scene/validate.h"
 
 namespace quicksand {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "app/run/quantities.h"
+#include "app/series/quantities.h"
 
 namespace quicksand {
 

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "app/campaign/job.h"
-#include "app/campaign/run_record.h"
+#include "app/jobs/job.h"
+#include "app/jobs/run_record.h"
 
 namespace quicksand {
 

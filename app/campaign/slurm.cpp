@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "app/run/run_folder.h"
-#include "app/shell_text.h"
-#include "core/errors.h"
-#include "core/whole_file.h"
-#include "render/external_program.h"
+#include "app/base/shell_text.h"
+#include "app/run_folder/run_folder.h"
+#include "core/base/errors.h"
+#include "core/base/whole_file.h"
+#include "render/base/external_program.h"
 
 namespace quicksand {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/campaign/campaign.h"
-#include "app/campaign/run_record.h"
+#include "app/jobs/run_record.h"
 
 namespace quicksand {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <sstream>
 
-#include "app/run/run_folder.h"
-#include "core/errors.h"
-#include "core/whole_file.h"
+#include "app/run_folder/run_folder.h"
+#include "core/base/errors.h"
+#include "core/base/whole_file.h"
 
 namespace quicksand {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/export/formats.h"
-#include "core/whole_file.h"
+#include "core/base/whole_file.h"
 
 namespace quicksand {
 

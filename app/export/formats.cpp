@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "app/nearest_name.h"
-#include "core/errors.h"
+#include "app/base/nearest_name.h"
+#include "core/base/errors.h"
 
 namespace quicksand {
 

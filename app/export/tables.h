@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/measures.h"
-#include "core/world.h"
+#include "core/measures/measures.h"
+#include "core/world/world.h"
 
 namespace quicksand {
 

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/gui/panel_frame.h"
 #include "app/gui/triangles_of.h"
-#include "core/errors.h"
-#include "render/image_paste.h"
-#include "render/palette.h"
-#include "render/triangle_painter.h"
+#include "app/panel/panel_frame.h"
+#include "core/base/errors.h"
+#include "render/base/palette.h"
+#include "render/draw/triangle_painter.h"
+#include "render/image/image_paste.h"
 
 namespace quicksand {
 namespace {

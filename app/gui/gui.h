@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "app/gui/gui_input.h"
-#include "app/gui/widget.h"
 #include "app/json/json_text.h"
 #include "app/session/session.h"
-#include "render/camera.h"
-#include "render/image.h"
+#include "app/widgets/widget.h"
+#include "render/base/camera.h"
+#include "render/image/image.h"
 
 namespace quicksand {
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "app/nearest_name.h"
-#include "core/errors.h"
+#include "app/base/nearest_name.h"
+#include "core/base/errors.h"
 
 namespace quicksand {
 namespace {

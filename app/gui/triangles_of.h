@@ -3,7 +3,7 @@
 
 #include <imgui.h>
 
-#include "render/triangles.h"
+#include "render/draw/triangles.h"
 
 namespace quicksand::gui {
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "app/json/json_text.h"
-#include "core/types.h"
+#include "core/base/types.h"
 
 namespace quicksand {
 

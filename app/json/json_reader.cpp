@@ -5,8 +5,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "app/nearest_name.h"
-#include "core/errors.h"
+#include "app/base/nearest_name.h"
+#include "core/base/errors.h"
 
 namespace quicksand {
 

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <vector>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 
 namespace quicksand {
 

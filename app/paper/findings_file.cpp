@@ -1,9 +1,9 @@
 #include "app/paper/findings_file.h"
 
 #include "app/json/json_reader.h"
-#include "app/report/typeset_number.h"
-#include "core/errors.h"
-#include "core/whole_file.h"
+#include "app/plot/typeset_number.h"
+#include "core/base/errors.h"
+#include "core/base/whole_file.h"
 
 namespace quicksand {
 

@@ -3,12 +3,13 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/assets.h"
+#include "app/base/assets.h"
 #include "app/json/json_reader.h"
-#include "app/scene/scenario_json.h"
 #include "app/scene/scene_file.h"
 #include "app/scene/scene_override.h"
-#include "core/errors.h"
+#include "app/scene_json/scenario_json.h"
+#include "core/base/errors.h"
+#include "core/scene/validate.h"
 
 namespace quicksand {
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "app/campaign/job.h"
+#include "app/jobs/job.h"
 
 namespace quicksand {
 

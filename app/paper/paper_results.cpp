@@ -1,8 +1,8 @@
 #include "app/paper/paper_results.h"
 
-#include "app/campaign/run_record.h"
-#include "app/report/typeset_number.h"
-#include "app/run/search_results.h"
+#include "app/jobs/run_record.h"
+#include "app/plot/typeset_number.h"
+#include "app/run_folder/search_results.h"
 
 namespace quicksand {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "app/paper/paper_jobs.h"
-#include "app/report/comparison.h"
-#include "app/report/run_results.h"
+#include "app/run_report/run_results.h"
+#include "app/targets/comparison.h"
 
 namespace quicksand {
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <numeric>
 
-#include "app/run/search_results.h"
+#include "app/run_folder/search_results.h"
 
 namespace quicksand {
 

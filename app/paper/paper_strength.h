@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/paper/paper_results.h"
-#include "core/linear_fit.h"
+#include "core/measures/linear_fit.h"
 
 namespace quicksand {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cctype>
 
-#include "app/build_info.h"
-#include "app/machine.h"
-#include "app/report/typeset_number.h"
+#include "app/base/build_info.h"
+#include "app/base/machine.h"
+#include "app/plot/typeset_number.h"
 
 namespace quicksand {
 

@@ -4,10 +4,10 @@
 #include <set>
 
 #include "app/json/json_text.h"
-#include "app/report/report_text.h"
-#include "app/run/run_folder.h"
-#include "core/errors.h"
-#include "core/whole_file.h"
+#include "app/plot/report_text.h"
+#include "app/run_folder/run_folder.h"
+#include "core/base/errors.h"
+#include "core/base/whole_file.h"
 
 namespace quicksand {
 

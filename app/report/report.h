@@ -14,7 +14,7 @@
 #include <variant>
 #include <vector>
 
-#include "app/report/plot.h"
+#include "app/plot/plot.h"
 
 namespace quicksand {
 

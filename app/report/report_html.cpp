@@ -3,9 +3,9 @@
 #include <string>
 
 #include "app/json/json_text.h"
+#include "app/plot/report_text.h"
 #include "app/report/report.h"
 #include "app/report/report_style.h"
-#include "app/report/report_text.h"
 
 namespace quicksand {
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <string>
 
+#include "app/plot/report_text.h"
 #include "app/report/report.h"
-#include "app/report/report_text.h"
 
 namespace quicksand {
 

@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "app/json/json_reader.h"
-#include "app/scene/scenario_json.h"
-#include "core/errors.h"
+#include "app/scene_json/scenario_json.h"
+#include "core/base/errors.h"
+#include "core/measures/critical_force.h"
+#include "core/scene/scenario.h"
 
 namespace quicksand {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/checkpoint.h"
-#include "core/scenario.h"
+#include "core/checkpoint/checkpoint.h"
+#include "core/scene/scenario.h"
 
 namespace quicksand {
 

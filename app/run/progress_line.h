@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <string>
 
-#include "app/status_line.h"
-#include "core/protocols.h"
+#include "app/base/status_line.h"
+#include "core/phases/protocol.h"
 
 namespace quicksand {
 

@@ -4,11 +4,11 @@
 
 #include "app/json/json_text.h"
 #include "app/run/run_position.h"
-#include "app/run/series.h"
-#include "core/checkpoint.h"
-#include "core/errors.h"
-#include "render/png.h"
-#include "render/sequence.h"
+#include "app/series/series.h"
+#include "core/base/errors.h"
+#include "core/checkpoint/checkpoint.h"
+#include "render/image/png.h"
+#include "render/image/sequence.h"
 
 namespace quicksand {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "app/run/run_folder.h"
+#include "app/run_folder/run_folder.h"
 
 namespace quicksand {
 

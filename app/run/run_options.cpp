@@ -5,8 +5,8 @@
 
 #include "app/json/json_reader.h"
 #include "app/json/json_writer.h"
-#include "core/errors.h"
-#include "core/whole_file.h"
+#include "core/base/errors.h"
+#include "core/base/whole_file.h"
 
 namespace quicksand {
 

@@ -6,9 +6,9 @@
 #include <functional>
 #include <optional>
 
-#include "app/run/distrust.h"
-#include "core/protocols.h"
-#include "render/view.h"
+#include "app/run_folder/distrust.h"
+#include "core/phases/protocol.h"
+#include "render/base/view.h"
 
 namespace quicksand {
 

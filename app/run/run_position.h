@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/run/course.h"
+#include "app/series/course.h"
 
 namespace quicksand {
 

@@ -4,22 +4,24 @@
 #include <optional>
 #include <utility>
 
-#include "app/interrupt.h"
+#include "app/base/interrupt.h"
 #include "app/json/json_reader.h"
 #include "app/run/continuation.h"
-#include "app/run/course.h"
-#include "app/run/film.h"
-#include "app/run/folder_lock.h"
 #include "app/run/progress_line.h"
 #include "app/run/resumption.h"
 #include "app/run/run_position.h"
-#include "app/run/search_results.h"
-#include "app/run/series.h"
-#include "app/scene/scenario_json.h"
+#include "app/run_folder/folder_lock.h"
+#include "app/run_folder/search_results.h"
 #include "app/scene/scene_file.h"
-#include "core/errors.h"
-#include "core/measures.h"
-#include "core/whole_file.h"
+#include "app/scene_json/scenario_json.h"
+#include "app/series/course.h"
+#include "app/series/series.h"
+#include "app/view/film.h"
+#include "core/base/errors.h"
+#include "core/base/whole_file.h"
+#include "core/measures/measures.h"
+#include "core/scene/scenario.h"
+#include "core/world/extent.h"
 
 namespace quicksand {
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "app/run/run_folder.h"
 #include "app/run/run_options.h"
-#include "app/run/summary.h"
-#include "core/scenario.h"
+#include "app/run_folder/run_folder.h"
+#include "app/run_folder/summary.h"
+#include "core/scene/scenario.h"
 
 namespace quicksand {
 

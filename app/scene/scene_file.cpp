@@ -2,15 +2,18 @@
 
 #include <algorithm>
 
-#include "app/assets.h"
+#include "app/base/assets.h"
+#include "app/base/nearest_name.h"
 #include "app/json/json_reader.h"
-#include "app/nearest_name.h"
-#include "app/scene/scenario_json.h"
 #include "app/scene/scene_override.h"
 #include "app/scene/scene_size.h"
-#include "core/checkpoint.h"
-#include "core/errors.h"
-#include "core/memory.h"
+#include "app/scene_json/scenario_json.h"
+#include "core/base/errors.h"
+#include "core/base/memory.h"
+#include "core/checkpoint/checkpoint.h"
+#include "core/scene/make_world.h"
+#include "core/scene/scenario.h"
+#include "core/scene/validate.h"
 
 namespace quicksand {
 

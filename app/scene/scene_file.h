@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "core/scenario.h"
-#include "core/world.h"
+#include "core/scene/scenario.h"
+#include "core/world/world.h"
 
 namespace quicksand {
 

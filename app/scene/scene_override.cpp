@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "app/base/nearest_name.h"
 #include "app/json/json_reader.h"
-#include "app/nearest_name.h"
-#include "core/errors.h"
+#include "core/base/errors.h"
 
 namespace quicksand {
 

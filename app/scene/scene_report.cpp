@@ -4,11 +4,12 @@
 #include <cstdio>
 #include <numbers>
 
-#include "app/run/sample_times.h"
-#include "app/scene/scenario_json.h"
 #include "app/scene/scene_size.h"
-#include "app/scene/si_scale.h"
-#include "core/search.h"
+#include "app/scene_json/scenario_json.h"
+#include "app/scene_json/si_scale.h"
+#include "app/series/sample_times.h"
+#include "core/phases/search.h"
+#include "core/scene/scenario.h"
 
 namespace quicksand {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/scenario.h"
+#include "core/scene/scenario.h"
 
 namespace quicksand {
 

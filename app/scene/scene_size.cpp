@@ -1,6 +1,6 @@
 #include "app/scene/scene_size.h"
 
-#include "app/run/sample_times.h"
+#include "app/series/sample_times.h"
 
 namespace quicksand {
 

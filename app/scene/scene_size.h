@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "core/scenario.h"
+#include "core/scene/scenario.h"
 
 namespace quicksand {
 

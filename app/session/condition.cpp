@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <iterator>
 
+#include "app/base/nearest_name.h"
 #include "app/json/json_reader.h"
-#include "app/nearest_name.h"
-#include "app/run/quantities.h"
-#include "core/errors.h"
+#include "app/series/quantities.h"
+#include "core/base/errors.h"
 
 namespace quicksand {
 

@@ -1,7 +1,7 @@
 // What a person points at.
 #pragma once
 
-#include "core/world.h"
+#include "core/world/world.h"
 
 namespace quicksand {
 

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "app/json/fields.h"
-#include "app/scene/scene_fields.h"
+#include "app/scene_json/scene_fields.h"
 
 namespace quicksand {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/json/json_text.h"
-#include "core/scenario.h"
+#include "core/scene/scenario.h"
 
 namespace quicksand {
 

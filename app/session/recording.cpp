@@ -1,6 +1,6 @@
 #include "app/session/recording.h"
 
-#include "render/video.h"
+#include "render/image/video.h"
 
 namespace quicksand {
 

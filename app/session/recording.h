@@ -5,10 +5,10 @@
 #include <functional>
 
 #include "app/json/json_text.h"
-#include "app/run/run_folder.h"
-#include "app/run/series.h"
-#include "render/image.h"
-#include "render/sequence.h"
+#include "app/run_folder/run_folder.h"
+#include "app/series/series.h"
+#include "render/image/image.h"
+#include "render/image/sequence.h"
 
 namespace quicksand {
 

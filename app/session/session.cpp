@@ -5,12 +5,13 @@
 #include <utility>
 
 #include "app/run/continuation.h"
-#include "app/run/film.h"
-#include "app/run/state_file.h"
-#include "app/scene/scenario_json.h"
+#include "app/run_folder/state_file.h"
 #include "app/scene/scene_file.h"
 #include "app/scene/scene_override.h"
-#include "render/camera.h"
+#include "app/scene_json/scenario_json.h"
+#include "app/view/film.h"
+#include "core/scene/validate.h"
+#include "render/base/camera.h"
 
 namespace quicksand {
 

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "app/json/json_text.h"
-#include "app/run/course.h"
-#include "render/view.h"
+#include "app/series/course.h"
+#include "render/base/view.h"
 
 namespace quicksand {
 

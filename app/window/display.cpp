@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "render/render_error.h"
+#include "render/base/render_error.h"
 
 namespace quicksand {
 

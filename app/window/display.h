@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/gui/gui_input.h"
-#include "render/image.h"
+#include "render/image/image.h"
 
 namespace quicksand {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "app/session/transcript.h"
+#include "app/commands/transcript.h"
 
 namespace quicksand {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/json/json_text.h"
-#include "core/world.h"
+#include "core/world/world.h"
 
 namespace quicksand {
 

@@ -4,17 +4,17 @@
 #include <cstdio>
 #include <optional>
 
-#include "app/exit_code.h"
-#include "app/interrupt.h"
-#include "app/run/run_folder.h"
+#include "app/base/exit_code.h"
+#include "app/base/interrupt.h"
+#include "app/commands/command_table.h"
+#include "app/commands/console.h"
+#include "app/commands/session_file.h"
+#include "app/run_folder/run_folder.h"
 #include "app/scene/scene_file.h"
-#include "app/session/command_table.h"
-#include "app/session/console.h"
-#include "app/session/session_file.h"
 #include "app/window/display.h"
 #include "app/window/journal.h"
-#include "core/errors.h"
-#include "core/whole_file.h"
+#include "core/base/errors.h"
+#include "core/base/whole_file.h"
 
 namespace quicksand {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "app/commands/console.h"
 #include "app/gui/robot.h"
-#include "app/session/console.h"
 #include "tests/support/temporary_folder.h"
 
 namespace quicksand::test {

@@ -1,6 +1,6 @@
 // What the panel's widgets command, and what the panel shows of the session.
-#include "app/session/command_table.h"
-#include "core/errors.h"
+#include "app/commands/command_table.h"
+#include "core/base/errors.h"
 #include "tests/gui/gui_fixture.h"
 
 namespace quicksand::test {

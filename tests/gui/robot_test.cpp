@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 #include "tests/gui/gui_fixture.h"
 
 namespace quicksand::test {

@@ -1,8 +1,8 @@
 // The painter of triangles with textures.
 #include <gtest/gtest.h>
 
-#include "render/image_paste.h"
-#include "render/triangle_painter.h"
+#include "render/draw/triangle_painter.h"
+#include "render/image/image_paste.h"
 
 namespace quicksand::test {
 namespace {

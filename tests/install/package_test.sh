@@ -25,7 +25,7 @@ for file in bin/quicksand share/quicksand/assets/scenes/collapse.json \
   expect " ./usr/$file" contents
 done
 dpkg-deb -c "$development" >contents
-for file in include/quicksand/core/world.h lib/libquicksand_core.a \
+for file in include/quicksand/core/world/world.h lib/libquicksand_core.a \
             lib/cmake/quicksand/quicksand-config.cmake; do
   expect " ./usr/$file" contents
 done

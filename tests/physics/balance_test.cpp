@@ -1,8 +1,9 @@
 // Momentum and energy of whole scenes.
 #include <numeric>
 
-#include "core/measures.h"
-#include "core/random.h"
+#include "core/base/random.h"
+#include "core/measures/measures.h"
+#include "core/scene/scenario.h"
 #include "tests/support/core/methods.h"
 #include "tests/support/core/scenes.h"
 #include "tests/support/core/simulation.h"

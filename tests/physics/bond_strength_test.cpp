@@ -2,7 +2,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/measures.h"
+#include "core/measures/measures.h"
+#include "core/scene/scenario.h"
 #include "tests/support/core/methods.h"
 #include "tests/support/core/scenes.h"
 #include "tests/support/core/simulation.h"

@@ -2,6 +2,7 @@
 // stated here is what holds, deviations included.
 #include <cmath>
 
+#include "core/problem/solver_settings.h"
 #include "tests/support/core/methods.h"
 #include "tests/support/core/scenes.h"
 #include "tests/support/core/simulation.h"

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/problem/solver_settings.h"
 #include "tests/support/core/scenes.h"
 #include "tests/support/core/simulation.h"
 

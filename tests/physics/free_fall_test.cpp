@@ -1,3 +1,4 @@
+#include "core/problem/solver_settings.h"
 #include "tests/support/core/methods.h"
 #include "tests/support/core/scenes.h"
 #include "tests/support/core/simulation.h"

@@ -2,7 +2,9 @@
 // forces of a network are not left to where the solver happens to start.
 #include <Eigen/Geometry>
 
-#include "core/ballistic.h"
+#include "core/scene/make_world.h"
+#include "core/scene/scenario.h"
+#include "core/world/ballistic.h"
 #include "tests/support/core/methods.h"
 #include "tests/support/core/scenes.h"
 #include "tests/support/core/simulation.h"

@@ -3,8 +3,11 @@
 // may break in a step that did not converge.
 #include <gtest/gtest.h>
 
-#include "core/measures.h"
-#include "core/protocols.h"
+#include "core/measures/measures.h"
+#include "core/phases/protocol.h"
+#include "core/scene/make_world.h"
+#include "core/scene/scenario.h"
+#include "core/world/extent.h"
 #include "tests/support/core/methods.h"
 #include "tests/support/core/scenes.h"
 #include "tests/support/core/tolerance.h"

@@ -1,8 +1,10 @@
 // What is measured on a packing must not depend on how its steps were solved.
 #include <gtest/gtest.h>
 
-#include "core/measures.h"
-#include "core/protocols.h"
+#include "core/measures/measures.h"
+#include "core/phases/protocol.h"
+#include "core/scene/make_world.h"
+#include "core/scene/scenario.h"
 #include "tests/support/core/methods.h"
 #include "tests/support/core/scenes.h"
 #include "tests/support/core/tolerance.h"

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/problem/solver_settings.h"
 #include "tests/support/core/methods.h"
 #include "tests/support/core/scenes.h"
 #include "tests/support/core/simulation.h"

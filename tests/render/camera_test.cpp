@@ -1,4 +1,4 @@
-#include "render/camera.h"
+#include "render/base/camera.h"
 
 #include <gtest/gtest.h>
 

@@ -5,12 +5,12 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/errors.h"
-#include "render/frame_files.h"
-#include "render/png.h"
-#include "render/png_reader.h"
-#include "render/sequence.h"
-#include "render/video.h"
+#include "core/base/errors.h"
+#include "render/image/frame_files.h"
+#include "render/image/png.h"
+#include "render/image/png_reader.h"
+#include "render/image/sequence.h"
+#include "render/image/video.h"
 
 namespace quicksand {
 namespace {

@@ -1,8 +1,8 @@
-#include "render/font.h"
+#include "render/draw/font.h"
 
 #include <gtest/gtest.h>
 
-#include "render/key_words.h"
+#include "render/key/key_words.h"
 
 namespace quicksand {
 namespace {

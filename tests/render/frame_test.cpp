@@ -1,12 +1,13 @@
-#include "render/frame.h"
+#include "render/picture/frame.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/errors.h"
-#include "render/palette.h"
+#include "core/base/errors.h"
+#include "core/scene/scenario.h"
+#include "render/base/palette.h"
 #include "tests/render/worlds.h"
 
 namespace quicksand {

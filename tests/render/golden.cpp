@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <optional>
 
-#include "render/image_difference.h"
-#include "render/png.h"
-#include "render/png_reader.h"
+#include "render/image/image_difference.h"
+#include "render/image/png.h"
+#include "render/image/png_reader.h"
 
 namespace quicksand::golden {
 void expect_same(const Image& image, const std::string& name) {

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "render/image.h"
+#include "render/image/image.h"
 
 namespace quicksand::golden {
 

@@ -3,7 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "render/renderer.h"
+#include "core/scene/scenario.h"
+#include "render/picture/renderer.h"
 #include "tests/render/worlds.h"
 
 namespace quicksand {

@@ -1,11 +1,12 @@
-#include "render/nice_numbers.h"
+#include "render/base/nice_numbers.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "render/font.h"
-#include "render/scale_bar.h"
+#include "core/scene/scenario.h"
+#include "render/draw/font.h"
+#include "render/key/scale_bar.h"
 
 namespace quicksand {
 namespace {

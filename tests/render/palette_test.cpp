@@ -1,12 +1,12 @@
-#include "render/palette.h"
+#include "render/base/palette.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
-#include "render/colouring.h"
-#include "render/view.h"
+#include "render/base/view.h"
+#include "render/layers/colouring.h"
 #include "tests/render/worlds.h"
 
 namespace quicksand {

@@ -1,7 +1,7 @@
 // Small worlds to look at, put together by hand.
 #pragma once
 
-#include "core/world.h"
+#include "core/world/world.h"
 
 namespace quicksand::worlds {
 

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/errors.h"
-#include "core/memory.h"
+#include "core/base/errors.h"
+#include "core/base/memory.h"
 #include "tests/robustness/readers.h"
 #include "tests/support/temporary_folder.h"
 

@@ -4,8 +4,8 @@
 #include <set>
 
 #include "app/campaign/campaign.h"
-#include "app/scene/scenario_json.h"
-#include "app/session/command_table.h"
+#include "app/commands/command_table.h"
+#include "app/scene_json/scenario_json.h"
 #include "tests/robustness/readers.h"
 #include "tests/support/temporary_folder.h"
 

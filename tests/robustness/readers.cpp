@@ -6,12 +6,15 @@
 #include <stdexcept>
 
 #include "app/campaign/campaign.h"
+#include "app/commands/command_table.h"
+#include "app/commands/session_file.h"
 #include "app/run/run_options.h"
 #include "app/run/run_position.h"
-#include "app/scene/scenario_json.h"
-#include "app/session/command_table.h"
-#include "app/session/session_file.h"
-#include "core/checkpoint.h"
+#include "app/scene_json/scenario_json.h"
+#include "core/checkpoint/checkpoint.h"
+#include "core/scene/make_world.h"
+#include "core/scene/scenario.h"
+#include "core/scene/validate.h"
 #include "tests/support/files.h"
 
 namespace quicksand::test {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/errors.h"
-#include "core/memory.h"
+#include "core/base/errors.h"
+#include "core/base/memory.h"
 #include "tests/robustness/mutation.h"
 #include "tests/support/bounded_memory.h"
 #include "tests/support/files.h"

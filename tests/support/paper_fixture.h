@@ -4,8 +4,8 @@
 #include <string>
 
 #include "app/paper/paper_jobs.h"
-#include "app/scene/scenario_json.h"
-#include "core/whole_file.h"
+#include "app/scene_json/scenario_json.h"
+#include "core/base/whole_file.h"
 #include "tests/support/program_fixture.h"
 
 namespace quicksand::test {

@@ -6,8 +6,8 @@
 
 #include <string>
 
-#include "app/session/console.h"
-#include "render/png_reader.h"
+#include "app/commands/console.h"
+#include "render/image/png_reader.h"
 #include "tests/render/golden.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"

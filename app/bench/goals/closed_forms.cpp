@@ -4,12 +4,14 @@
 #include <array>
 #include <cstdio>
 
-#include "app/assets.h"
+#include "app/base/assets.h"
+#include "app/bench/cases/window.h"
 #include "app/bench/goals/goal_cases.h"
 #include "app/bench/goals/over_gauss_seidel.h"
-#include "app/bench/window.h"
 #include "app/scene/scene_file.h"
-#include "core/step.h"
+#include "core/scene/make_world.h"
+#include "core/scene/scenario.h"
+#include "core/step/step.h"
 
 namespace quicksand::bench {
 

@@ -10,8 +10,10 @@
 #include "app/bench/paper_states.h"
 #include "app/bench/step_problem.h"
 #include "app/bench/stopwatch.h"
-#include "core/contact_matrix.h"
-#include "core/random.h"
+#include "core/base/random.h"
+#include "core/interior_point/contact_matrix.h"
+#include "core/scene/scenario.h"
+#include "core/solvers/contact_solver.h"
 
 namespace quicksand::bench {
 

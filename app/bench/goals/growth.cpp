@@ -2,11 +2,12 @@
 // one shape, search for contacts included.
 #include <algorithm>
 
+#include "app/bench/cases/window.h"
 #include "app/bench/goals/goal_cases.h"
 #include "app/bench/paper_states.h"
 #include "app/bench/statistics.h"
-#include "app/bench/window.h"
-#include "core/step.h"
+#include "core/scene/scenario.h"
+#include "core/step/step.h"
 
 namespace quicksand::bench {
 

@@ -8,7 +8,8 @@
 
 #include "app/bench/goals/goal_cases.h"
 #include "app/bench/paper_states.h"
-#include "app/bench/velocity_error.h"
+#include "app/bench/precision/velocity_error.h"
+#include "core/problem/solver_settings.h"
 
 namespace quicksand::bench {
 

@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdio>
 
+#include "core/problem/solver_settings.h"
+
 namespace quicksand::bench {
 
 namespace {

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "app/bench/goals/goal_case.h"
-#include "app/bench/velocity_error.h"
+#include "app/bench/precision/velocity_error.h"
+#include "core/problem/solver_settings.h"
 
 namespace quicksand::bench {
 

@@ -1,10 +1,11 @@
 // Deposition, rest and ploughing: steps per second over a phase, its preparation not counted.
 #include <limits>
 
+#include "app/bench/cases/window.h"
 #include "app/bench/goals/goal_cases.h"
 #include "app/bench/goals/over_gauss_seidel.h"
 #include "app/bench/paper_states.h"
-#include "app/bench/window.h"
+#include "core/scene/make_world.h"
 
 namespace quicksand::bench {
 

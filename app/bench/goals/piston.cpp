@@ -3,11 +3,13 @@
 #include <array>
 #include <cstdio>
 
+#include "app/bench/cases/window.h"
 #include "app/bench/goals/goal_cases.h"
 #include "app/bench/goals/over_gauss_seidel.h"
 #include "app/bench/paper_states.h"
-#include "app/bench/window.h"
-#include "core/measures.h"
+#include "core/measures/measures.h"
+#include "core/scene/scenario.h"
+#include "core/world/extent.h"
 
 namespace quicksand::bench {
 

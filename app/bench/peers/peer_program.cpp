@@ -3,10 +3,10 @@
 #include <array>
 #include <csignal>
 
-#include "app/assets.h"
-#include "core/errors.h"
-#include "core/whole_file.h"
-#include "render/external_program.h"
+#include "app/base/assets.h"
+#include "core/base/errors.h"
+#include "core/base/whole_file.h"
+#include "render/base/external_program.h"
 
 namespace quicksand::bench {
 

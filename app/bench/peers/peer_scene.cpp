@@ -4,11 +4,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/bench/hard_course.h"
-#include "core/neighbors.h"
-#include "core/protocols.h"
-#include "core/random.h"
-#include "core/world.h"
+#include "app/bench/hard/hard_course.h"
+#include "core/base/random.h"
+#include "core/phases/protocol.h"
+#include "core/scene/make_world.h"
+#include "core/scene/scenario.h"
+#include "core/world/neighbors.h"
+#include "core/world/world.h"
 
 namespace quicksand::bench {
 

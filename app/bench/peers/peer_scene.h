@@ -7,7 +7,7 @@
 
 #include "app/bench/bench.h"
 #include "app/json/json_text.h"
-#include "core/scenario.h"
+#include "core/scene/scenario.h"
 
 namespace quicksand::bench {
 

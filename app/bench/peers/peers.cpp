@@ -1,10 +1,10 @@
 // Other programs on the same scenes, each in its own idiom: time and error side by side.
 #include <set>
 
-#include "app/bench/hard_course.h"
+#include "app/bench/hard/hard_course.h"
 #include "app/bench/peers/peer_program.h"
-#include "app/report/report_text.h"
-#include "app/run/run_folder.h"
+#include "app/plot/report_text.h"
+#include "app/run_folder/run_folder.h"
 
 namespace quicksand::bench {
 

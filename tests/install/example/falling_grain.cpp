@@ -2,9 +2,11 @@
 // headers. Prints the height of the centre at the end, half a diameter.
 #include <cstdio>
 
-#include "core/protocols.h"
-#include "render/png.h"
-#include "render/renderer.h"
+#include "core/phases/protocol.h"
+#include "core/scene/make_world.h"
+#include "core/scene/scenario.h"
+#include "render/image/png.h"
+#include "render/picture/renderer.h"
 
 int main() {
   quicksand::Scenario scenario;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/solvers/contact_solver.h"
 #include "tests/support/core/tolerance.h"
 
 namespace quicksand {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <set>
 
+#include "core/problem/solver_settings.h"
 #include "tests/support/core/random_problems.h"
 #include "tests/support/core/reference_solver.h"
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/elimination.h"
+#include "core/linear/elimination.h"
 
 namespace quicksand {
 

@@ -7,7 +7,7 @@
 #include <ostream>
 #include <string>
 
-#include "core/solver.h"
+#include "core/problem/solver_settings.h"
 
 namespace quicksand {
 

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/ballistic.h"
-#include "core/contact_problem.h"
-#include "core/neighbors.h"
+#include "core/scene/make_world.h"
+#include "core/scene/scenario.h"
+#include "core/step/assemble.h"
+#include "core/world/ballistic.h"
+#include "core/world/neighbors.h"
 
 namespace quicksand {
 

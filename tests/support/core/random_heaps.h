@@ -1,9 +1,11 @@
 // Small heaps of disks between walls, and the contact problem of their next step.
 #pragma once
 
-#include "core/random.h"
-#include "core/solver.h"
-#include "core/world.h"
+#include "core/step/step_settings.h"
+#include "core/base/random.h"
+#include "core/problem/contact_problem.h"
+#include "core/step/step_settings.h"
+#include "core/world/world.h"
 
 namespace quicksand {
 

@@ -1,8 +1,8 @@
 // Contact problems without a world, as small as a reference can solve by trying everything.
 #pragma once
 
-#include "core/random.h"
-#include "core/solver.h"
+#include "core/base/random.h"
+#include "core/problem/contact_problem.h"
 
 namespace quicksand {
 

@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "core/solver.h"
+#include "core/problem/contact_problem.h"
 
 namespace quicksand {
 

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/random.h"
+#include "core/base/random.h"
+#include "core/scene/scenario.h"
 #include "tests/support/core/tolerance.h"
 
 namespace quicksand {

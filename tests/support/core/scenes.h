@@ -2,7 +2,7 @@
 // otherwise, and a tight solver.
 #pragma once
 
-#include "core/scenario.h"
+#include "core/scene/scenario.h"
 
 namespace quicksand {
 

@@ -2,7 +2,9 @@
 
 #include <cmath>
 
-#include "core/measures.h"
+#include "core/measures/measures.h"
+#include "core/scene/make_world.h"
+#include "core/scene/scenario.h"
 
 namespace quicksand {
 

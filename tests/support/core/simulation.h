@@ -3,9 +3,10 @@
 
 #include <memory>
 
-#include "core/protocols.h"
-#include "core/step.h"
-#include "core/world.h"
+#include "core/phases/protocol.h"
+#include "core/scene/scenario.h"
+#include "core/step/step.h"
+#include "core/world/world.h"
 
 namespace quicksand {
 

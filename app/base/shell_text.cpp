@@ -1,0 +1,15 @@
+#include "app/base/shell_text.h"
+
+namespace quicksand {
+
+std::string shell_text(const std::filesystem::path& path) {
+  std::string text = path.string();
+  constexpr const char* kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789/._-+=:,@%";
+  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return result + "'";
+}
+
+}  // namespace quicksand

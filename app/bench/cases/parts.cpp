@@ -1,0 +1,52 @@
+#include <array>
+#include <cstdarg>
+#include <cstdio>
+
+#include "app/base/interrupt.h"
+#include "app/bench/bench.h"
+
+namespace quicksand::bench {
+
+std::span<const Part> parts() {
+  static const std::array all{
+      Part{"precision", "Work against precision of one step",
+           "time to a residual and to a velocity error, for every solver on the same problems",
+           precision_tasks, report_precision},
+      Part{"hard", "Hard cases", "problems with a known answer at which solvers fail", hard_tasks,
+           report_hard},
+      Part{"error", "Error of a run against its cost",
+           "observables of a run against time step, tolerance and break rule", error_tasks,
+           report_error},
+      Part{"size", "Cost against size", "seconds and bytes a disk, from 1000 disks up", size_tasks,
+           report_size},
+      Part{"terms", "Cost of the model's terms", "what a scene saves by not naming a term",
+           term_tasks, report_terms},
+      Part{"goals", "Goals", "the solver's speed against its goals at full size", goal_tasks,
+           report_goals},
+      Part{"kernels", "Distance from the machine's limits",
+           "operations and bytes a second of a step's kernels against peak and stream",
+           kernel_tasks, report_kernels},
+      Part{"threads", "Further cores", "time of a solution on one core and on more, same bytes",
+           thread_tasks, report_threads},
+      Part{"nscd", "Standard nonsmooth contact dynamics",
+           "time of an update of a contact, and sweeps that a chain needs", nscd_tasks,
+           report_nscd},
+      Part{"peers", "Other programs", "the same scenes in Box2D, Yade and Siconos, where installed",
+           peer_tasks, report_peers, false}};
+  return all;
+}
+
+void stop_if_interrupted() {
+  if (InterruptWatch().interrupted()) throw Interrupted();
+}
+
+std::string format(const char* pattern, ...) {
+  std::array<char, 512> text{};
+  va_list arguments;
+  va_start(arguments, pattern);
+  std::vsnprintf(text.data(), text.size(), pattern, arguments);
+  va_end(arguments);
+  return text.data();
+}
+
+}  // namespace quicksand::bench

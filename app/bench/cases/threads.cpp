@@ -1,0 +1,107 @@
+// What further cores bring to the solution of a step by the interior point: time of the wall for 1, 2, 4, ...
+// threads, up to all cores. The velocities must be the same to the last bit.
+#include <algorithm>
+#include <limits>
+
+#include "app/bench/bench.h"
+#include "app/bench/paper_states.h"
+#include "app/bench/precision/precision_problems.h"
+#include "app/bench/step_problem.h"
+#include "app/options/threads_option.h"
+#include "core/base/parallel.h"
+#include "core/problem/solver_settings.h"
+#include "core/solvers/contact_solver.h"
+
+namespace quicksand::bench {
+
+namespace {
+
+// Those whose contacts move everywhere, so that locality, which works alone, would not pay.
+constexpr const char* kProblems[] = {"intact, falling", "intruder mid-way", "collapse mid-way"};
+
+std::vector<int> thread_counts() {
+  const int cores = thread_count(0);
+  std::vector<int> counts;
+  for (int threads = 1; threads < cores; threads *= 2) counts.push_back(threads);
+  counts.push_back(cores);
+  return counts;
+}
+
+void measure(const StepProblem& step, const Options& options, std::vector<Row>& rows) {
+  const SolverSettings settings{.method = Method::interior_point, .tolerance = 1e-5};
+  std::vector<Vec3> alone;
+  double seconds_alone = 0;
+  for (const int threads : thread_counts()) {
+    Row row{.what = "solve",
+            .method = std::to_string(threads),
+            .size = mobile_disks(step.problem),
+            .contacts = static_cast<std::int64_t>(step.problem.contacts.size()),
+            .tolerance = settings.tolerance,
+            .unit = "times"};
+    row.seconds.wall = std::numeric_limits<double>::infinity();
+    ContactState state;
+    for (int repeat = 0; repeat < options.repeats_or(5); ++repeat) {
+      stop_if_interrupted();
+      state = {.velocity = {}, .impulse = step.start};
+      with_threads(threads, [&] {
+        ContactSolver solver;
+        const Stopwatch watch;
+        const SolveReport report = solver.solve(step.problem, settings, state);
+        const Seconds spent = watch.elapsed();
+        if (spent.wall < row.seconds.wall) row.seconds = spent;
+        row.factorisations = report.factorisations;
+        row.residual = report.residual.natural;
+        row.unconverged = report.converged ? 0 : 1;
+      });
+    }
+    if (threads == 1) {
+      alone = state.velocity;
+      seconds_alone = row.seconds.wall;
+    }
+    row.value = seconds_alone / row.seconds.wall;
+    row.expected = "the velocities of one thread";
+    row.passed = state.velocity == alone;
+    row.found = *row.passed ? "the same" : "others";
+    rows.push_back(row);
+  }
+}
+
+}  // namespace
+
+std::vector<Task> thread_tasks(const Options& options) {
+  std::vector<Task> tasks;
+  for (const PrecisionProblem& problem : precision_problems())
+    if (std::ranges::find(kProblems, problem.name) != std::end(kProblems))
+      tasks.push_back({problem.name, [&problem, options](std::vector<Row>& rows) {
+                         measure(problem.make(options), options, rows);
+                       }});
+  tasks.push_back({"falling, larger", [options](std::vector<Row>& rows) {
+                     measure(next_problem(fresh_deposit(options, options.quick ? 4000 : 20000),
+                                          paper_scene(options).step),
+                             options, rows);
+                   }});
+  return tasks;
+}
+
+void report_threads(std::span<const Row> rows, const Options&, Section& section) {
+  section.blocks.emplace_back(Paragraph{
+      "One step, solved by the interior point to a residual of 1e-5; the shortest of the repeats, "
+      "in time of the wall. Systems of less than some thousand contacts are not shared."});
+  Table table{.columns = {{"problem"},
+                          {"contacts", true},
+                          {"threads", true},
+                          {"milliseconds", true},
+                          {"times as fast as one", true},
+                          {"velocities"}}};
+  for (const Row& row : rows)
+    if (row.what == "solve")
+      table.rows.push_back({{row.name},
+                            {std::to_string(row.contacts)},
+                            {row.method},
+                            {format("%.3g", 1e3 * row.seconds.wall)},
+                            {format("%.2f", row.value.value_or(0))},
+                            {row.found}});
+  section.blocks.emplace_back(std::move(table));
+}
+
+}  // namespace quicksand::bench

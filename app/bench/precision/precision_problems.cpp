@@ -1,0 +1,105 @@
+#include "app/bench/precision/precision_problems.h"
+
+#include "app/base/assets.h"
+#include "app/bench/paper_states.h"
+#include "app/scene/scene_file.h"
+#include "core/scene/make_world.h"
+#include "core/scene/scenario.h"
+#include "core/world/ballistic.h"
+
+namespace quicksand::bench {
+
+namespace {
+
+StepProblem cold(StepProblem step) {
+  step.start = step.no_force;
+  return step;
+}
+
+StepProblem standing_cold(const Options& options) {
+  return cold(next_problem(at_rest(options).world, paper_scene(options).step));
+}
+
+StepProblem sagging_warm(const Options& options) {
+  return next_problem(settled(options).world, paper_scene(options).step);
+}
+
+StepProblem falling_cold(const Options& options) {
+  return cold(
+      next_problem(fresh_deposit(options, options.quick ? 400 : 5000), paper_scene(options).step));
+}
+
+StepProblem ploughed(const Options& options) {
+  const Checkpoint state = ploughing(options);
+  return next_problem(state.world, step_in_phase(paper_scene(options), state.protocol.phase));
+}
+
+StepProblem collapse_under_way(const Options& options) {
+  return next_problem(collapsing(options).world, step_in_phase(collapse_scene(options), 2));
+}
+
+StepProblem dense_heap(const Options& options) {
+  return next_problem(dense(options).world, dense_scene(options).step);
+}
+
+StepProblem chain(const Options& options) {
+  const Scenario scene = chain_scene(options.quick ? 100 : 1000);
+  return cold(next_problem(make_world(scene), scene.step));
+}
+
+StepProblem beam(const Options&) {
+  const Scenario scene =
+      read_scene({.file = shipped_scene("cantilever"), .overrides = {"step.dt=1e-2"}, .seed = {}});
+  return cold(next_problem(make_world(scene), scene.step));
+}
+
+// A disk of mass 1e4 where it first touches the heap.
+StepProblem heavy_disk(const Options& options) {
+  constexpr double kMass = 1e4, kRadius = 1.5;
+  World world = dense(options).world;
+  world.disks.add({.position = LandingSite(world).land(world.box.width / 2, kRadius)->centre,
+                   .radius = kRadius,
+                   .density = kMass / (4 * kRadius * kRadius)});
+  return next_problem(world, dense_scene(options).step);
+}
+
+StepProblem strong_bonds(const Options& options) {
+  Scenario scene = paper_scene(options);
+  World world = fresh_deposit(options, options.quick ? 400 : 5000);
+  scene.grain_law.cohesion_force = 1e6;
+  take_laws(world, scene);
+  return cold(next_problem(world, scene.step));
+}
+
+}  // namespace
+
+Scenario chain_scene(int disks) {
+  const std::string top = std::to_string(disks + 3), next = std::to_string(disks + 2);
+  return read_scene(
+      {.file = shipped_scene("chain"),
+       .overrides = {"box.height=" + std::to_string(disks + 4),
+                     "bodies[0].position=[5," + top + "]", "bodies[1].position=[5," + next + "]",
+                     "bodies[1].repeat.count=" + std::to_string(disks),
+                     "contact.cohesion_force=1e4", "step.dt=1e-2"},
+       .seed = {}});
+}
+
+const std::vector<PrecisionProblem>& precision_problems() {
+  static const std::vector<PrecisionProblem> all{
+      {"intact, cold", "a network at rest takes up its weight from no contact force",
+       standing_cold},
+      {"intact, falling", "the same of a deposit without dynamics, whose branches fall",
+       falling_cold},
+      {"intact, warm", "a network that sags, from the impulses of the step before", sagging_warm},
+      {"intruder mid-way", "the intruder ploughs half-way down, warm", ploughed},
+      {"collapse mid-way", "the channel falls in behind the intruder, warm", collapse_under_way},
+      {"dense cohesionless", "a heap without cohesion settles, warm", dense_heap},
+      {"chain", "a hanging chain takes up its weight, cold", chain},
+      {"cantilever 31", "a clamped beam takes up its weight, cold", beam},
+      {"mass ratio 1e4", "a disk of mass 1e4 is laid on the heap", heavy_disk},
+      {"F_c/F_g = 1e6", "the falling deposit with bonds a hundred times as strong, cold",
+       strong_bonds}};
+  return all;
+}
+
+}  // namespace quicksand::bench

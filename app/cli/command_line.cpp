@@ -1,0 +1,128 @@
+#include "app/cli/command_line.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/base/build_info.h"
+#include "app/base/exit_code.h"
+#include "app/base/nearest_name.h"
+#include "app/cli/commands.h"
+#include "core/base/errors.h"
+#include "core/base/memory.h"
+#include "core/base/whole_file.h"
+#include "render/base/render_error.h"
+
+namespace quicksand {
+
+namespace {
+
+int complain(const std::string& problem, int exit_code) {
+  std::fprintf(stderr, "quicksand: %s\n", problem.c_str());
+  return exit_code;
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+// The message for what the library does not understand, with the nearest name.
+std::string explain(const CLI::ParseError& error, const CLI::App& program,
+                    const std::vector<Command>& commands) {
+  const CLI::App* used = &program;
+  std::vector<std::string> command_names;
+  for (const Command& command : commands) {
+    command_names.push_back(command.app->get_name());
+    if (command.app->parsed()) used = command.app;
+  }
+  const std::string help = " (see `quicksand " +
+                           (used == &program ? std::string() : used->get_name() + " ") + "--help`)";
+  for (const std::string& word : program.remaining(true)) {
+    if (word.starts_with("-")) {
+      const std::string option = word.substr(0, word.find('='));
+      return option + " is no option of " + used->get_name() +
+             suggestion(option, option_names(*used)) + help;
+    }
+    if (used == &program) {
+      return "\"" + word + "\" is no command" + suggestion(word, command_names) + help;
+    }
+    return "\"" + word + "\" is one argument too many for " + used->get_name() + help;
+  }
+  return error.what() + help;
+}
+
+std::vector<Command> add_commands(CLI::App& program) {
+  program.set_version_flag("--version", std::string("quicksand ") + build_info().version);
+  program.require_subcommand(1);
+  program.footer("Example:\n  quicksand run assets/scenes/collapse.json");
+  return {add_run(program),       add_resume(program), add_check(program),    add_render(program),
+          add_measure(program),   add_export(program), add_campaign(program), add_report(program),
+          add_reproduce(program), add_bench(program),  add_session(program),  add_window(program),
+          add_compare(program),   add_list(program)};
+}
+
+constexpr const char* kPurpose = "Contact dynamics of cohesive grain packings.";
+
+}  // namespace
+
+std::string command_line_problem(const std::vector<std::string>& words) {
+  CLI::App program(kPurpose, "quicksand");
+  const std::vector<Command> commands = add_commands(program);
+  std::vector<std::string> reversed(words.rbegin(), words.rend());  // as the library takes them
+  try {
+    program.parse(std::move(reversed));
+  } catch (const CLI::Success&) {
+    return {};  // --help, --version
+  } catch (const CLI::ParseError& error) {
+    return explain(error, program, commands);
+  }
+  return {};
+}
+
+int run_command_line(int argc, const char* const* argv) {
+  CLI::App program(kPurpose, "quicksand");
+  const std::vector<Command> commands = add_commands(program);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& request) {
+    return program.exit(request);  // --help, --version
+  } catch (const CLI::ParseError& error) {
+    return complain(explain(error, program, commands), kBadInput);
+  }
+
+  try {
+    const auto called =
+        std::ranges::find_if(commands, [](const Command& c) { return c.app->parsed(); });
+    const int code = called->run();
+    // What a full disk has swallowed must not pass for a result.
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+      return complain("the standard output cannot be written; is the disk full?", kRunFailed);
+    return code;
+  } catch (const DiskFull& error) {
+    return complain(error.where() + ": " + error.what() +
+                        "; when there is room again, the same command does it or goes on",
+                    kRunFailed);
+  } catch (const InputError& error) {
+    return complain(error.where() + ": " + error.what(), kBadInput);
+  } catch (const RenderError& error) {
+    return complain(
+        std::string("no pictures: ") + error.what() + "; `run --no-frames` does without",
+        kBadInput);
+  } catch (const NotEnoughMemory& error) {
+    return complain(error.what(), kRunFailed);
+  } catch (const std::bad_alloc&) {
+    return complain("there is not enough memory for this", kRunFailed);
+  } catch (const std::exception& error) {
+    return complain(std::string("an unexpected error: ") + error.what(), kRunFailed);
+  }
+}
+
+}  // namespace quicksand

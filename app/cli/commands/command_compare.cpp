@@ -1,0 +1,52 @@
+// quicksand compare: whether two pictures look the same.
+#include <cstdio>
+#include <memory>
+
+#include "app/base/exit_code.h"
+#include "app/cli/commands.h"
+#include "app/view/image_comparison.h"
+#include "render/image/png.h"
+
+namespace quicksand {
+
+namespace {
+
+struct CompareArguments {
+  std::filesystem::path ours, reference, difference;
+  int tolerance = kSameLook;
+};
+
+int compare(const CompareArguments& options) {
+  const ImageComparison result = compare_images(options.ours, options.reference, options.tolerance);
+  std::printf("%s\n", result.text.c_str());
+  if (!options.difference.empty() && result.difference.picture.width > 0)
+    write_png(options.difference, result.difference.picture);
+  return result.same ? kFine : kRunFailed;
+}
+
+}  // namespace
+
+Command add_compare(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("compare", "tell whether two pictures look the same");
+  const auto options = std::make_shared<CompareArguments>();
+  command->add_option("picture", options->ours, "PNG file")->type_name("A.png")->required();
+  command->add_option("reference", options->reference, "PNG file that it should look like")
+      ->type_name("B.png")
+      ->required();
+  command
+      ->add_option("--tolerance", options->tolerance,
+                   "largest difference of a channel of a pixel [1/255]")
+      ->type_name("N")
+      ->check(CLI::Range(0, 255))
+      ->capture_default_str();
+  command
+      ->add_option("--difference", options->difference,
+                   "write the differences, eight times as strong")
+      ->type_name("D.png");
+  command->footer(
+      "Exit code: 0 if they look the same, 1 if not, 2 if one is no picture.\n\n"
+      "Example:\n  quicksand compare out/tour/04_push.png reference/04_push.png");
+  return {command, [options] { return compare(*options); }};
+}
+
+}  // namespace quicksand

@@ -1,0 +1,63 @@
+// quicksand report: a readable page about finished runs.
+#include <cstdio>
+#include <memory>
+
+#include "app/base/exit_code.h"
+#include "app/cli/commands.h"
+#include "app/report/provenance.h"
+#include "app/run_report/run_report.h"
+
+namespace quicksand {
+
+namespace {
+
+struct ReportArguments {
+  std::vector<std::filesystem::path> folders;
+  std::filesystem::path out;
+};
+
+int report(const ReportArguments& options) {
+  std::vector<RunResults> runs;
+  std::vector<std::string> words{"quicksand", "report"};
+  double seconds = 0;
+  for (const std::filesystem::path& folder : options.folders) {
+    runs.emplace_back(folder);
+    words.push_back(folder.string());
+    seconds += runs.back().final_value("wall_seconds").value_or(0);
+  }
+  std::filesystem::path out = options.out;
+  if (out.empty()) {
+    out = runs.size() == 1 ? options.folders.front() : std::filesystem::path("out") / "report";
+  } else {
+    words.insert(words.end(), {"--out", out.string()});
+  }
+  Report page = run_report(runs);
+  page.provenance = provenance({.command = command_text(words), .seconds = seconds});
+  for (const std::string& problem : write_report(page, out)) {
+    std::fprintf(stderr, "quicksand: %s\n", problem.c_str());
+  }
+  std::printf("%s\n%s\n", (out / "report.html").c_str(), (out / "report.md").c_str());
+  return kFine;
+}
+
+}  // namespace
+
+Command add_report(CLI::App& program) {
+  CLI::App* command = program.add_subcommand(
+      "report", "a page about a finished run, or about several side by side");
+  const auto options = std::make_shared<ReportArguments>();
+  command->add_option("runs", options->folders, "folders of runs")->type_name("DIR")->required();
+  command
+      ->add_option("--out", options->out,
+                   "folder of the report [that of a single run; out/report for several]")
+      ->type_name("DIR");
+  command->footer(
+      "Writes report.html (one file, to be read and sent), report.md, plots/ (CSV, gnuplot "
+      "script,\n"
+      "PNG and SVG of each) and pictures/. Plots need gnuplot; without it their data and scripts\n"
+      "are written.\n\n"
+      "Example:\n  quicksand report out/collapse out/strong --out out/comparison");
+  return {command, [options] { return report(*options); }};
+}
+
+}  // namespace quicksand

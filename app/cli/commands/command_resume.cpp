@@ -1,0 +1,90 @@
+// quicksand resume: goes on with a run that did not reach its end, whatever ended it.
+#include <cstdio>
+#include <memory>
+
+#include "app/cli/commands.h"
+#include "app/cli/run_outcome.h"
+#include "app/options/strict_options.h"
+#include "app/options/threads_option.h"
+#include "app/run/resumption.h"
+#include "app/run_folder/folder_lock.h"
+#include "app/scene/scene_file.h"
+#include "core/base/errors.h"
+#include "core/base/parallel.h"
+#include "core/checkpoint/checkpoint.h"
+#include "core/measures/measures.h"
+#include "core/scene/scenario.h"
+
+namespace quicksand {
+
+namespace {
+
+struct ResumeArguments {
+  std::string folder;
+  bool quiet = false;
+  std::int64_t threads = 0;
+  StrictOptions strict;
+};
+
+void require_run(const RunFolder& folder) {
+  std::error_code ignored;
+  for (const auto& file : {folder.scene(), folder.options()})
+    if (!std::filesystem::exists(file, ignored))
+      throw InputError(folder.path.string(),
+                       "is not the folder of a run: it has no " + file.filename().string());
+}
+
+int tell_finished(const RunFolder& folder, const RunOptions& options) {
+  std::printf("the run in %s is finished\n", folder.path.c_str());
+  if (!options.strict) return tell_distrust({});
+  const Checkpoint end = read_checkpoint(folder.state());
+  return tell_distrust(distrust(end.protocol, measure(end.world).max_overlap, *options.strict));
+}
+
+int resume(const ResumeArguments& asked) {
+  const RunFolder folder{asked.folder};
+  require_run(folder);
+  RunOptions options = read_options(folder.options());
+  options.out = folder.path;
+  options.quiet = asked.quiet;
+  options.lock = false;
+  if (asked.strict.strict) options.strict = strict_from(asked.strict);
+  const Scenario scenario = read_scene({folder.scene(), {}, {}});
+  const FolderLock lock = lock_run(folder.path);
+  const Resumption resumption = resumption_of(folder, options.frames);
+  switch (resumption.how) {
+    case Resumption::How::finished:
+      return tell_finished(folder, options);
+    case Resumption::How::goes_on:
+      options.continued_from = folder.state();
+      break;
+    case Resumption::How::starts_again:
+      if (!asked.quiet)
+        std::fprintf(stderr, "the run starts again from its beginning: %s\n",
+                     resumption.why.c_str());
+      break;
+  }
+  RunResult result;
+  with_threads(thread_count(asked.threads), [&] { result = run_scene(scenario, options); });
+  return tell_outcome(result, options);
+}
+
+}  // namespace
+
+Command add_resume(CLI::App& program) {
+  CLI::App* command = program.add_subcommand(
+      "resume", "go on with a run that was killed, interrupted or out of disk space");
+  const auto options = std::make_shared<ResumeArguments>();
+  command->add_option("folder", options->folder, "folder of the run")->type_name("DIR")->required();
+  add_threads_option(*command, options->threads, kThreadsOfOneRun);
+  command->add_flag("--quiet", options->quiet, "print nothing but where the results are");
+  add_strict_options(*command, options->strict);
+  command->footer(
+      "The results are those of a run that nothing had stopped. Rows and frames after the last\n"
+      "checkpoint are computed again; without a usable checkpoint the run starts again.\n\n"
+      "Example:\n"
+      "  quicksand resume out/collapse");
+  return {command, [options] { return resume(*options); }};
+}
+
+}  // namespace quicksand

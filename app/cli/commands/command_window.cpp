@@ -1,0 +1,40 @@
+// quicksand window: the panel in a window, by hand.
+#include <memory>
+
+#include "app/cli/commands.h"
+#include "app/options/picture_options.h"
+#include "app/window/window.h"
+
+namespace quicksand {
+
+Command add_window(CLI::App& program) {
+  CLI::App* command =
+      program.add_subcommand("window", "watch and steer a simulation in a window (needs SDL2)");
+  const auto options = std::make_shared<WindowOptions>();
+  const auto size = std::make_shared<std::string>("1280x720");
+  command
+      ->add_option("file", options->file,
+                   "scene, by name or path, or a session that is played before the window opens")
+      ->type_name("SCENE|SESSION");
+  command
+      ->add_option("--record", options->record,
+                   "write what was done by hand as a session file that replays to the same state")
+      ->type_name("FILE.json");
+  command
+      ->add_option("--out", options->out,
+                   "folder that receives states and recordings; out/window if absent")
+      ->type_name("DIR");
+  command->add_option("--scale", options->scale, "size of letters and controls, 0.5 to 4")
+      ->type_name("NUMBER")
+      ->capture_default_str();
+  command->add_option("--size", *size, "of the window in pixels")
+      ->type_name("WxH")
+      ->capture_default_str();
+  command->footer("Example:\n  quicksand window collapse --record by_hand.json");
+  return {command, [options, size] {
+            read_size(*size, options->width, options->height);
+            return run_window(*options);
+          }};
+}
+
+}  // namespace quicksand

@@ -1,0 +1,87 @@
+#include "app/cli/run_outcome.h"
+
+#include <cstdio>
+
+#include "app/base/exit_code.h"
+#include "app/base/shell_text.h"
+#include "app/json/json_reader.h"
+#include "app/options/picture_options.h"
+
+namespace quicksand {
+
+namespace {
+
+// Beyond, shorter steps are no answer to what does not converge. [1]
+constexpr int kManyHalvings = 16;
+
+// Goes on with other settings than those that failed.
+std::string continue_command(const RunFolder& folder, const RunOptions& options) {
+  return "quicksand run " + shell_text(folder.scene()) + " --continue " +
+         shell_text(folder.state()) + " --out " + shell_text(folder.path) +
+         (options.every ? " --every " + number_text(*options.every) : "") +
+         (options.checkpoint_every != RunOptions{}.checkpoint_every
+              ? " --checkpoint-every " + number_text(options.checkpoint_every)
+              : "") +
+         (options.strict ? " --strict --max-overlap " + number_text(options.strict->max_overlap)
+                         : "") +
+         (options.frames ? picture_words(options.view) : " --no-frames");
+}
+
+int tell_failure(const RunResult& result, const RunOptions& options) {
+  const std::string folder = result.folder.path.string();
+  if (result.end.unwritable) {
+    std::fprintf(stderr,
+                 "quicksand: the run ended early: %s\n  what was written is in %s\n"
+                 "  when it can be written again, go on with: quicksand resume %s\n",
+                 result.end.failure.c_str(), folder.c_str(),
+                 shell_text(result.folder.path).c_str());
+    return kRunFailed;
+  }
+  const std::string command = continue_command(result.folder, options);
+  std::fprintf(stderr, "quicksand: the run failed: %s\n  results so far are in %s\n",
+               result.end.failure.c_str(), folder.c_str());
+  if (result.most_halvings < kManyHalvings)
+    std::fprintf(stderr, "  continue with: %s --set step.max_halvings=%d\n", command.c_str(),
+                 kManyHalvings);
+  else
+    std::fprintf(
+        stderr,
+        "  continue with a larger tolerance, here or as solver_tolerance of the phase: %s --set "
+        "solver.tolerance=1e-4\n",
+        command.c_str());
+  std::fprintf(stderr,
+               "  or, to take such steps as they are, with --set step.on_unconverged=continue\n");
+  return kRunFailed;
+}
+
+}  // namespace
+
+int tell_distrust(const std::string& reasons) {
+  if (reasons.empty()) return kFine;
+  std::fprintf(stderr, "quicksand: --strict: the run is not to be believed: %s\n", reasons.c_str());
+  return kRunFailed;
+}
+
+int tell_outcome(const RunResult& result, const RunOptions& options) {
+  const std::string folder = result.folder.path.string();
+  const auto steps = static_cast<long long>(result.end.computed_steps);
+  if (!options.quiet)
+    for (const std::string& note : result.notes) std::fprintf(stderr, "%s\n", note.c_str());
+  switch (result.end.how) {
+    case RunEnd::How::finished:
+      std::printf("%lld steps in %.1f s; results are in %s\n", steps, result.end.wall_seconds,
+                  folder.c_str());
+      return tell_distrust(result.distrust);
+    case RunEnd::How::interrupted:
+      std::printf(
+          "interrupted after %lld steps; results so far are in %s\n"
+          "  continue with: quicksand resume %s\n",
+          steps, folder.c_str(), shell_text(result.folder.path).c_str());
+      return kInterrupted;
+    case RunEnd::How::failed:
+      return tell_failure(result, options);
+  }
+  return kRunFailed;
+}
+
+}  // namespace quicksand

@@ -1,0 +1,66 @@
+// Makes a row of the command table from a struct with the arguments:
+//
+//   struct Example {
+//     std::string file;                                  // defaults
+//     void seed(const Console& console);                 // optional: defaults from the present state
+//     void describe(Fields& f);                          // the arguments, once
+//     Json perform(Console& console, const std::string& place);
+//   };
+#pragma once
+
+#include <vector>
+
+#include "app/commands/command_table.h"
+#include "app/commands/console.h"
+#include "app/json/json_reader.h"
+
+namespace quicksand {
+
+constexpr Field kCommandField{"command", "what to do", Presence::required};
+
+// Visits {"command": name, ...arguments}.
+template <class Arguments>
+void read_arguments(Arguments& arguments, const Json& command, const std::string& place) {
+  JsonReader reader(command, place, "a command");
+  std::string name;
+  reader.text(kCommandField, name);
+  arguments.describe(reader);
+  reader.refuse_unknown_keys();
+}
+
+struct CommandText {
+  std::string_view name, group, help, example;
+};
+
+template <class Arguments>
+SessionCommand define(const CommandText& text, bool needs_scene = true) {
+  SessionCommand row;
+  row.name = text.name;
+  row.group = text.group;
+  row.help = text.help;
+  row.example = text.example;
+  row.needs_scene = needs_scene;
+  row.describe = [](Fields& f) { Arguments{}.describe(f); };
+  row.check = [](const Json& command, const std::string& place) {
+    Arguments arguments;
+    read_arguments(arguments, command, place);
+  };
+  row.perform = [](Console& console, const Json& command, const std::string& place) {
+    Arguments arguments;
+    if constexpr (requires { arguments.seed(console); }) arguments.seed(console);
+    read_arguments(arguments, command, place);
+    return arguments.perform(console, place);
+  };
+  return row;
+}
+
+// The groups of the table.
+std::vector<SessionCommand> scene_commands();
+std::vector<SessionCommand> run_commands();
+std::vector<SessionCommand> phase_commands();
+std::vector<SessionCommand> picture_commands();
+std::vector<SessionCommand> widget_commands();
+std::vector<SessionCommand> check_commands();
+std::vector<SessionCommand> session_commands_proper();
+
+}  // namespace quicksand

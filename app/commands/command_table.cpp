@@ -1,0 +1,121 @@
+#include "app/commands/command_table.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "app/base/nearest_name.h"
+#include "app/commands/command_definition.h"
+#include "app/commands/session_file.h"
+#include "app/json/json_schema.h"
+#include "core/base/errors.h"
+
+namespace quicksand {
+
+namespace {
+
+std::vector<SessionCommand> make_table() {
+  std::vector<SessionCommand> table;
+  for (const auto group : {scene_commands, run_commands, phase_commands, picture_commands,
+                           widget_commands, check_commands, session_commands_proper}) {
+    std::ranges::copy(group(), std::back_inserter(table));
+  }
+  return table;
+}
+
+Json schema_of(const SessionCommand& command) {
+  JsonSchema schema;
+  std::string name;
+  schema.text(kCommandField, name);
+  command.describe(schema);
+  Json result = schema.take();
+  result["properties"]["command"] = {{"const", command.name}, {"description", command.help}};
+  return result;
+}
+
+// What a schema says of an argument, in words: its range, its type, or what it may be.
+std::string kind_of(const Json& argument) {
+  if (argument.contains("enum")) {
+    std::string words;
+    for (const Json& word : argument["enum"])
+      words += (words.empty() ? "" : " | ") + word.get<std::string>();
+    return words;
+  }
+  if (!argument.contains("type")) return "any value";
+  const Json& type = argument["type"];
+  return type.is_string() ? type.get<std::string>() : "text or object";
+}
+
+struct Argument {
+  std::string name, kind, help;
+  bool required = false;
+};
+
+std::vector<Argument> arguments_of(const SessionCommand& command) {
+  const Json schema = schema_of(command);
+  std::vector<Argument> arguments;
+  const Json required = schema.value("required", Json::array());
+  for (const auto& [name, argument] : schema["properties"].items()) {
+    if (name == "command") continue;
+    arguments.push_back({name, kind_of(argument), argument.value("description", std::string()),
+                         std::ranges::find(required, Json(name)) != required.end()});
+  }
+  return arguments;
+}
+
+}  // namespace
+
+std::span<const SessionCommand> session_commands() {
+  static const std::vector<SessionCommand> table = make_table();
+  return table;
+}
+
+const SessionCommand& command_of(const Json& command, const std::string& place) {
+  if (!command.is_object())
+    throw InputError(place, "is " + described(command) + R"(, must be a command {"command": ...})");
+  const auto name = command.find("command");
+  if (name == command.end() || !name->is_string())
+    throw InputError(place, R"(has no text "command" that names what to do)");
+  const auto all = session_commands();
+  const auto found =
+      std::ranges::find(all, name->get_ref<const std::string&>(), &SessionCommand::name);
+  if (found != all.end()) return *found;
+  std::vector<std::string> names;
+  std::ranges::transform(all, std::back_inserter(names),
+                         [](const SessionCommand& c) { return std::string(c.name); });
+  throw InputError(place + ".command", described(*name) + " is no command" +
+                                           suggestion(name->get_ref<const std::string&>(), names));
+}
+
+Json session_schema() {
+  JsonSchema schema;
+  SessionFile file;
+  Json commands;
+  describe_session_file(schema, file, commands);
+  Json result = {{"$schema", "http://json-schema.org/draft-07/schema#"},
+                 {"title", "quicksand session"}};
+  result.update(schema.take());
+  Json alternatives = Json::array();
+  for (const SessionCommand& command : session_commands())
+    alternatives.push_back(schema_of(command));
+  result["properties"]["commands"]["items"] = {{"oneOf", std::move(alternatives)}};
+  return result;
+}
+
+std::string commands_text() {
+  std::string text;
+  std::string_view group;
+  for (const SessionCommand& command : session_commands()) {
+    if (command.group != group) {
+      group = command.group;
+      text += (text.empty() ? "" : "\n") + std::string(group) + "\n";
+    }
+    text += "\n  " + std::string(command.name) + ": " + std::string(command.help) + "\n";
+    for (const Argument& a : arguments_of(command))
+      text += "      " + a.name + " (" + a.kind + (a.required ? ", required" : "") +
+              "): " + a.help + "\n";
+    text += "      " + std::string(command.example) + "\n";
+  }
+  return text;
+}
+
+}  // namespace quicksand

@@ -1,0 +1,152 @@
+// Commands that read and check: measure, expect.
+#include "app/commands/command_definition.h"
+#include "app/commands/transcript.h"
+#include "app/export/exporter.h"
+#include "app/json/json_reader.h"
+#include "app/run_folder/measurements.h"
+#include "app/run_folder/summary.h"
+#include "app/session/condition.h"
+#include "app/view/image_comparison.h"
+#include "core/base/errors.h"
+#include "render/image/png.h"
+
+namespace quicksand {
+
+namespace {
+
+constexpr std::string_view kCheckGroup = "Checks";
+
+struct Measure {
+  std::string quantity;
+  std::string folder;
+
+  void describe(Fields& f) {
+    f.text({"quantity", "one of `quicksand list quantities`; all if absent"}, quantity);
+    f.text({"folder",
+            "in the output folder; receives measures.json, profile.csv and distributions, as "
+            "quicksand measure writes them"},
+           folder);
+  }
+  Json perform(Console& console, const std::string& place) {
+    const Session& session = console.session();
+    Json result = Json::object();
+    if (!quantity.empty()) {
+      const auto value = quantity_of(session, quantity, place + ".quantity");
+      result[quantity] = value ? Json(*value) : Json(nullptr);
+    } else {
+      const Row row = session.measure_now();
+      for (const Quantity& known : quantities()) {
+        if (!known.of_steps) result[std::string(known.name)] = json_of(known.get(row));
+      }
+    }
+    if (!folder.empty()) {
+      constexpr double kSlice = 5;  // [d]
+      const auto path = console.output(folder, place + ".folder");
+      const StateFile state{{session.world(), session.protocol().state(), {}},
+                            session.scenario(),
+                            session.phase_name()};
+      write_measurements(path, measure_state(state, {}, kSlice));
+      result["folder"] = path.string();
+    }
+    return result;
+  }
+};
+
+struct Export {
+  std::string format, out;
+
+  void describe(Fields& f) {
+    f.text({"format", "vtk, xyz, csv or npy", Presence::required}, format);
+    f.text({"out", "in the output folder: a folder, or for xyz a file", Presence::required}, out);
+    if (!f.reading()) return;
+    try {
+      export_format(format);
+    } catch (const InputError& error) {
+      f.refuse("format", error.what());
+    }
+  }
+  Json perform(Console& console, const std::string& place) {
+    const auto path = console.output(out, place + ".out");
+    export_state(console.session().world(), export_format(format), path);
+    return {{"out", path.string()}};
+  }
+};
+
+struct ExpectQuantity {
+  Condition condition;
+
+  void describe(Fields& f) { describe_condition(f, condition); }
+  Json perform(Console& console, const std::string& place) {
+    const auto value = quantity_of(console.session(), condition.quantity, place);
+    if (!holds(condition, value))
+      throw CommandFailure(condition.quantity + " is " +
+                           (value ? number_text(*value) : std::string("not there")) +
+                           ", expected " + words_of(condition));
+    return {{condition.quantity, *value}};
+  }
+};
+
+struct ExpectHash {
+  std::string hash;
+
+  void describe(Fields& f) {
+    f.text({"hash", "16 hexadecimal digits, as transcripts show it", Presence::required}, hash);
+  }
+  Json perform(Console& console, const std::string&) {
+    const std::string now = text_of_hash(world_hash(console.session().world()));
+    if (now != hash)
+      throw CommandFailure("the world's hash is " + now + ", expected " + hash +
+                           "; another version, compiler or machine computes another course");
+    return {{"hash", now}};
+  }
+};
+
+struct ExpectImage {
+  std::string image, reference;
+  std::int64_t tolerance = kSameLook;
+
+  void describe(Fields& f) {
+    f.text({"image", "PNG of this session", Presence::required}, image);
+    f.text({"reference", "PNG that it must look like, relative to the command file",
+            Presence::required},
+           reference);
+    f.integer({"tolerance", "largest difference of a channel of a pixel [1/255]"}, 0, 255,
+              tolerance);
+  }
+  Json perform(Console& console, const std::string& place) {
+    const ImageComparison result = compare_images(console.input(image), console.beside(reference),
+                                                  static_cast<int>(tolerance));
+    if (result.same) return {{"worst", result.difference.worst}};
+    std::string seen;
+    if (result.difference.picture.width > 0) {
+      const auto path = console.output(image + ".difference.png", place);
+      write_png(path, result.difference.picture);
+      seen = "; see " + path.string();
+    }
+    throw CommandFailure(result.text + seen);
+  }
+};
+
+}  // namespace
+
+std::vector<SessionCommand> check_commands() {
+  return {
+      define<Measure>({"measure", kCheckGroup, "Tells quantities of the present moment.",
+                       R"({"command": "measure", "quantity": "coordination"})"}),
+      define<Export>({"export", kCheckGroup,
+                      "Writes the present state for ParaView, OVITO, spreadsheets or NumPy.",
+                      R"({"command": "export", "format": "vtk", "out": "half_way"})"}),
+      define<ExpectQuantity>(
+          {"expect", kCheckGroup, "Fails unless a quantity lies within bounds.",
+           R"({"command": "expect", "quantity": "active_bond_fraction", "at_least": 0.9})"}),
+      define<ExpectHash>({"expect_hash", kCheckGroup,
+                          "Fails unless the world is this one, bit by bit.",
+                          R"({"command": "expect_hash", "hash": "0123456789abcdef"})"}),
+      define<ExpectImage>(
+          {"expect_image", kCheckGroup,
+           "Fails unless a picture looks like a reference; the differences are written beside it.",
+           R"({"command": "expect_image", "image": "a.png", "reference": "reference/a.png"})"},
+          false)};
+}
+
+}  // namespace quicksand

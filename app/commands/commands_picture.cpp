@@ -1,0 +1,245 @@
+// Commands about pictures: view, camera, pick, snapshot, record.
+#include <algorithm>
+#include <iterator>
+
+#include "app/commands/command_definition.h"
+#include "app/json/json_reader.h"
+#include "app/session/disk_at.h"
+#include "core/base/errors.h"
+#include "render/base/camera.h"
+#include "render/image/png.h"
+#include "render/picture/frame.h"
+
+namespace quicksand {
+
+namespace {
+
+constexpr std::string_view kPictureGroup = "Pictures";
+constexpr std::string_view kThemeNames[] = {"light", "dark"};
+
+std::span<const std::string_view> colouring_names() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> all;
+    std::ranges::transform(colourings(), std::back_inserter(all), &ColouringInfo::name);
+    return all;
+  }();
+  return names;
+}
+
+void describe_size(Fields& f, int& width, int& height) {
+  std::int64_t w = width, h = height;
+  f.integer({"width", "of the picture [px]; as before if absent"}, kSmallestPicture,
+            kLargestPicture, w);
+  f.integer({"height", "of the picture [px]; as before if absent"}, kSmallestPicture,
+            kLargestPicture, h);
+  width = static_cast<int>(w);
+  height = static_cast<int>(h);
+}
+
+struct ViewCommand {
+  View view;
+
+  void seed(const Console& console) { view = console.session().view; }
+  void describe(Fields& f) {
+    f.choice({"colour", "what the grains' colours show"}, colouring_names(), view.colouring);
+    f.choice({"theme", "of pictures and panel"}, kThemeNames, view.theme);
+    f.flag({"bonds", "lines along the active bonds"}, view.bonds);
+    f.flag({"forces", "lines along the contacts, as wide as their normal force"}, view.forces);
+    f.flag({"broken_bonds", "bars across the bonds that broke"}, view.broken_bonds);
+    f.flag({"orientation", "a mark on each disk that turns with it"}, view.orientation);
+    f.flag({"legend", "what the colours mean"}, view.legend);
+    f.flag({"scale_bar", "how long a diameter is"}, view.scale_bar);
+    f.flag({"numbers", "time and key numbers"}, view.numbers);
+    f.flag({"detail", "a close-up of the intruder where there is room for it"}, view.detail);
+    describe_size(f, view.width, view.height);
+  }
+  Json perform(Console& console, const std::string& place) {
+    try {
+      check(view);
+    } catch (const InputError& error) {
+      throw InputError(place, error.what());
+    }
+    console.session().view = view;
+    return Json::object();
+  }
+};
+
+// A part of a slender box, seen closer, leaves room at its sides: shown as wide as the picture, but no
+// wider than the box.
+WorldRect widened(WorldRect window, const View& view, const Box& box) {
+  const double wide = window.size().y() * view.width / view.height;
+  const double more = std::min(wide, box.width) - window.size().x();
+  if (more > 0) {
+    window.low.x() -= more / 2;
+    window.high.x() += more / 2;
+  }
+  return window;
+}
+
+struct CameraCommand {
+  int fit = 0;
+  std::optional<bool> follow;
+  std::optional<double> zoom;
+  std::optional<Vec2> at, low, high;
+
+  void describe(Fields& f) {
+    constexpr std::string_view kFits[] = {"as_before", "box", "content"};
+    constexpr std::string_view kFollow[] = {"as_before", "none", "intruder"};
+    constexpr double kFar = 1e7;
+    f.word({"fit", "shows the whole box, or all bodies"}, kFits, fit);
+    int word = follow ? 1 + static_cast<int>(*follow) : 0;
+    f.word({"follow", "keeps this in the middle"}, kFollow, word);
+    if (word > 0) follow = word == 2;
+    f.number({"zoom", "above 1: nearer"}, between(1e-3, 1e3, "1"), zoom);
+    f.vector({"at", "place that stays where it is while zooming, [x, y]; the middle if absent"},
+             between(-kFar, kFar, "d"), at);
+    f.vector({"low", "lower left corner of the window that is shown, [x, y]"},
+             between(-kFar, kFar, "d"), low);
+    f.vector({"high", "its upper right corner, [x, y]"}, between(-kFar, kFar, "d"), high);
+    if (!f.reading()) return;
+    if (low.has_value() != high.has_value()) f.refuse("low", "and high go together");
+    if (low && !((high->x() > low->x()) && (high->y() > low->y())))
+      f.refuse("high", "must lie above and to the right of low");
+  }
+
+  Json perform(Console& console, const std::string&) {
+    Session& session = console.session();
+    View& view = session.view;
+    if (fit > 0) {
+      view.fit = fit == 1 ? Fit::box : Fit::content;
+      view.window.reset();
+      session.follow_intruder = false;
+    }
+    if (low) view.window = WorldRect{*low, *high};
+    if (follow) session.follow_intruder = *follow;
+    if (zoom) {
+      const WorldRect window = view_window(session.world(), session.shown());
+      const Vec2 fixed = at.value_or((window.low + window.high) / 2);
+      constexpr double kNearest = 1e-3, kFarthest = 1e7;  // [d]
+      const Vec2 size = window.size() / *zoom;
+      if (size.minCoeff() >= kNearest && size.maxCoeff() <= kFarthest)
+        view.window =
+            widened({fixed + (window.low - fixed) / *zoom, fixed + (window.high - fixed) / *zoom},
+                    view, session.world().box);
+    }
+    const WorldRect window = view_window(session.world(), session.shown());
+    return {{"low", {window.low.x(), window.low.y()}},
+            {"high", {window.high.x(), window.high.y()}}};
+  }
+};
+
+struct Pick {
+  std::optional<Vec2> at;
+  std::int64_t body = -1;
+
+  void describe(Fields& f) {
+    f.vector({"at", "the body at this place, [x, y]"}, between(-1e7, 1e7, "d"), at);
+    f.integer({"body", "the body of this number; without it and at: none"}, -1, 100'000'000, body);
+  }
+  Json perform(Console& console, const std::string& place) {
+    Session& session = console.session();
+    const World& world = session.world();
+    if (body >= world.disks.size())
+      throw InputError(place + ".body", std::to_string(body) + " does not exist; there are " +
+                                            std::to_string(world.disks.size()));
+    const int found = at ? disk_at(world, *at) : static_cast<int>(body);
+    session.picked = found >= 0 ? std::optional(found) : std::nullopt;
+    if (found < 0) return {{"body", nullptr}};
+    const Vec2& x = world.disks.position[found];
+    const Vec3& v = world.disks.velocity[found];
+    return {{"body", found},
+            {"position", {world.wrapped_x(x.x()), x.y()}},
+            {"radius", world.disks.radius[found]},
+            {"velocity", {v.x(), v.y()}},
+            {"angular_velocity", v.z()}};
+  }
+};
+
+constexpr std::string_view kWhat[] = {"view", "panel"};
+
+struct Snapshot {
+  std::string file;
+  int what = 0;
+  int width = 0, height = 0;
+  std::optional<double> scale;
+
+  void seed(const Console& console) {
+    width = console.session().view.width;
+    height = console.session().view.height;
+  }
+  Snapshot() : width(View{}.width), height(View{}.height) {}
+  void describe(Fields& f) {
+    f.text({"file", "PNG in the output folder", Presence::required}, file);
+    f.word({"what", "the view alone, or the panel with the view beside it"}, kWhat, what);
+    describe_size(f, width, height);
+    f.number({"scale", "of the panel's letters and controls"}, between(0.5, 4, "1"), scale);
+    if (f.reading() && !file.ends_with(".png")) f.refuse("file", "must end in .png");
+  }
+  Json perform(Console& console, const std::string& place) {
+    if (what == 0 && !console.session().loaded())
+      throw CommandFailure("there is no scene to be drawn; the panel alone can be");
+    const auto path = console.output(file, place + ".file");
+    write_png(path, what == 1 ? console.draw_panel(width, height, scale)
+                              : console.draw_view(width, height));
+    return {{"file", path.string()}};
+  }
+};
+
+struct Record {
+  bool on = true;
+  std::string folder = "recording";
+  int what = 0;
+  std::optional<double> every;
+
+  void describe(Fields& f) {
+    f.flag({"on", "false: ends the recording", Presence::required}, on);
+    f.text({"folder", "in the output folder; receives frames, series.csv and, with ffmpeg, a film"},
+           folder);
+    f.word({"what", "the view alone, or the panel with the view beside it"}, kWhat, what);
+    f.number({"every", "time between frames; that of the scene if absent"},
+             above(0, 1e9, "sqrt(d/g)"), every);
+  }
+  Json perform(Console& console, const std::string& place) {
+    if (!on) {
+      if (!console.recording) throw CommandFailure("nothing is being recorded");
+      Json result = console.recording->finish();
+      console.recording.reset();
+      console.session().sample_every(std::nullopt);
+      return result;
+    }
+    if (console.recording)
+      throw CommandFailure(
+          "a recording is under way; end it with {\"command\": \"record\", \"on\": false}");
+    const auto path = console.output(folder, place + ".folder");
+    const bool panel = what == 1;
+    console.recording = std::make_unique<Recording>(path, [&console, panel] {
+      const View& view = console.session().view;
+      return panel ? console.draw_panel(view.width, view.height, std::nullopt)
+                   : console.draw_view(view.width, view.height);
+    });
+    console.session().sample_every(every);
+    console.recording->add(console.session().measure_now());
+    return {{"folder", path.string()}};
+  }
+};
+
+}  // namespace
+
+std::vector<SessionCommand> picture_commands() {
+  return {
+      define<ViewCommand>({"view", kPictureGroup, "Changes how the packing is drawn.",
+                           R"({"command": "view", "colour": "pressure", "theme": "dark"})"},
+                          false),
+      define<CameraCommand>({"camera", kPictureGroup, "Chooses what part of the world is shown.",
+                             R"({"command": "camera", "follow": "intruder", "zoom": 3})"}),
+      define<Pick>({"pick", kPictureGroup,
+                    "Chooses the body that the panel inspects, and tells about it.",
+                    R"({"command": "pick", "at": [15, 10]})"}),
+      define<Snapshot>({"snapshot", kPictureGroup, "Writes a picture.",
+                        R"({"command": "snapshot", "file": "half_way.png"})"},
+                       false),
+      define<Record>({"record", kPictureGroup, "Begins or ends writing frames and series.csv.",
+                      R"({"command": "record", "on": true, "folder": "film", "every": 0.02})"})};
+}
+
+}  // namespace quicksand

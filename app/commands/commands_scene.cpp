@@ -1,0 +1,139 @@
+// Commands about the scene: load, set, reset, save, restore.
+#include "app/base/assets.h"
+#include "app/commands/command_definition.h"
+#include "app/scene/scene_file.h"
+#include "app/scene/scene_override.h"
+#include "app/scene_json/scenario_json.h"
+#include "app/scene_json/scene_shapes.h"
+#include "core/base/errors.h"
+#include "core/scene/scenario.h"
+#include "core/scene/validate.h"
+
+namespace quicksand {
+
+namespace {
+
+constexpr std::string_view kSceneGroup = "Scene";
+
+constexpr Shape kAnything{"a value", [](const Json&) { return true; },
+                          [] { return Json::object(); }};
+
+Json about(const Session& session) {
+  const Scenario& scenario = session.scenario();
+  return {{"scene", scenario.name},
+          {"bodies", session.world().disks.size()},
+          {"phases", scenario.phases.size()}};
+}
+
+struct Load {
+  Json scene;
+  Json set;
+  std::int64_t seed = -1;
+
+  void describe(Fields& f) {
+    f.json({"scene", "the name of a shipped scene, the path of a file, or the scene itself",
+            Presence::required},
+           kSceneShape, scene);
+    f.json({"set", "values for it, by their paths, as in run --set"}, kSetShape, set);
+    f.integer({"seed", "instead of the scene's; -1: as it is"}, -1, std::int64_t{1} << 53U, seed);
+  }
+
+  Json perform(Console& console, const std::string& place) {
+    console.session().load(scenario(console, place));
+    return about(console.session());
+  }
+
+  Scenario scenario(const Console& console, const std::string& place) const {
+    if (scene.is_object()) {
+      Json changed = scene;
+      for (const auto& [path, value] : set.items())
+        set_value(changed, path, value, place + ".set." + path);
+      if (seed >= 0) changed["seed"] = seed;
+      Scenario result = scenario_from_json(changed);
+      if (result.name.empty()) result.name = "session";
+      validate(result);
+      return result;
+    }
+    const std::string name = scene.get<std::string>();
+    const bool is_name = name.find_first_of("/.") == std::string::npos;
+    SceneRequest request{is_name ? shipped_scene(name) : console.beside(name), {}, {}};
+    for (const auto& [path, value] : set.items())
+      request.overrides.push_back(path + "=" + value.dump());
+    if (seed >= 0) request.seed = static_cast<std::uint64_t>(seed);
+    return read_scene(request);
+  }
+};
+
+struct Set {
+  std::string path;
+  Json value;
+
+  void describe(Fields& f) {
+    f.text({"path", "place in the scene, as in contact.friction or phases[1].force",
+            Presence::required},
+           path);
+    f.json({"value", "the new value; null or absent: the scene no longer names it"}, kAnything,
+           value);
+  }
+
+  Json perform(Console& console, const std::string&) {
+    const bool at_once = console.session().set(path, value);
+    return {{"path", path},
+            {"value", value_at(to_json(console.session().scenario()), path)},
+            {"holds", at_once ? "now" : "from the next reset on"}};
+  }
+};
+
+struct Reset {
+  void describe(Fields&) {}
+  Json perform(Console& console, const std::string&) {
+    console.session().reset();
+    return about(console.session());
+  }
+};
+
+struct Save {
+  std::string file = "state.cbor";
+  void describe(Fields& f) {
+    f.text({"file", "checkpoint in the output folder, as run --continue and render take it"}, file);
+  }
+  Json perform(Console& console, const std::string& place) {
+    const auto path = console.output(file, place + ".file");
+    console.session().save(path);
+    return {{"file", path.string()}};
+  }
+};
+
+struct Restore {
+  std::string file = "state.cbor";
+  void describe(Fields& f) {
+    f.text({"file", "a checkpoint: of this session, or relative to the command file"}, file);
+  }
+  Json perform(Console& console, const std::string&) {
+    console.session().restore(console.input(file));
+    return about(console.session());
+  }
+};
+
+}  // namespace
+
+std::vector<SessionCommand> scene_commands() {
+  return {define<Load>({"load", kSceneGroup, "Starts a scene. The commands that follow act on it.",
+                        R"({"command": "load", "scene": "collapse", "set": {"box.width": 20}})"},
+                       false),
+          define<Set>(
+              {"set", kSceneGroup,
+               "Changes a value of the scene. Laws, gravity, drag, method, step, solver and phases "
+               "change in the present run; box, bodies and seed from the next reset on.",
+               R"({"command": "set", "path": "contact.cohesion_force", "value": 1e3})"}),
+          define<Reset>({"reset", kSceneGroup, "Starts the scene again, with all its changes.",
+                         R"({"command": "reset"})"}),
+          define<Save>({"save", kSceneGroup, "Writes the present state.",
+                        R"({"command": "save", "file": "before.cbor"})"}),
+          define<Restore>(
+              {"restore", kSceneGroup, "Goes back to a state that was saved, with its scene.",
+               R"({"command": "restore", "file": "before.cbor"})"},
+              false)};
+}
+
+}  // namespace quicksand

@@ -1,0 +1,168 @@
+#include "app/commands/console.h"
+
+#include <array>
+#include <utility>
+
+#include "app/commands/command_table.h"
+#include "app/commands/session_file.h"
+#include "core/base/errors.h"
+
+namespace quicksand {
+
+namespace fs = std::filesystem;
+
+Console::Console(ConsoleFolders folders, double scale)
+    : folders_(std::move(folders)), scale_(scale) {
+  session_.on_sample = [this](const Row& row, const World&) {
+    if (recording) recording->add(row);
+  };
+}
+
+Json Console::perform(const Json& command, const std::string& place) {
+  const SessionCommand& row = command_of(command, place);
+  row.check(command, place);
+  if (row.needs_scene && !session_.loaded())
+    throw CommandFailure("\"" + std::string(row.name) +
+                         R"(" needs a scene; load one before: {"command": "load", "scene": ...})");
+  return row.perform(*this, command, place);
+}
+
+fs::path Console::output(const std::string& name, const std::string& place) const {
+  const fs::path relative = fs::path(name).lexically_normal();
+  if (name.empty() || relative.is_absolute() || relative.begin()->string() == ".." ||
+      relative.filename().empty() || relative == ".") {
+    throw InputError(place, "\"" + name +
+                                "\" must name a file in the output folder: no absolute path, "
+                                "no way out of it");
+  }
+  fs::path path = folders_.out / relative;
+  std::error_code error;
+  fs::create_directories(path.parent_path(), error);
+  if (error) throw InputError(path.parent_path().string(), "cannot be made: " + error.message());
+  return path;
+}
+
+void Console::finish_recording() {
+  if (recording) recording->finish();
+  recording.reset();
+}
+
+std::string Console::save_cut_short() {
+  finish_recording();
+  if (!session_.loaded()) return {};
+  const fs::path state = folders_.out / "interrupted.cbor";
+  session_.save(state);
+  return "; the state is in " + state.string();
+}
+
+fs::path Console::input(const std::string& name) const {
+  std::error_code ignored;
+  const fs::path ours = folders_.out / name;
+  return fs::path(name).is_relative() && fs::exists(ours, ignored) ? ours : beside(name);
+}
+
+// An absolute name stays what it is.
+fs::path Console::beside(const std::string& name) const { return folders_.base / name; }
+
+Image Console::draw_view(int width, int height) {
+  if (!renderer_) renderer_ = std::make_unique<Renderer>();
+  View view = session_.shown();
+  view.width = width;
+  view.height = height;
+  const auto caption =
+      std::to_array<std::string>({session_.scenario().name, session_.phase_name()});
+  return renderer_->draw(session_.world(), view, caption);
+}
+
+Gui& Console::panel() {
+  if (!panel_) panel_ = std::make_unique<Gui>(scale_);
+  return *panel_;
+}
+
+Robot& Console::robot() {
+  if (!robot_)
+    robot_ =
+        std::make_unique<Robot>(panel(), session_, session_.view.width, session_.view.height,
+                                [this](const std::vector<Json>& commands) { carry_out(commands); });
+  robot_->resize(session_.view.width, session_.view.height);
+  return *robot_;
+}
+
+void Console::carry_out(const std::vector<Json>& commands) {
+  for (const Json& command : commands) {
+    perform(command, "panel");
+    if (given) given(command);
+  }
+  panel().set_recording(recording != nullptr);
+  if (!session_.running || !session_.loaded()) return;
+  const std::int64_t first = session_.world().step;
+  RunUntil frame;
+  frame.steps = session_.steps_per_frame;
+  session_.run(frame);
+  if (computed) computed(session_.world().step - first);
+  if (session_.finished() || session_.failed()) session_.running = false;
+  if (session_.failed())
+    throw CommandFailure("the simulation stopped: " + session_.protocol().failure());
+}
+
+Image Console::panel_frame(const GuiInput& input, int width, int height) {
+  const std::vector<Json> commands = panel().frame(session_, input, width, height);
+  Image picture = panel().paint();
+  try {
+    carry_out(commands);
+  } catch (const InputError& error) {
+    panel().show_error(error.where() + ": " + error.what());
+  } catch (const CommandFailure& error) {
+    panel().show_error(error.what());
+  }
+  return picture;
+}
+
+Image Console::draw_panel(int width, int height, std::optional<double> scale) {
+  constexpr int kSettling = 3;  // frames until the layout of a new size rests
+  const auto picture_of = [&](Gui& gui, const GuiInput& input) {
+    const bool rests = recording && gui.width() == width && gui.height() == height;
+    for (int i = rests ? kSettling - 1 : 0; i < kSettling; ++i)
+      gui.frame(session_, input, width, height);
+    return gui.paint();
+  };
+  if (scale && *scale != panel().scale()) {
+    // Another scale is another panel; the present one keeps what it shows.
+    Gui other(*scale);
+    return picture_of(other, {});
+  }
+  GuiInput still;
+  still.mouse = robot().mouse();
+  return picture_of(panel(), still);
+}
+
+void Console::include(const fs::path& file, const std::string& place) {
+  constexpr int kDeepest = 10;
+  if (depth_ >= kDeepest)
+    throw InputError(place, "files include each other more than " + std::to_string(kDeepest) +
+                                " deep; does one include itself?");
+  const SessionFile included = read_session_file(file);
+  const fs::path outside = std::exchange(folders_.base, fs::absolute(file).parent_path());
+  ++depth_;
+  const auto leave = [&] {
+    --depth_;
+    folders_.base = outside;
+  };
+  try {
+    for (std::size_t i = 0; i < included.commands.size() && !quit; ++i) {
+      try {
+        perform(included.commands[i], place_of(i));
+      } catch (const InputError& error) {
+        throw CommandFailure(included.where(i) + ": " + error.where() + ": " + error.what());
+      } catch (const CommandFailure& error) {
+        throw CommandFailure(included.where(i) + ": " + error.what());
+      }
+    }
+  } catch (...) {
+    leave();
+    throw;
+  }
+  leave();
+}
+
+}  // namespace quicksand

@@ -1,0 +1,82 @@
+// What commands act on: a session, the folder that receives its files, pictures of it, and the panel.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "app/gui/gui.h"
+#include "app/gui/robot.h"
+#include "app/session/recording.h"
+#include "app/session/session.h"
+#include "render/picture/renderer.h"
+
+namespace quicksand {
+
+struct ConsoleFolders {
+  std::filesystem::path out;   // receives every file that commands write; made when needed
+  std::filesystem::path base;  // of the command file
+};
+
+class Console {
+ public:
+  // `scale`: of the panel's letters and controls.
+  explicit Console(ConsoleFolders folders, double scale = 1);
+
+  // Performs one command {"command": NAME, ...}; `place` names it in errors. Returns what it has to
+  // tell. Throws InputError, CommandFailure, RenderError; then nothing but what it began has changed.
+  Json perform(const Json& command, const std::string& place = {});
+
+  Session& session() { return session_; }
+  const Session& session() const { return session_; }
+
+  // A file that a command writes: inside the folder for output, whatever the name says. Makes its
+  // folder. Throws InputError for absolute names and those that lead out of it.
+  std::filesystem::path output(const std::string& name, const std::string& place) const;
+  // Ends the recording, if there is one.
+  void finish_recording();
+  // Ends what a session that is cut short was recording, and saves its state under a name that no command gives by
+  // itself. What to tell of it: "; the state is in out/x/interrupted.cbor", empty without a scene.
+  std::string save_cut_short();
+  // A file that this session wrote, or one beside the command file.
+  std::filesystem::path input(const std::string& name) const;
+  // A file beside the command file, or in the present folder if there is none.
+  std::filesystem::path beside(const std::string& name) const;
+
+  // The panel, made when it is first asked for. Throws RenderError if there is no font.
+  Gui& panel();
+  // Acts on the panel; what it commands is performed, and each frame computes if the session runs.
+  Robot& robot();
+  // One frame of the panel in a window, and its picture: as above, but what fails shows in a banner of
+  // the panel. Throws RenderError.
+  Image panel_frame(const GuiInput& input, int width, int height);
+  // Told of each command that a panel gave and that succeeded, and of the steps that its frames computed.
+  std::function<void(const Json&)> given;
+  std::function<void(std::int64_t)> computed;
+
+  // Pictures of the present moment. Throw RenderError if this system cannot draw.
+  Image draw_view(int width, int height);
+  Image draw_panel(int width, int height, std::optional<double> scale);
+
+  std::unique_ptr<Recording> recording;
+  bool quit = false;
+  // Performs the commands of another file; those paths are relative to it. Throws InputError where files
+  // include each other too deep.
+  void include(const std::filesystem::path& file, const std::string& place);
+  // Receives the texts of `print`. May be empty.
+  std::function<void(const std::string&)> print;
+
+ private:
+  ConsoleFolders folders_;
+  Session session_;
+  void carry_out(const std::vector<Json>& commands);
+
+  std::unique_ptr<Renderer> renderer_;
+  double scale_;
+  std::unique_ptr<Gui> panel_;
+  std::unique_ptr<Robot> robot_;
+  int depth_ = 0;  // of included files
+};
+
+}  // namespace quicksand

@@ -1,0 +1,70 @@
+#include "app/commands/transcript.h"
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <new>
+
+#include "app/commands/command_table.h"
+#include "core/base/errors.h"
+#include "core/base/memory.h"
+#include "render/base/render_error.h"
+
+namespace quicksand {
+
+std::string text_of_hash(std::uint64_t hash) {
+  std::array<char, 17> text{};
+  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash));
+  return text.data();
+}
+
+Answer answer_to(Console& console, const Json& command, const std::string& place) {
+  Answer answer;
+  const auto began = std::chrono::steady_clock::now();
+  try {
+    answer.result = console.perform(command, place);
+    answer.ok = true;
+  } catch (const InputError& error) {
+    answer.malformed = true;
+    answer.where = error.where();
+    answer.problem = error.what();
+  } catch (const CommandFailure& error) {
+    answer.problem = error.what();
+  } catch (const RenderError& error) {
+    answer.problem = std::string("no pictures: ") + error.what();
+  } catch (const NotEnoughMemory& error) {
+    answer.problem = error.what();
+  } catch (const std::bad_alloc&) {
+    answer.problem = "there is not enough memory for this";
+  }
+  answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  return answer;
+}
+
+Json to_json(const Answer& answer, const Console& console) {
+  Json json = {{"ok", answer.ok}};
+  if (answer.ok) {
+    json["result"] = answer.result;
+  } else {
+    json["error"] = answer.problem;
+    if (!answer.where.empty()) json["where"] = answer.where;
+  }
+  if (console.session().loaded()) {
+    const World& world = console.session().world();
+    json["step"] = world.step;
+    json["time"] = world.time;
+    json["hash"] = text_of_hash(world_hash(world));
+  }
+  return json;
+}
+
+Transcript::Transcript(std::filesystem::path path) : path_(std::move(path)), file_(path_) {
+  if (!file_) throw InputError(path_.string(), "cannot be written");
+}
+
+void Transcript::add(const Json& line) {
+  file_ << line.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n' << std::flush;
+  if (!file_) throw InputError(path_.string(), "cannot be written; is the disk full?");
+}
+
+}  // namespace quicksand

@@ -1,0 +1,46 @@
+// What a session did: one JSON object a line, a line a command.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "app/commands/console.h"
+
+namespace quicksand {
+
+// A world's hash as transcripts show it: 16 hexadecimal digits.
+std::string text_of_hash(std::uint64_t hash);
+
+// Of one command: its result or why there is none, and where the world stood afterwards. Problems of the
+// command's form have the place; failures have none.
+struct Answer {
+  bool ok = false;
+  bool malformed = false;  // InputError
+  Json result;             // an object if ok
+  std::string where, problem;
+  double seconds = 0;  // that it took
+};
+
+// Performs the command; every error becomes an answer.
+Answer answer_to(Console& console, const Json& command, const std::string& place);
+
+// {"ok": true, "result": {...}, "step": ..., "time": ..., "hash": "..."}; of the world only if there is
+// one.
+Json to_json(const Answer& answer, const Console& console);
+
+class Transcript {
+ public:
+  // Throws InputError if the file cannot be written.
+  explicit Transcript(std::filesystem::path path);
+
+  // A line is on disk when this returns. Throws InputError.
+  void add(const Json& line);
+
+ private:
+  std::filesystem::path path_;
+  std::ofstream file_;
+};
+
+}  // namespace quicksand

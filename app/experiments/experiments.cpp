@@ -1,0 +1,50 @@
+#include "app/experiments/experiments.h"
+
+#include "app/run_folder/state_file.h"
+#include "app/view/film.h"
+#include "core/base/errors.h"
+#include "render/base/render_error.h"
+#include "render/image/png.h"
+
+namespace quicksand {
+
+std::span<const PaperFigure> paper_figures() {
+  static constexpr PaperFigure kFigures[] = {
+      {"samples", "Unperturbed samples, and how they are deposited", make_samples_experiment},
+      {"penetration", "Penetration of an intruder", make_penetration_experiment},
+      {"pull_out", "Weight above the intruder and pull-out force", make_pull_out_experiment},
+      {"piston", "Compaction by a piston", make_piston_experiment},
+      {"structure", "Profiles, angles of bonds and forces", make_structure_experiment},
+      {"shear", "Shear strength over depth", make_shear_experiment},
+      {"field", "The field experiment", make_field_experiment},
+      {"density", "Effect of the sample's density on the push", make_density_experiment},
+      {"drag", "Effect of the water's drag", make_drag_experiment},
+      {"velocity", "Velocity of the driven intruder", make_velocity_experiment},
+      {"break_rule", "Break rule, time step and density: what they do to the push",
+       make_break_rule_experiment},
+      {"choices", "Free choices of the model, and what they do", make_choices_experiment},
+      {"nscd_setting", "The setting of standard nonsmooth contact dynamics, by a rule",
+       make_nscd_setting_experiment}};
+  return kFigures;
+}
+
+std::optional<Gallery::Picture> picture_of(const PaperResults& results, const RunGroup& group,
+                                           const std::filesystem::path& folder,
+                                           const std::string& caption) {
+  const auto runs = results.runs(group);
+  if (runs.empty()) return std::nullopt;
+  constexpr int kWidth = 640, kHeight = 960;
+  try {
+    const StateFile state = read_state(runs.front()->folder().state());
+    const View view{.width = kWidth, .height = kHeight, .detail = false};
+    const std::string text[] = {caption};
+    std::filesystem::create_directories(folder);
+    const std::filesystem::path file = folder / (group.name + ".png");
+    write_png(file, Renderer().draw(state.checkpoint.world, view_of(state.scenario, view), text));
+    return Gallery::Picture{.file = file, .caption = caption};
+  } catch (const RenderError&) {
+    return std::nullopt;  // a system without a renderer still gets its numbers
+  }
+}
+
+}  // namespace quicksand

@@ -1,0 +1,96 @@
+// The field experiment's shear strengths beside the simulation's in SI units.
+//
+// A vane in the field measures a stress, the simulation a force on one grain. The force is spread over
+// the grain's square, tau = F/d^2, with d and the weight of a grain, a sphere, from the scenes.
+#include "app/experiments/experiments.h"
+#include "app/paper/paper_strength.h"
+#include "app/plot/typeset_number.h"
+#include "app/scene_json/si_scale.h"
+#include "core/scene/scenario.h"
+
+namespace quicksand {
+
+namespace {
+
+constexpr double kCentimetre = 100, kKilopascal = 1e-3;
+
+class FieldExperiment : public PaperExperiment {
+ public:
+  void plan(PaperJobs& jobs) override {
+    runs_ = plan_strength(jobs);
+    physical_ = *jobs.jobs()[runs_.loose.runs.front()].scenario.physical;
+  }
+
+  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
+              Findings& findings) const override {
+    const SiScale si = si_scale(physical_);
+    const double depth = si.length * kCentimetre;
+    const double stress = si.force / (si.length * si.length) * kKilopascal;
+    const PaperStrength loose = paper_strength(results, runs_.loose),
+                        compact = paper_strength(results, runs_.compact);
+    section.blocks.emplace_back(Paragraph{
+        "A force F on a grain is read as the stress F/d² with d = " +
+        typeset(physical_.grain_diameter * 1e6) + " µm and grains of " +
+        typeset(physical_.grain_density) +
+        " kg/m³, an assumption: all stresses are proportional to it. The simulated samples are " +
+        "centimetres high, the field's lines are drawn over the same depth."});
+    Plot plot{.name = "field",
+              .title = "Shear strength in SI units, simulated and in the field",
+              .x = {.label = "depth", .unit = "cm", .low = 0},
+              .y = {.label = "shear strength", .unit = "kPa", .low = 0},
+              .legend = LegendPlace::below};
+    const PaperTargets targets = read_targets(shipped_targets());
+    const double slope = *targets.at("field.perturbed.slope").low;          // [kPa/cm]
+    const double strength = *targets.at("field.unperturbed.strength").low;  // [kPa]
+    double deepest = 0;
+    for (const PaperStrength* ours : {&loose, &compact}) {
+      if (!ours->depth.empty()) deepest = std::max(deepest, ours->depth.back() * depth);
+      const char* name = ours == &loose ? "unperturbed" : "perturbed";
+      for (Curve& part : strength_curves(*ours, name, depth, stress))
+        plot.curves.push_back(std::move(part));
+    }
+    if (deepest > 0) {
+      plot.curves.push_back({.name = "field, perturbed: " + typeset(slope) + " kPa/cm",
+                             .kind = Curve::Kind::line,
+                             .role = Curve::Role::paper,
+                             .x = {0, deepest},
+                             .y = {0, slope * deepest}});
+      plot.references.push_back({.name = "field, unperturbed: " + typeset(strength) + " kPa",
+                                 .low = strength,
+                                 .high = strength});
+    }
+    section.blocks.emplace_back(
+        Figure{std::move(plot), "The field's lines in black, the simulation's in colour."});
+    if (compact.against_depth) {
+      const Line& fit = *compact.against_depth;
+      const double scale = stress / depth;
+      findings["field.perturbed.slope"] = {
+          .value = fit.slope * scale,
+          .standard_error =
+              fit.slope_error ? std::optional(*fit.slope_error * scale) : std::nullopt,
+          .n = compact.grains,
+          .note = "n counts grains"};
+    }
+    if (!loose.depth.empty())
+      findings["field.unperturbed.strength"] = {
+          .value = loose.mean() * stress, .n = loose.grains, .note = "n counts grains"};
+    if (const auto constant = loose.constant_down_to())
+      findings["field.unperturbed.constant_to_depth"] = {
+          .value = *constant * depth,
+          .n = loose.grains,
+          .note = "down to there all agree within two standard errors; the deepest measured is " +
+                  typeset(loose.depth.back() * depth) + " cm; n counts grains"};
+  }
+
+ private:
+  StrengthRuns runs_;
+  PhysicalScale physical_;
+};
+
+}  // namespace
+
+std::unique_ptr<PaperExperiment> make_field_experiment() {
+  return std::make_unique<FieldExperiment>();
+}
+
+}  // namespace quicksand

@@ -1,0 +1,146 @@
+// An intruder pushed in with a constant force: depth, bonds, coordination numbers, by regions.
+#include "app/experiments/experiments.h"
+#include "app/json/json_reader.h"
+#include "core/base/errors.h"
+
+namespace quicksand {
+
+namespace {
+
+// The forces of the paper's three snapshots; the last stands for its "strong" one.
+constexpr double kWeak = 0.33, kEqual = 1, kStrong = 3;
+
+struct Shown {
+  const char* quantity;
+  const char* title;
+};
+constexpr Shown kShown[] = {{"depth", "depth [d]"},
+                            {"active_bond_fraction", "active of contacts"},
+                            {"remaining_bond_fraction", "remaining of initial"},
+                            {"coordination", "coordination"},
+                            {"coordination_within_1e-3", "of gaps below 1e-3 d"},
+                            {"coordination_within_1e-2", "of gaps below 1e-2 d"},
+                            {"channel_active_bond_fraction", "channel: active"},
+                            {"channel_coordination", "channel: coordination"},
+                            {"intact_active_bond_fraction", "intact: active"},
+                            {"intact_coordination", "intact: coordination"}};
+
+class Penetration : public PaperExperiment {
+ public:
+  void plan(PaperJobs& jobs) override {
+    all_ = jobs.scale().realizations;
+    height_ = jobs.scale().height;
+    curve_ = jobs.push_curve(jobs.samples());
+  }
+
+  void report(const PaperResults& results, const std::filesystem::path& pictures, Section& section,
+              Findings& findings) const override {
+    add_pictures(results, pictures, section);
+    Table table{.caption =
+                    "At the end of each push: at rest, or after its max_time. Channel: where the "
+                    "intruder has passed; intact: farther from its way than six of its diameters.",
+                .columns = {{"push force [F_c]", true}}};
+    for (const Shown& column : kShown) table.columns.push_back({column.title, true});
+    for (std::size_t k = 0; k < curve_.forces.size(); ++k) {
+      std::vector<Cell> row{{.text = number_text(curve_.forces[k])}};
+      for (const Shown& column : kShown)
+        row.push_back(cell_of(results.mean(curve_.pushes[k], column.quantity), all_));
+      table.rows.push_back(std::move(row));
+    }
+    section.blocks.emplace_back(std::move(table));
+    add_plots(results, section);
+    for (std::size_t k = 0; k < curve_.forces.size(); ++k) compare(results, k, findings);
+  }
+
+ private:
+  void add_pictures(const PaperResults& results, const std::filesystem::path& folder,
+                    Section& section) const {
+    Gallery gallery{.caption = "Final states, coloured by active bonds."};
+    for (std::size_t k = 0; k < curve_.forces.size(); ++k) {
+      if (curve_.forces[k] != kWeak && curve_.forces[k] != kEqual && curve_.forces[k] != kStrong)
+        continue;
+      const std::string caption =
+          "push force: " + number_text(curve_.forces[k]) + " × cohesion force";
+      if (auto picture = picture_of(results, curve_.pushes[k], folder, caption))
+        gallery.pictures.push_back(*picture);
+    }
+    if (!gallery.pictures.empty()) section.blocks.emplace_back(std::move(gallery));
+  }
+
+  static Curve paper_curve(const std::string& name, const std::string& quantity) {
+    const PaperTargets targets = read_targets(shipped_targets());
+    Curve curve{.name = name, .role = Curve::Role::paper, .x = {kWeak, kEqual, kStrong}};
+    for (const char* force : {"0.33", "1.0", "strong"})
+      curve.y.push_back(*targets.at("penetration." + std::string(force) + "." + quantity).low);
+    return curve;
+  }
+
+  void add_plots(const PaperResults& results, Section& section) const {
+    Plot bonds{.name = "penetration_bonds",
+               .title = "Bonds after the push",
+               .x = {.label = "push force", .unit = "F_c", .logarithmic = true},
+               .y = {.label = "share", .low = 0, .high = 1.02},
+               .legend = LegendPlace::below};
+    bonds.curves = {curve_over(results, "active of contacts", curve_.forces, curve_.pushes,
+                               "active_bond_fraction"),
+                    curve_over(results, "remaining of initial", curve_.forces, curve_.pushes,
+                               "remaining_bond_fraction"),
+                    paper_curve("paper: active of contacts", "active_of_contacts"),
+                    paper_curve("paper: remaining of initial", "remaining_of_initial")};
+    section.blocks.emplace_back(
+        Figure{std::move(bonds),
+               "Shares of bonds against the push force. The paper's strong force has no "
+               "number; its points are drawn at 3 F_c."});
+    Plot depth{.name = "penetration_depth",
+               .title = "Depth of the intruder",
+               .x = {.label = "push force", .unit = "F_c", .logarithmic = true},
+               .y = {.label = "depth", .unit = "d", .low = 0},
+               .references = {{.name = "height of the box",
+                               .low = height_,
+                               .high = height_,
+                               .role = Reference::Role::guide}},
+               .legend = LegendPlace::none};
+    depth.curves = {curve_over(results, "depth", curve_.forces, curve_.pushes, "depth")};
+    section.blocks.emplace_back(
+        Figure{std::move(depth), "Final depth of the intruder's lowest point."});
+  }
+
+  void compare(const PaperResults& results, std::size_t k, Findings& findings) const {
+    const auto find = [&](const std::string& id, const char* quantity) {
+      note(findings, id, results.mean(curve_.pushes[k], quantity));
+    };
+    if (curve_.forces[k] == kWeak) {
+      find("penetration.0.33.active_of_contacts", "active_bond_fraction");
+      find("penetration.0.33.remaining_of_initial", "remaining_bond_fraction");
+    } else if (curve_.forces[k] == kEqual) {
+      find("penetration.1.0.active_of_contacts", "active_bond_fraction");
+      find("penetration.1.0.remaining_of_initial", "remaining_bond_fraction");
+      std::vector<double> shares;
+      for (const RunResults* run : results.runs(curve_.pushes[k]))
+        if (const auto depth = run->final_value("depth"))
+          shares.push_back(*depth / run->column("packing_top").front());
+      note(findings, "penetration.1.0.depth", mean_over(shares));
+    } else if (curve_.forces[k] == kStrong) {
+      const std::string strong = "penetration.strong.";
+      find(strong + "active_of_contacts", "active_bond_fraction");
+      find(strong + "remaining_of_initial", "remaining_bond_fraction");
+      find(strong + "coordination", "coordination");
+      find(strong + "channel.active_of_contacts", "channel_active_bond_fraction");
+      find(strong + "channel.coordination", "channel_coordination");
+      find(strong + "intact.active_of_contacts", "intact_active_bond_fraction");
+      find(strong + "intact.coordination", "intact_coordination");
+    }
+  }
+
+  PushCurve curve_;
+  double height_ = 0;
+  int all_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<PaperExperiment> make_penetration_experiment() {
+  return std::make_unique<Penetration>();
+}
+
+}  // namespace quicksand

@@ -1,0 +1,86 @@
+// After a push, the weight above the intruder and the force that takes it out, bonds restored.
+#include "app/experiments/experiments.h"
+#include "app/json/json_reader.h"
+#include "core/measures/linear_fit.h"
+
+namespace quicksand {
+
+namespace {
+
+class PullOut : public PaperExperiment {
+ public:
+  void plan(PaperJobs& jobs) override {
+    all_ = jobs.scale().realizations;
+    curve_ = jobs.push_curve(jobs.samples());
+    for (std::size_t k = 0; k < curve_.forces.size(); ++k)
+      pulls_.push_back(jobs.pulls(curve_.pushes[k], curve_.forces[k]));
+    cohesion_ = *jobs.jobs()[pulls_[0].runs[0]].scenario.grain_law.cohesion_force;
+  }
+
+  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
+              Findings& findings) const override {
+    Curve pull{.name = "pull-out force (left)"};
+    Curve weight = curve_over(results, "weight above the intruder's height, over the total (right)",
+                              curve_.forces, curve_.pushes, "weight_above_level");
+    weight.second_axis = true;
+    Table table{.caption =
+                    "Pull-out after all bonds were restored: the middle of the interval that "
+                    "holds the critical force.",
+                .columns = {{"push force [F_c]", true},
+                            {"pull-out force [F_c]", true},
+                            {"pull-out over push", true},
+                            {"not at rest at the lower end", true},
+                            {"weight above, by height", true},
+                            {"weight above, by column", true}}};
+    std::optional<Measured> largest;
+    for (std::size_t k = 0; k < curve_.forces.size(); ++k) {
+      const double push = curve_.forces[k];
+      const auto force = results.critical_force(pulls_[k], cohesion_);
+      const auto ratio = results.critical_force(pulls_[k], cohesion_ * push);
+      if (ratio && (!largest || ratio->value > largest->value)) largest = ratio;
+      add_point(pull, push, force);
+      table.rows.push_back({{.text = number_text(push)},
+                            cell_of(force, all_),
+                            cell_of(ratio, all_),
+                            {.text = std::to_string(results.unbracketed(pulls_[k]))},
+                            cell_of(results.mean(curve_.pushes[k], "weight_above_level"), all_),
+                            cell_of(results.mean(curve_.pushes[k], "weight_above_column"), all_)});
+    }
+    section.blocks.emplace_back(std::move(table));
+    note(findings, "penetration.pull_out_over_push", largest);
+    note_slope(findings, "penetration.pull_out_slope", pull);
+    note_slope(findings, "penetration.weight_above_slope", weight);
+    Plot plot{.name = "pull_out",
+              .title = "Pull-out force and weight above against the push force",
+              .x = {.label = "push force", .unit = "F_c"},
+              .y = {.label = "pull-out force", .unit = "F_c", .low = 0},
+              .y2 = Axis{.label = "weight above / total weight", .low = 0, .high = 1},
+              .curves = {std::move(pull), std::move(weight)},
+              .legend = LegendPlace::below};
+    section.blocks.emplace_back(Figure{std::move(plot),
+                                       "Left axis: the force that takes the intruder "
+                                       "out; right axis: the share of the grains' "
+                                       "weight that lies higher than its centre."});
+  }
+
+ private:
+  static void note_slope(Findings& findings, const std::string& id, const Curve& curve) {
+    const auto line = fit_line(curve.x, curve.y);
+    if (!line) return;
+    findings[id] = {.value = line->slope,
+                    .standard_error = line->slope_error,
+                    .n = static_cast<int>(curve.x.size()),
+                    .note = "straight line through the means; n counts forces"};
+  }
+
+  PushCurve curve_;
+  std::vector<RunGroup> pulls_;
+  double cohesion_ = 1;  // [F_g]
+  int all_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<PaperExperiment> make_pull_out_experiment() { return std::make_unique<PullOut>(); }
+
+}  // namespace quicksand

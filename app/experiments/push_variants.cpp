@@ -1,0 +1,181 @@
+// Pushes of a denser sample, and in water.
+#include <cmath>
+
+#include "app/experiments/experiments.h"
+#include "app/json/json_reader.h"
+#include "app/paper/outcome_table.h"
+#include "app/paper/push_speed.h"
+
+namespace quicksand {
+
+namespace {
+
+constexpr double kForce = 1;  // at which drag is compared [F_c]
+
+// Force at which a curve first reaches a value, between its points linear in the logarithm of the force.
+std::optional<double> force_for(const Curve& curve, double value) {
+  for (std::size_t k = 1; k < curve.x.size(); ++k) {
+    const double low = curve.y[k - 1], high = curve.y[k];
+    if (low > value || high < value || low == high) continue;
+    return curve.x[k - 1] * std::pow(curve.x[k] / curve.x[k - 1], (value - low) / (high - low));
+  }
+  return std::nullopt;
+}
+
+// By how much a force must be larger for `denser` to reach what `usual` reaches: the ratio of forces in the
+// middle of the values that both curves have; absent if there are none.
+std::optional<double> force_ratio(const Curve& usual, const Curve& denser) {
+  if (usual.y.empty() || denser.y.empty()) return std::nullopt;
+  const auto [least, most] = std::ranges::minmax(usual.y);
+  const auto [denser_least, denser_most] = std::ranges::minmax(denser.y);
+  const double middle = (std::max(least, denser_least) + std::min(most, denser_most)) / 2;
+  const auto of_usual = force_for(usual, middle), of_denser = force_for(denser, middle);
+  if (!of_usual || !of_denser) return std::nullopt;
+  return *of_denser / *of_usual;
+}
+
+class Density : public PaperExperiment {
+ public:
+  void plan(PaperJobs& jobs) override {
+    all_ = jobs.scale().realizations;
+    height_ = jobs.scale().height;
+    by_interval_ = jobs.scale().denser_if_quicker;
+    // A lower rolling friction stays during the push.
+    by_drop_ = jobs.scale().nscd.has_value();
+    samples_ = {jobs.samples(),
+                by_drop_ ? jobs.samples(kHardDrop, {}, hard_drop(*jobs.scale().nscd))
+                : by_interval_
+                    ? jobs.samples(kDenseDeposition, {}, dense_deposition())
+                    : jobs.samples("rolling_0.02", {{"contact.rolling_friction", 0.02}})};
+    for (const RunGroup& sample : samples_) curves_.push_back(jobs.push_curve(sample));
+  }
+
+  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
+              Findings& findings) const override {
+    section.blocks.emplace_back(Paragraph{
+        by_drop_ ? "The denser sample is made of grains that come faster by 5 √(gd). All laws are "
+                   "the same."
+        : by_interval_ ? "The denser sample is made with a grain every 0.001 in place of 0.01: it "
+                         "sinks into itself while it is made. All laws are the same."
+                       : "The denser sample is made with a fifth of the rolling friction, which "
+                         "also holds while the intruder is pushed: part of the difference may be "
+                         "due to that."});
+    const char* const names[] = {"usual sample", "denser sample"};
+    Plot plot{.name = "density",
+              .title = "Depth of the intruder in samples of two densities",
+              .x = {.label = "push force", .unit = "F_c", .logarithmic = true},
+              .y = {.label = "depth", .unit = "d", .low = 0},
+              .legend = LegendPlace::bottom_right};
+    std::vector<OutcomeRow> rows;
+    for (std::size_t s = 0; s < samples_.size(); ++s) {
+      const auto density = results.mean(samples_[s], "volume_fraction");
+      const std::string name =
+          std::string(names[s]) + ", volume fraction " + cell_of(density, all_).text;
+      plot.curves.push_back(
+          curve_over(results, name, curves_[s].forces, curves_[s].pushes, "depth"));
+      for (std::size_t k = 0; k < curves_[s].forces.size(); ++k)
+        rows.push_back(
+            {name + ", " + number_text(curves_[s].forces[k]) + " F_c", curves_[s].pushes[k]});
+    }
+    const Curve &usual = plot.curves[0], &denser = plot.curves[1];
+    if (!is_denser(results)) {
+      section.blocks.emplace_back(
+          Remark{Remark::Kind::warning,
+                 "The samples' volume fractions do not differ by more than 0.01 and two standard "
+                 "errors: what their density does is not measured."});
+    } else if (const auto ratio =
+                   force_ratio(above_ground(results, 0, usual), above_ground(results, 1, denser))) {
+      findings["penetration.density_shift"] = {.value = *ratio, .n = 2, .note = "n counts samples"};
+    } else if (const auto by_speed = force_ratio(speeds(results, 0), speeds(results, 1))) {
+      findings["penetration.density_shift"] = {
+          .value = *by_speed,
+          .n = 2,
+          .note =
+              "for the same mean velocity, as no depth above the ground is reached in both; n "
+              "counts samples"};
+    }
+    section.blocks.emplace_back(
+        push_outcomes(results, "Pushes of both samples, after everything rests.", rows, all_));
+    section.blocks.emplace_back(Figure{std::move(plot), "Final depth against the push force."});
+  }
+
+ private:
+  bool is_denser(const PaperResults& results) const {
+    constexpr double kLeast = 0.01;
+    const auto usual = results.mean(samples_[0], "volume_fraction"),
+               denser = results.mean(samples_[1], "volume_fraction");
+    if (!usual || !denser) return false;
+    const double error =
+        std::hypot(usual->standard_error.value_or(0), denser->standard_error.value_or(0));
+    return denser->value - usual->value > std::max(kLeast, 2 * error);
+  }
+
+  // Only the points of intruders that the packing stopped.
+  Curve above_ground(const PaperResults& results, std::size_t sample, const Curve& depths) const {
+    constexpr double kGround = 0.95;  // share of the packing's height
+    const auto top = results.mean(samples_[sample], "packing_top");
+    Curve stopped;
+    for (std::size_t k = 0; k < depths.x.size(); ++k) {
+      if (!top || depths.y[k] > kGround * top->value) continue;
+      stopped.x.push_back(depths.x[k]);
+      stopped.y.push_back(depths.y[k]);
+    }
+    return stopped;
+  }
+
+  Curve speeds(const PaperResults& results, std::size_t sample) const {
+    return ploughing_speeds(results, {}, curves_[sample], height_);
+  }
+
+  std::vector<RunGroup> samples_;
+  std::vector<PushCurve> curves_;  // of each
+  bool by_interval_ = true, by_drop_ = false;
+  double height_ = 0;
+  int all_ = 0;
+};
+
+class WaterDrag : public PaperExperiment {
+ public:
+  void plan(PaperJobs& jobs) override {
+    all_ = jobs.scale().realizations;
+    const RunGroup samples = jobs.samples();
+    constexpr double kWater = 1e-3;  // viscosity [Pa s]
+    without_ = jobs.pushes(samples, kForce);
+    with_ = jobs.pushes(samples, kForce, "drag", {{"drag", {{"viscosity", kWater}}}});
+  }
+
+  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
+              Findings& findings) const override {
+    section.blocks.emplace_back(
+        push_outcomes(results,
+                      "Pushes with the cohesion force, with and without viscous drag of water "
+                      "(Stokes' law on each grain).",
+                      {{"without drag", without_}, {"with drag", with_}}, all_));
+    note(findings, "penetration.drag_effect", largest_change(results));
+  }
+
+ private:
+  // On the ground the depth says nothing; bonds do.
+  std::optional<Measured> largest_change(const PaperResults& results) const {
+    std::optional<Measured> largest;
+    for (const auto& [quantity, name] :
+         {std::pair{"depth", "the depth"}, std::pair{"active_bond_fraction", "active bonds"},
+          std::pair{"remaining_bond_fraction", "remaining bonds"}}) {
+      auto change = results.change(without_, with_, quantity);
+      if (!change) continue;
+      change->note = "of " + std::string(name);
+      if (!largest || std::abs(change->value) > std::abs(largest->value)) largest = change;
+    }
+    return largest;
+  }
+
+  RunGroup without_, with_;
+  int all_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<PaperExperiment> make_density_experiment() { return std::make_unique<Density>(); }
+std::unique_ptr<PaperExperiment> make_drag_experiment() { return std::make_unique<WaterDrag>(); }
+
+}  // namespace quicksand

@@ -1,0 +1,174 @@
+// Shear strength over depth: unperturbed samples, and samples perturbed by the piston.
+#include "app/experiments/experiments.h"
+#include "app/json/json_reader.h"
+#include "app/paper/paper_strength.h"
+#include "app/plot/typeset_number.h"
+
+namespace quicksand {
+
+namespace {
+
+Measured measured(double value, std::optional<double> error, const PaperStrength& strength) {
+  return {.value = value,
+          .standard_error = error,
+          .n = strength.grains,
+          .note = "n counts grains" +
+                  (strength.unbracketed > 0 ? ", " + std::to_string(strength.unbracketed) +
+                                                  " of them still moved slowly at the interval's "
+                                                  "lower end when their trial's time was over"
+                                            : std::string()) +
+                  (strength.never_moved > 0 ? "; " + std::to_string(strength.never_moved) +
+                                                  " more were moved by no force"
+                                            : std::string())};
+}
+
+std::string line_text(const std::optional<Line>& line, double Line::*value,
+                      std::optional<double> Line::*error) {
+  return line ? typeset_with_error((*line).*value, (*line).*error) : "-";
+}
+
+class Shear : public PaperExperiment {
+ public:
+  void plan(PaperJobs& jobs) override {
+    runs_ = plan_strength(jobs);
+    scale_ = jobs.scale();
+    scene_ = jobs.jobs()[runs_.loose.runs.front()].scenario;
+  }
+
+  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
+              Findings& findings) const override {
+    const PaperStrength loose = paper_strength(results, runs_.loose),
+                        weak = paper_strength(results, runs_.weak),
+                        strong = paper_strength(results, runs_.strong),
+                        compact = paper_strength(results, runs_.compact),
+                        rough = paper_strength(results, runs_.compact_rough);
+    section.blocks.emplace_back(Paragraph{
+        "A grain has been moved where it has gone " + number_text(scale_.shear_distance) +
+        " d within " + number_text(scale_.shear_time) +
+        " sqrt(d/g); the paper takes 20 d. Its strength is the middle of the interval between the "
+        "largest force that did not and the smallest that did, narrowed to " +
+        number_text(scale_.shear_tolerance) + " of it; " + std::to_string(scale_.grains_per_depth) +
+        (scale_.grains_per_depth == 1 ? " grain" : " grains") +
+        " a depth and sample, the paper takes 10. Steps of " + number_text(scene_.step.dt) +
+        " sqrt(d/g)."});
+    section.blocks.emplace_back(table({{"unperturbed, F_c = 10² F_g", &weak},
+                                       {"unperturbed, F_c = 10⁴ F_g", &loose},
+                                       {"unperturbed, F_c = 10⁶ F_g", &strong},
+                                       {"perturbed, friction 0.3", &compact},
+                                       {"perturbed, friction 0.6", &rough}}));
+    if (loose.against_depth && !weak.depth.empty())
+      section.blocks.emplace_back(Paragraph{about_weak_bonds(loose, weak)});
+    if (loose.grains + weak.grains + strong.grains > 0)
+      section.blocks.emplace_back(Figure{
+          plot("shear_unperturbed", "Shear strength of unperturbed samples",
+               {.label = "shear strength", .unit = "F_g", .logarithmic = true},
+               {{"F_c = 10² F_g", &weak}, {"F_c = 10⁴ F_g", &loose}, {"F_c = 10⁶ F_g", &strong}}),
+          "Smallest horizontal force that moves a grain, with standard errors over grains, and "
+          "straight lines through them."});
+    if (compact.grains + rough.grains > 0)
+      section.blocks.emplace_back(
+          Figure{plot("shear_perturbed", "Shear strength of perturbed samples",
+                      {.label = "shear strength", .unit = "F_g", .low = 0},
+                      {{"friction 0.3", &compact}, {"friction 0.6", &rough}}),
+                 "The same after the piston."});
+    compare_perturbed(compact, rough, findings);
+    compare_unperturbed(loose, strong, compact, findings);
+  }
+
+ private:
+  using Named = std::pair<const char*, const PaperStrength*>;
+
+  static Table table(const std::vector<Named>& all) {
+    Table table{.caption =
+                    "Straight lines through the strength against depth; effective friction: "
+                    "slope of the strength against the weight of all grains above.",
+                .columns = {{"sample"},
+                            {"slope [F_g/d]", true},
+                            {"at the surface [F_g]", true},
+                            {"effective friction", true},
+                            {"grains", true},
+                            {"not at rest at the lower end", true},
+                            {"never moved", true}}};
+    for (const auto& [name, strength] : all)
+      table.rows.push_back(
+          {{.text = name},
+           {.text = line_text(strength->against_depth, &Line::slope, &Line::slope_error)},
+           {.text = line_text(strength->against_depth, &Line::intercept, &Line::intercept_error)},
+           {.text = line_text(strength->against_weight, &Line::slope, &Line::slope_error)},
+           {.text = std::to_string(strength->grains)},
+           {.text = std::to_string(strength->unbracketed)},
+           {.text = std::to_string(strength->never_moved)}});
+    return table;
+  }
+
+  static Plot plot(const char* name, const char* title, Axis strength_axis,
+                   const std::vector<Named>& all) {
+    Plot plot{.name = name,
+              .title = title,
+              .x = {.label = "depth", .unit = "d", .low = 0},
+              .y = std::move(strength_axis),
+              .legend = LegendPlace::below};
+    for (const auto& [curve, strength] : all)
+      for (Curve& part : strength_curves(*strength, curve)) plot.curves.push_back(std::move(part));
+    return plot;
+  }
+
+  static void compare_perturbed(const PaperStrength& compact, const PaperStrength& rough,
+                                Findings& findings) {
+    const auto line = [&](const std::string& id, const PaperStrength& s,
+                          const std::optional<Line>& fit) {
+      if (fit) findings[id] = measured(fit->slope, fit->slope_error, s);
+    };
+    line("shear.perturbed.slope.mu_0.3", compact, compact.against_depth);
+    line("shear.perturbed.slope.mu_0.6", rough, rough.against_depth);
+    line("shear.perturbed.effective_friction.mu_0.3", compact, compact.against_weight);
+    line("shear.perturbed.effective_friction.mu_0.6", rough, rough.against_weight);
+    if (compact.against_depth && rough.against_depth)
+      findings["shear.perturbed.slope_ratio"] =
+          measured(rough.against_depth->slope / compact.against_depth->slope, {}, rough);
+    if (compact.against_depth) {
+      const Line& fit = *compact.against_depth;
+      findings["shear.perturbed.intercept"] =
+          measured(fit.intercept / (fit.intercept + fit.slope * compact.depth.back()), {}, compact);
+    }
+  }
+
+  static void compare_unperturbed(const PaperStrength& loose, const PaperStrength& strong,
+                                  const PaperStrength& compact, Findings& findings) {
+    if (loose.against_depth) {
+      const Line& line = *loose.against_depth;
+      findings["shear.unperturbed.intercept"] = measured(line.intercept / loose.mean(), {}, loose);
+      if (compact.against_depth)
+        findings["shear.unperturbed.slope"] =
+            measured(line.slope / compact.against_depth->slope, {}, loose);
+    }
+    if (!loose.depth.empty() && !strong.depth.empty())
+      findings["shear.unperturbed.cohesion_effect"] =
+          measured(strong.mean() / loose.mean(), {}, strong);
+  }
+
+  static std::string about_weak_bonds(const PaperStrength& loose, const PaperStrength& weak) {
+    const double depth = weak.mean_depth();
+    return "The paper says that a hundredfold cohesion force changes the unperturbed strength "
+           "little. The table of "
+           "numbers reads that of 10⁴ and 10⁶ F_g. It may speak of 10² and 10⁴, since the paper "
+           "gives the density "
+           "of a sample made with 10², whose bonds are so weak that it falls in until it is dense: "
+           "at the mean depth "
+           "of its grains, " +
+           typeset(depth) + " d, its mean strength is " + typeset(weak.mean()) +
+           " F_g, and the line of 10⁴ has " +
+           typeset(loose.against_depth->intercept + loose.against_depth->slope * depth) +
+           " F_g there.";
+  }
+
+  StrengthRuns runs_;
+  PaperScale scale_;
+  Scenario scene_;
+};
+
+}  // namespace
+
+std::unique_ptr<PaperExperiment> make_shear_experiment() { return std::make_unique<Shear>(); }
+
+}  // namespace quicksand

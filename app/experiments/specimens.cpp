@@ -1,0 +1,222 @@
+// Which deposition gives which density and coordination number.
+#include <algorithm>
+#include <cmath>
+
+#include "app/experiments/experiments.h"
+#include "app/json/json_reader.h"
+#include "app/plot/typeset_number.h"
+
+namespace quicksand {
+
+namespace {
+
+struct Setting {
+  const char* tag;
+  std::string text;
+  ParameterValues laws = {};
+  ParameterValues set = {};
+};
+
+Setting denser(const PaperScale& scale) {
+  if (!scale.nscd)
+    return {kDenseDeposition, "a grain every 0.001, dt 0.001", {}, dense_deposition()};
+  return {kHardDrop, "drop velocity larger by 5 √(gd)", {}, hard_drop(*scale.nscd)};
+}
+
+std::vector<Setting> settings(const PaperScale& scale) {
+  const double interval = scale.interval;
+  const auto every = [](double time) { return "a grain every " + typeset(time); };
+  return {
+      {"", "reference: " + every(interval) + ", no drop velocity"},
+      denser(scale),
+      {"adiabatic",
+       every(5 * interval) +
+           (scale.nscd ? "" : ", or " + typeset(25 * interval) + " if that changes the density"),
+       {},
+       {{"phases[0].adiabatic",
+         // By NSCD, a step of its one length after the other, the third would take hours.
+         {{"factor", 5},
+          {"tolerance", 1e-3},
+          {"max_interval", (scale.nscd ? 5 : 25) * interval}}}}},
+      {"drop_10", "drop velocity 10 √(gd)", {}, {{"phases[0].drop_velocity", 10}}},
+      {"rolling_0.05", "half the rolling friction", {{"contact.rolling_friction", 0.05}}},
+      {"rolling_0.02", "a fifth of the rolling friction", {{"contact.rolling_friction", 0.02}}},
+      {"polydisperse",
+       "diameters with 35 % deviation",
+       {},
+       {{"phases[0].polydispersity.deviation", 0.35}}},
+      {"capture_0.5", "capture radius 0.5 d", {}, {{"phases[0].capture_radius", 0.5}}},
+      {"cohesion_100", "cohesion force 100 F_g", {{"contact.cohesion_force", 100}}},
+      {"ballistic", "no dynamics: sticking where they touch", {}, {{"phases[0].interval", 0}}}};
+}
+
+// Places in the list.
+constexpr std::size_t kAdiabatic = 2, kWeakBonds = 8;
+
+class Samples : public PaperExperiment {
+ public:
+  void plan(PaperJobs& jobs) override {
+    all_ = jobs.scale().realizations;
+    scale_ = jobs.scale();
+    for (const Setting& s : settings(scale_)) groups_.push_back(jobs.samples(s.tag, s.laws, s.set));
+  }
+
+  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
+              Findings& findings) const override {
+    Table table{.caption =
+                    "Samples after deposition and settling. Volume fraction of the lower 70 %; "
+                    "mean ± standard error over realizations.",
+                .columns = {{"deposition"},
+                            {"volume fraction", true},
+                            {"coordination", true},
+                            {"active of contacts", true}}};
+    Plot plot{
+        .name = "samples",
+        .title = "Samples: coordination number and volume fraction",
+        .x = {.label = "volume fraction"},
+        .y = {.label = "coordination number"},
+        .references =
+            {{.name = "paper: volume fraction (upright)", .low = 0.40, .high = 0.43, .of_x = true},
+             {.name = "paper: coordination number (level)", .low = 2.05, .high = 2.06}},
+        .legend = LegendPlace::below};
+    std::vector<std::string> numbers;
+    Curve points{.name = "depositions, numbered as in the table"};
+    const std::vector<Setting> all = settings(scale_);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const auto density = results.mean(groups_[k], "volume_fraction");
+      const auto coordination = results.mean(groups_[k], "coordination");
+      table.rows.push_back({{.text = std::to_string(k + 1) + ". " + all[k].text},
+                            cell_of(density, all_),
+                            cell_of(coordination, all_),
+                            cell_of(results.mean(groups_[k], "active_bond_fraction"), all_)});
+      // Another material, far from the others.
+      if (!density || k == kWeakBonds) continue;
+      points.x.push_back(density->value);
+      points.y.push_back(coordination->value);
+      points.x_error.push_back(density->standard_error.value_or(0));
+      points.y_error.push_back(coordination->standard_error.value_or(0));
+      numbers.push_back(std::to_string(k + 1));
+    }
+    plot.annotations = numbered(points, numbers);
+    if (points.y.size() > 1) {
+      constexpr double kRoomForLabels = 0.15;  // below the lowest point, of what all points span
+      const auto [least, most] = std::ranges::minmax(points.y);
+      plot.y.low = least - kRoomForLabels * (most - least);
+    }
+    plot.curves.push_back(std::move(points));
+    section.blocks.emplace_back(std::move(table));
+    section.blocks.emplace_back(
+        Figure{std::move(plot),
+               "Each deposition's volume fraction and coordination number. The paper's "
+               "sample lies where the two bands cross. Number " +
+                   std::to_string(kWeakBonds + 1) + ", of weaker bonds, is left out."});
+    const std::vector<SlowerDeposit> sequence =
+        adiabatic_sequence(results.runs(groups_[kAdiabatic]));
+    if (!sequence.empty()) section.blocks.emplace_back(table_of(sequence));
+    if (sequence.size() > 1)
+      note(findings, "unperturbed.interval_effect", mean_over(sequence[1].changes));
+    const auto find = [&](const char* id, std::size_t setting, const char* quantity) {
+      note(findings, id, results.mean(groups_[setting], quantity));
+    };
+    find("unperturbed.volume_fraction", 0, "volume_fraction");
+    find("unperturbed.coordination", 0, "coordination");
+    find("unperturbed.active_bond_fraction", 0, "active_bond_fraction");
+    find("unperturbed.cohesion_1e2.volume_fraction", kWeakBonds, "volume_fraction");
+    find("unperturbed.cohesion_1e2.coordination", kWeakBonds, "coordination");
+    // Before it is let go: in a high box it falls in.
+    const RunGroup& sticking = groups_[all.size() - 1];
+    note(findings, "literature.ballistic.volume_fraction",
+         when_deposited(results, sticking, "volume_fraction"));
+    note(findings, "literature.ballistic.coordination",
+         when_deposited(results, sticking, "coordination"));
+  }
+
+ private:
+  // Whole samples of one interval, of the realizations that got there.
+  struct SlowerDeposit {
+    double interval = 0;  // [sqrt(d/g)]
+    std::vector<double> volume_fractions, coordinations, changes;
+  };
+
+  static std::vector<SlowerDeposit> adiabatic_sequence(const std::vector<const RunResults*>& runs) {
+    std::vector<SlowerDeposit> sequence;
+    for (const RunResults* run : runs) {
+      const Json deposits = run->summary().value("adiabatic", Json::array());
+      sequence.resize(std::max(sequence.size(), deposits.size()));
+      for (std::size_t k = 0; k < deposits.size(); ++k) {
+        const Json& deposit = deposits[k];
+        sequence[k].interval = deposit.at("interval").get<double>();
+        sequence[k].volume_fractions.push_back(deposit.at("volume_fraction").get<double>());
+        sequence[k].coordinations.push_back(deposit.at("coordination").get<double>());
+        if (const Json& change = deposit.at("change"); change.is_number())
+          sequence[k].changes.push_back(change.get<double>());
+      }
+    }
+    return sequence;
+  }
+
+  Table table_of(const std::vector<SlowerDeposit>& sequence) const {
+    Table table{.caption = "Is a grain every " + number_text(scale_.interval) +
+                           " slow enough? Whole samples from the same random numbers, each "
+                           "slower than the last, until the volume fraction changes by less than "
+                           "0.1 %, or up to 25 times the interval; "
+                           "the last row has only those that had not settled. When the last grain "
+                           "has come, before they settle.",
+                .columns = {{"a grain every [sqrt(d/g)]", true},
+                            {"volume fraction", true},
+                            {"coordination", true},
+                            {"change of the volume fraction, over it", true}}};
+    for (const SlowerDeposit& slower : sequence)
+      table.rows.push_back({{.text = typeset(slower.interval)},
+                            cell_of(mean_over(slower.volume_fractions), all_),
+                            cell_of(mean_over(slower.coordinations), all_),
+                            cell_of(mean_over(slower.changes), all_)});
+    return table;
+  }
+
+  // At the end of the deposit.
+  static std::optional<Measured> when_deposited(const PaperResults& results, const RunGroup& group,
+                                                const std::string& quantity) {
+    std::vector<double> values;
+    for (const RunResults* run : results.runs(group)) {
+      const std::vector<std::string>& phases = run->phases();
+      const auto end = std::find(phases.rbegin(), phases.rend(), "deposit").base();
+      if (end != phases.begin())
+        values.push_back(run->column(quantity)[static_cast<std::size_t>(end - phases.begin()) - 1]);
+    }
+    return mean_over(values);
+  }
+
+  // Points that lie together share a label, "1, 3, 5", below them: it is longer, and more lies above.
+  static std::vector<Annotation> numbered(const Curve& points,
+                                          const std::vector<std::string>& numbers) {
+    constexpr double kNear = 0.04;  // of what all points span
+    if (numbers.empty()) return {};
+    const auto span = [](const std::vector<double>& x) {
+      const auto [low, high] = std::ranges::minmax(x);
+      return high - low;
+    };
+    const double near_x = kNear * span(points.x), near_y = kNear * span(points.y);
+    std::vector<Annotation> labels;
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      const auto label = std::ranges::find_if(labels, [&](const Annotation& l) {
+        return std::abs(l.x - points.x[k]) <= near_x && std::abs(l.y - points.y[k]) <= near_y;
+      });
+      if (label == labels.end())
+        labels.push_back({points.x[k], points.y[k], numbers[k]});
+      else
+        *label = {label->x, label->y, label->text + ", " + numbers[k], true};
+    }
+    return labels;
+  }
+
+  std::vector<RunGroup> groups_;
+  PaperScale scale_;
+  int all_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<PaperExperiment> make_samples_experiment() { return std::make_unique<Samples>(); }
+
+}  // namespace quicksand

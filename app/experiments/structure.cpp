@@ -1,0 +1,183 @@
+// What the samples are like inside, before and after: profiles over height, angles of bonds, forces in contacts.
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <utility>
+
+#include "app/experiments/experiments.h"
+#include "app/run_folder/state_file.h"
+#include "core/measures/distributions.h"
+#include "core/measures/measures.h"
+
+namespace quicksand {
+
+namespace {
+
+// Of the states of all realizations of a group.
+struct Structure {
+  std::vector<std::vector<double>>
+      fractions;  // volume fraction of each slice (slices, realizations) [1]
+  Histogram angles, forces, tensions;
+  std::vector<ContactCounts> counts;  // (realizations)
+};
+
+void pool(Histogram& sum, Histogram&& part) {
+  if (sum.counts.empty()) {
+    sum = std::move(part);
+    return;
+  }
+  for (std::size_t k = 0; k < sum.counts.size(); ++k) sum.counts[k] += part.counts[k];
+  sum.below += part.below;
+  sum.above += part.above;
+}
+
+// The density at the middles of the bins, empty ones left out; values and widths times `scale`.
+Curve curve_of(const std::string& name, const Histogram& histogram, bool logarithmic,
+               double scale) {
+  Curve curve{.name = name, .kind = Curve::Kind::line};
+  const std::vector<double> density = histogram.density();
+  for (std::size_t k = 0; k < density.size(); ++k) {
+    const double low = histogram.edges[k], high = histogram.edges[k + 1];
+    if (density[k] == 0) continue;
+    curve.x.push_back(scale * (logarithmic ? std::sqrt(low * high) : (low + high) / 2));
+    curve.y.push_back(density[k] / scale);
+  }
+  return curve;
+}
+
+class StructureOfSamples : public PaperExperiment {
+ public:
+  void plan(PaperJobs& jobs) override {
+    all_ = jobs.scale().realizations;
+    thickness_ = jobs.scale().height / kSlices;
+    const RunGroup samples = jobs.samples();
+    states_ = {{"sample", samples},
+               {"after a push with F_c", jobs.pushes(samples, 1)},
+               {"after the piston", jobs.pistons(samples)}};
+  }
+
+  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
+              Findings&) const override {
+    Plot profile{.name = "structure_profile",
+                 .title = "Volume fraction over height",
+                 .x = {.label = "volume fraction", .low = 0},
+                 .y = {.label = "height", .unit = "d", .low = 0},
+                 .legend = LegendPlace::below};
+    Plot angles{.name = "structure_bond_angles",
+                .title = "Angles between neighbouring bonds of a grain",
+                .x = {.label = "angle", .unit = "°", .low = 0, .high = 180},
+                .y = {.label = "density", .unit = "1/°", .low = 0},
+                .legend = LegendPlace::below};
+    Plot forces{.name = "structure_contact_forces",
+                .title = "Compressive forces in contacts",
+                .x = {.label = "force over its mean", .logarithmic = true},
+                .y = {.label = "density", .logarithmic = true},
+                .legend = LegendPlace::below};
+    Plot tensions{.name = "structure_bond_tensions",
+                  .title = "Tensile forces in bonds",
+                  .x = {.label = "force", .unit = "F_c", .logarithmic = true},
+                  .y = {.label = "density", .unit = "1/F_c", .logarithmic = true},
+                  .legend = LegendPlace::below};
+    Table counts{
+        .caption =
+            "What counts as a contact: neighbours of a grain, and active bonds over them (a "
+            "contact between grains counts for both, one with a wall or the intruder once).",
+        .columns = {{"state"},
+                    {"touching (here)", true},
+                    {"of grains that touch any", true},
+                    {"grains that touch none", true},
+                    {"loaded or bonded", true},
+                    {"bonded", true},
+                    {"active of touching", true},
+                    {"active of loaded or bonded", true}}};
+    for (const auto& [name, group] : states_) {
+      const Structure s = structure_of(results, group);
+      if (s.angles.counts.empty()) continue;
+      counts.rows.push_back(row_of(name, s.counts));
+      profile.curves.push_back(profile_curve(name, s));
+      angles.curves.push_back(curve_of(name, s.angles, false, 180 / std::numbers::pi));
+      forces.curves.push_back(curve_of(name, s.forces, true, 1));
+      tensions.curves.push_back(curve_of(name, s.tensions, true, 1));
+    }
+    if (profile.curves.empty()) return;
+    section.blocks.emplace_back(std::move(counts));
+    section.blocks.emplace_back(
+        Figure{std::move(profile), "Slices of " + cell_of(Measured{.value = thickness_}, 1).text +
+                                       " d, mean and standard error over realizations; the surface "
+                                       "fills its slice in part, slices below 0.01 are left out."});
+    section.blocks.emplace_back(
+        Figure{std::move(angles),
+               "Of active bonds. Three grains that touch each other have 60°, a "
+               "grain between two bonds 180° where the chain is straight."});
+    section.blocks.emplace_back(Figure{std::move(forces),
+                                       "Of grains with grains and the floor, in the last step; the "
+                                       "intruder's contacts are left out."});
+    section.blocks.emplace_back(
+        Figure{std::move(tensions),
+               "Of active bonds of grains: at rest they carry weights, far below what they hold."});
+  }
+
+ private:
+  static constexpr double kSlices = 25;
+  static constexpr double kEmpty =
+      0.01;  // volume fraction of a slice that the surface hardly reaches
+
+  Structure structure_of(const PaperResults& results, const RunGroup& group) const {
+    Structure all;
+    for (const RunResults* run : results.runs(group)) {
+      const World world = read_state(run->folder().state()).checkpoint.world;
+      pool(all.angles, bond_angles(world));
+      pool(all.forces, contact_forces(world));
+      pool(all.tensions, bond_tensions(world));
+      const std::vector<Pair> touching = touching_pairs(world);
+      all.counts.push_back(contact_counts(world, neighbours(world, touching)));
+      const std::vector<Slice> slices = height_profile(world, touching, thickness_);
+      if (slices.size() > all.fractions.size()) all.fractions.resize(slices.size());
+      for (std::size_t k = 0; k < slices.size(); ++k)
+        if (slices[k].volume_fraction) all.fractions[k].push_back(*slices[k].volume_fraction);
+    }
+    return all;
+  }
+
+  std::vector<Cell> row_of(const std::string& name, std::span<const ContactCounts> counts) const {
+    std::vector<Cell> row{{.text = name}};
+    const auto add = [&](auto quantity) {
+      std::vector<double> values;
+      for (const ContactCounts& c : counts)
+        if (c.loaded > 0) values.push_back(quantity(c));
+      row.push_back(cell_of(mean_over(values), all_));
+    };
+    add([](const ContactCounts& c) { return c.touching; });
+    add([](const ContactCounts& c) { return c.touching / (1 - c.without); });
+    add([](const ContactCounts& c) { return c.without; });
+    add([](const ContactCounts& c) { return c.loaded; });
+    add([](const ContactCounts& c) { return c.bonded; });
+    add([](const ContactCounts& c) { return c.bonded / c.touching; });
+    add([](const ContactCounts& c) { return c.bonded / c.loaded; });
+    return row;
+  }
+
+  Curve profile_curve(const std::string& name, const Structure& s) const {
+    Curve curve{.name = name, .kind = Curve::Kind::line_points};
+    for (std::size_t k = 0; k < s.fractions.size(); ++k) {
+      const auto mean = mean_over(s.fractions[k]);
+      if (!mean || mean->value < kEmpty) continue;
+      curve.x.push_back(mean->value);
+      curve.x_error.push_back(mean->standard_error.value_or(0));
+      curve.y.push_back((static_cast<double>(k) + 0.5) * thickness_);
+    }
+    return curve;
+  }
+
+  double thickness_ = 1;  // of a slice [d]
+  int all_ = 0;           // realizations that there should be
+  std::vector<std::pair<std::string, RunGroup>> states_;
+};
+
+}  // namespace
+
+std::unique_ptr<PaperExperiment> make_structure_experiment() {
+  return std::make_unique<StructureOfSamples>();
+}
+
+}  // namespace quicksand

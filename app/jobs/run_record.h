@@ -1,0 +1,31 @@
+// What the folder of a job says about its run.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "app/jobs/job.h"
+#include "app/json/json_text.h"
+
+namespace quicksand {
+
+// interrupted: there is a state to go on from. missing: nothing that counts is there.
+enum class JobStatus : std::uint8_t { finished, failed, interrupted, missing };
+
+// "finished", "failed", "interrupted", "missing"
+std::string_view status_name(JobStatus status);
+
+struct RunRecord {
+  JobStatus status = JobStatus::missing;
+  std::string failure;       // a sentence, if failed
+  Json summary;              // summary.json; null if there is none
+  bool other_scene = false;  // the folder holds the run of another scene, which does not count
+};
+
+RunRecord read_record(const Job& job);
+
+// Throws InputError if the folder of the job holds the run of another scene, which would be lost.
+void require_own_scene(const Job& job);
+
+}  // namespace quicksand

@@ -1,0 +1,30 @@
+// The options that say how pictures look, the same for every command that makes some.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "render/base/view.h"
+
+namespace quicksand {
+
+struct PictureOptions {
+  std::string colour = "active_bonds";
+  std::string theme = "light";
+  std::string size = "1280x720";
+  bool bonds = false;
+  bool forces = false;
+};
+
+void add_picture_options(CLI::App& command, PictureOptions& options);
+
+// The options that make such a picture, " --size 640x480", those that are the usual left out.
+std::string picture_words(const View& view);
+
+// Reads "1280x720". Throws InputError if it is not of that form or cannot be drawn.
+void read_size(const std::string& text, int& width, int& height);
+
+// Throws InputError if a name or the size is not valid.
+View view_from(const PictureOptions& options);
+
+}  // namespace quicksand

@@ -1,0 +1,72 @@
+// Curves of what was measured on the way.
+#include <imgui.h>
+
+#include <functional>
+
+#include "app/panel/panel_frame.h"
+
+namespace quicksand::gui {
+namespace {
+
+using Reading = std::function<std::optional<double>(const Row&)>;
+
+Curve curve_of(const std::vector<Row>& history, const Reading& reading) {
+  Curve curve;
+  for (const Row& row : history) {
+    if (const std::optional<double> value = reading(row)) {
+      curve.x.push_back(row.sample.time);
+      curve.y.push_back(*value);
+    }
+  }
+  return curve;
+}
+
+}  // namespace
+
+void show_plots(PanelFrame& frame) {
+  Widgets& w = frame.widgets;
+  if (!w.begin_section("Plots", true)) return;
+  ImGui::PushFont(w.fonts().small);
+  w.caption("Over time [√(d/g)], with the last value.");
+  ImGui::PopFont();
+  static const std::vector<Row> empty;
+  const bool loaded = frame.session.loaded();
+  const std::vector<Row>& history = loaded ? frame.session.history() : empty;
+  const char* none = loaded ? "no samples yet" : "no scene";
+
+  Curve bonds = curve_of(history, [](const Row& r) { return r.sample.active_bond_fraction; });
+  bonds.nothing = loaded ? "no contacts yet" : none;
+  w.plot("active bonds", "Active bonds / contacts", bonds);
+
+  Curve coordination = curve_of(
+      history, [](const Row& r) -> std::optional<double> { return r.sample.coordination; });
+  coordination.nothing = none;
+  w.plot("coordination", "Coordination number", coordination);
+
+  Curve depth = curve_of(history, [](const Row& r) -> std::optional<double> {
+    if (!r.sample.has_intruder) return std::nullopt;
+    return r.sample.depth;
+  });
+  depth.unit = "d";
+  depth.nothing = loaded ? "no intruder" : none;
+  w.plot("depth", "Intruder depth", depth);
+
+  Curve resistance = curve_of(history, [](const Row& r) -> std::optional<double> {
+    if (!r.sample.has_intruder) return std::nullopt;
+    return r.sample.resistance;
+  });
+  resistance.unit = "F_g";
+  resistance.nothing = depth.nothing;
+  w.plot("resistance", "Resistance to the intruder", resistance);
+
+  Curve residual = curve_of(history, [](const Row& r) -> std::optional<double> {
+    if (r.residual <= 0) return std::nullopt;
+    return r.residual;
+  });
+  residual.logarithmic = true;
+  residual.nothing = loaded ? "nothing solved yet" : none;
+  w.plot("residual", "Residual", residual);
+  w.end_section();
+}
+
+}  // namespace quicksand::gui

@@ -1,0 +1,118 @@
+#include "app/plot/plot.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "app/json/json_reader.h"
+#include "app/plot/plot_rows.h"
+#include "app/plot/report_text.h"
+#include "app/run_folder/run_folder.h"
+#include "core/base/whole_file.h"
+#include "render/base/external_program.h"
+
+namespace quicksand {
+
+namespace {
+
+double at(const std::vector<double>& values, std::size_t i) {
+  return i < values.size() ? values[i] : std::nan("");
+}
+
+// What a logarithmic axis cannot show is left out.
+bool shown(double value, const Axis& axis) {
+  return std::isfinite(value) && (!axis.logarithmic || value > 0);
+}
+
+std::string cell(double value) { return std::isfinite(value) ? number_text(value) : ""; }
+
+std::string csv_row(int id, const PlotRow& row, const std::string& name) {
+  std::string text = std::to_string(id);
+  for (const double value : {row.x, row.y, row.x_low, row.x_high, row.y_low, row.y_high}) {
+    text += "," + cell(value);
+  }
+  // What is empty is passed over; a line stops where a point is no number.
+  if (id < kFirstReference && !std::isfinite(row.x)) text = std::to_string(id) + ",nan,nan,,,,";
+  return text + "," + csv_text(name) + "\n";
+}
+
+}  // namespace
+
+std::vector<PlotRow> rows_of(const Plot& plot, const Curve& curve) {
+  const bool band = curve.kind == Curve::Kind::band;
+  assert(band || curve.y.size() == curve.x.size());
+  const Axis& y_axis = curve.second_axis && plot.y2 ? *plot.y2 : plot.y;
+  std::vector<PlotRow> rows;
+  for (std::size_t i = 0; i < curve.x.size(); ++i) {
+    if (!rows.empty() && std::ranges::binary_search(curve.begins, i)) rows.emplace_back();
+    PlotRow row{.x = curve.x[i], .y = at(curve.y, i)};
+    row.y_low = at(curve.y_low, i);
+    row.y_high = at(curve.y_high, i);
+    const double dy = at(curve.y_error, i);
+    if (std::isfinite(dy)) {
+      row.y_low = row.y - dy;
+      row.y_high = row.y + dy;
+    }
+    const double dx = at(curve.x_error, i);
+    if (std::isfinite(dx)) {
+      row.x_low = row.x - dx;
+      row.x_high = row.x + dx;
+    }
+    const bool has_y =
+        band ? shown(row.y_low, y_axis) && shown(row.y_high, y_axis) : shown(row.y, y_axis);
+    if (shown(row.x, plot.x) && has_y) rows.push_back(row);
+  }
+  return rows;
+}
+
+std::string plot_csv(const Plot& plot) {
+  std::string csv = "id,x,y,x_low,x_high,y_low,y_high,name\n";
+  int id = kFirstCurve;
+  for (const Curve& curve : plot.curves) {
+    for (const PlotRow& row : rows_of(plot, curve)) csv += csv_row(id, row, curve.name);
+    ++id;
+  }
+  id = kFirstReference;
+  for (const Reference& reference : plot.references) {
+    for (const double value : {reference.low, reference.high}) {
+      PlotRow row;
+      (reference.of_x ? row.x : row.y) = value;
+      csv += csv_row(id, row, reference.name);
+      if (reference.low == reference.high) break;
+    }
+    ++id;
+  }
+  return csv;
+}
+
+PlotFiles write_plot(const Plot& plot, const std::filesystem::path& folder) {
+  assert(plot.name == file_name_text(plot.name));
+  const auto file = [&](const char* extension) { return folder / (plot.name + extension); };
+  write_whole(file(".csv"), plot_csv(plot));
+  write_whole(file(".gp"), plot_script(plot));
+  // No picture may stay that does not belong to this plot, nor half a one.
+  const auto without_pictures = [&](const std::string& problem) {
+    std::error_code ignored;
+    for (const char* extension : {".png", ".svg"}) {
+      std::filesystem::remove(file(extension), ignored);
+    }
+    return PlotFiles{false, problem};
+  };
+  without_pictures({});
+  const ProgramEnd end = run_external({"gnuplot", plot.name + ".gp"}, folder);
+  if (end.missing) {
+    return without_pictures(
+        "plots need gnuplot (package gnuplot-nox); their data and scripts are there");
+  }
+  if (!end.fine()) {
+    return without_pictures("gnuplot failed on " + plot.name + ".gp: " + end.problem);
+  }
+  for (const char* extension : {".png", ".svg"}) {
+    if (!std::filesystem::exists(file(extension))) {
+      return without_pictures("gnuplot wrote no " + plot.name + extension);
+    }
+  }
+  return {true, {}};
+}
+
+}  // namespace quicksand

@@ -1,0 +1,62 @@
+#include "app/run_folder/distrust.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "app/json/json_reader.h"
+
+namespace quicksand {
+
+double worst_overlap(const ProtocolState& state, double present_overlap) {
+  return std::max(state.worst_overlap, present_overlap);
+}
+
+std::string nscd_note(const Scenario& scenario, const ProtocolState& state, std::int64_t steps) {
+  if (!scenario.step.nscd) return {};
+  const SweepErrors& errors = state.sweep_errors;
+  const auto spread = [](const LogHistogram& h, const char* unit) {
+    char text[96];
+    std::snprintf(text, sizeof text, "median %.1e, 99 %% below %.1e, worst %.1e%s", h.quantile(0.5),
+                  h.quantile(0.99), h.largest, unit);
+    return std::string(text);
+  };
+  return "standard nonsmooth contact dynamics (nscd), " +
+         std::to_string(scenario.step.nscd->sweeps) +
+         " sweeps a step: " + std::to_string(state.unconverged_steps) + " of " +
+         std::to_string(steps) + " steps did not converge to " +
+         number_text(scenario.solver.tolerance) + " and " +
+         std::to_string(state.broken_in_unconverged) +
+         " bonds failed in them, as the method has it; residual " + spread(errors.residual, "") +
+         "; gap of bonds " + spread(errors.bond_gap, " d") + "; overlap " +
+         spread(errors.penetration, " d") + ". The results depend on sweeps and time step";
+}
+
+std::string distrust(const ProtocolState& state, double present_overlap,
+                     const StrictBounds& bounds) {
+  std::string reasons;
+  const auto add = [&](const std::string& reason) {
+    reasons += (reasons.empty() ? "" : ", ") + reason;
+  };
+  if (state.unconverged_steps > 0)
+    add(std::to_string(state.unconverged_steps) + " steps did not converge (worst residual " +
+        number_text(state.worst_residual) + ")");
+  if (state.broken_in_unconverged > 0)
+    add(std::to_string(state.broken_in_unconverged) + " bonds broke in them");
+  const double overlap = worst_overlap(state, present_overlap);
+  // Also true for what is not a number.
+  if (!(overlap <= bounds.max_overlap))
+    add("two bodies overlapped by " + number_text(overlap) + " d, more than the " +
+        number_text(bounds.max_overlap) + " d that are accepted");
+  // Exact contacts only dissipate. Collapses, pistons and searches gain up to 1e-2 of it by overlaps that are pushed
+  // out; the least is what rounding does to bodies at rest.
+  constexpr double kMostGained = 0.05, kLeast = 1e-6;  // [1], [F_g d]
+  const double turned_over = std::abs(state.external_work) + state.energy_dissipated;
+  if (!(state.energy_gained <= std::max(kMostGained * turned_over, kLeast)))
+    add("steps gained an energy of " + number_text(state.energy_gained) + " F_g d, more than " +
+        number_text(kMostGained) + " of what was worked and dissipated (" +
+        number_text(turned_over) + " F_g d)");
+  return reasons;
+}
+
+}  // namespace quicksand

@@ -1,0 +1,26 @@
+// What makes a run that went through to its end one that should not be believed.
+#pragma once
+
+#include <string>
+
+#include "core/phases/protocol.h"
+#include "core/scene/scenario.h"
+
+namespace quicksand {
+
+struct StrictBounds {
+  double max_overlap = 0.01;  // [d]
+};
+
+// The worst overlap of a run that stands here [d].
+double worst_overlap(const ProtocolState& state, double present_overlap);
+
+// What the steps of a run by NSCD are, in a sentence: a method that does not converge by design. Empty for other runs.
+std::string nscd_note(const Scenario& scenario, const ProtocolState& state, std::int64_t steps);
+
+// Why the run is not to be believed, in a sentence; empty if nothing is wrong. `present_overlap`: deepest
+// overlap of two bodies now [d].
+std::string distrust(const ProtocolState& state, double present_overlap,
+                     const StrictBounds& bounds);
+
+}  // namespace quicksand

@@ -1,0 +1,105 @@
+#include "app/run_folder/summary.h"
+
+#include <algorithm>
+#include <array>
+#include <cinttypes>
+#include <cstdio>
+
+#include "app/base/build_info.h"
+#include "app/run_folder/distrust.h"
+#include "app/run_folder/search_results.h"
+#include "app/scene_json/si_scale.h"
+
+namespace quicksand {
+
+namespace {
+
+// Of all steps: quantiles, and the counts of bins whose lower ends are 10^(low + k/bins_per_decade).
+Json spread(const LogHistogram& h) {
+  const auto first = std::ranges::find_if(h.counts, [](std::int64_t n) { return n > 0; });
+  const auto last =
+      std::find_if(h.counts.rbegin(), h.counts.rend(), [](std::int64_t n) { return n > 0; }).base();
+  return {{"median", h.quantile(0.5)},
+          {"p90", h.quantile(0.9)},
+          {"p99", h.quantile(0.99)},
+          {"worst", h.largest},
+          {"low", LogHistogram::kLowest +
+                      static_cast<double>(first - h.counts.begin()) / LogHistogram::kBinsPerDecade},
+          {"bins_per_decade", LogHistogram::kBinsPerDecade},
+          {"counts",
+           first < last ? std::vector<std::int64_t>(first, last) : std::vector<std::int64_t>{}}};
+}
+
+Json si_units(const PhysicalScale& physical) {
+  const SiScale si = si_scale(physical);
+  return {{"d [m]", si.length},       {"m [kg]", si.mass},
+          {"sqrt(d/g) [s]", si.time}, {"sqrt(g d) [m/s]", si.velocity},
+          {"F_g [N]", si.force},      {"F_g d [J]", si.energy}};
+}
+
+}  // namespace
+
+Json json_of(const Value& value) {
+  struct ToJson {
+    Json operator()(std::monostate) const { return nullptr; }
+    Json operator()(std::int64_t number) const { return number; }
+    Json operator()(double number) const { return number; }
+    Json operator()(const std::string& text) const { return text; }
+  };
+  return std::visit(ToJson{}, value);
+}
+
+std::string world_hash_text(const World& world) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "0x%016" PRIx64, world_hash(world));
+  return text.data();
+}
+
+Json summary(const Scenario& scenario, const World& world, const ProtocolState& state,
+             const Row& last, const RunEnd& end) {
+  Json json = {{"program", "quicksand"},
+               {"version", build_info().version},
+               {"commit", build_info().commit},
+               {"scene", scenario.name},
+               {"seed", scenario.seed},
+               {"finished", end.how == RunEnd::How::finished},
+               {"interrupted", end.how == RunEnd::How::interrupted},
+               {"failure", end.failure.empty() ? Json(nullptr) : Json(end.failure)},
+               {"missed_rest", end.missed_rest},
+               {"phases_finished", state.phase},
+               {"phases", scenario.phases.size()}};
+  for (const Quantity& quantity : quantities()) {
+    json[std::string(quantity.name)] = json_of(quantity.get(last));
+  }
+  json["steps"] = end.steps;
+  json["wall_seconds"] = end.wall_seconds;
+  json["steps_per_second"] =
+      end.wall_seconds > 0 ? static_cast<double>(end.computed_steps) / end.wall_seconds : 0;
+  json["total_iterations"] = state.iterations;
+  json["total_factorisations"] = state.factorisations;
+  json["worst_residual"] = state.worst_residual;
+  json["worst_overlap"] = worst_overlap(state, last.sample.max_overlap);
+  json["external_work"] = state.external_work;
+  json["energy_dissipated"] = state.energy_dissipated;
+  json["energy_gained"] = state.energy_gained;
+  json["unconverged_steps"] = state.unconverged_steps;
+  json["halved_steps"] = state.halved_steps;
+  json["bonds_broken_in_unconverged_steps"] = state.broken_in_unconverged;
+  json["bond_breaks_withheld"] = state.breaks_withheld;
+  if (scenario.step.nscd) {
+    json["method"] = "nscd";
+    json["sweeps"] = scenario.step.nscd->sweeps;
+    json["step_errors"] = {{"residual [1]", spread(state.sweep_errors.residual)},
+                           {"gap of bonds [d]", spread(state.sweep_errors.bond_gap)},
+                           {"overlap [d]", spread(state.sweep_errors.penetration)}};
+  } else {
+    json["method"] = "exact";
+  }
+  json.update(search_results(scenario, state));
+  json["model_terms"] = model_terms(scenario);
+  json["world_hash"] = world_hash_text(world);
+  if (scenario.physical) json["units_in_si"] = si_units(*scenario.physical);
+  return json;
+}
+
+}  // namespace quicksand

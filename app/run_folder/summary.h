@@ -1,0 +1,33 @@
+// summary.json: the final values of a run under the names of series.csv, and how it was computed.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "app/json/json_text.h"
+#include "app/series/quantities.h"
+#include "core/phases/protocol.h"
+#include "core/scene/scenario.h"
+
+namespace quicksand {
+
+struct RunEnd {
+  enum class How : std::uint8_t { finished, interrupted, failed };
+  How how = How::finished;
+  std::string failure;              // a sentence, if failed
+  bool missed_rest = false;         // the last phase ended at its max_time instead
+  bool unwritable = false;          // failed because results could not be written
+  std::int64_t steps = 0;           // of this run, before it was interrupted too
+  std::int64_t computed_steps = 0;  // of its last part, since it was last resumed
+  double wall_seconds = 0;          // of its last part, pictures included
+};
+
+// The value as JSON; null if there is none.
+Json json_of(const Value& value);
+
+std::string world_hash_text(const World& world);  // "0x" and 16 hexadecimal digits
+
+Json summary(const Scenario& scenario, const World& world, const ProtocolState& state,
+             const Row& last, const RunEnd& end);
+
+}  // namespace quicksand

@@ -1,0 +1,164 @@
+// The plots of a run's report.
+#include <algorithm>
+#include <cmath>
+
+#include "app/run_report/run_report.h"
+
+namespace quicksand {
+
+namespace {
+
+struct PhaseCourse {
+  const char* quantity;  // column of series.csv
+  const char* name;      // in the legend
+};
+
+// What is drawn over time. Of several runs only the first course, one curve a run.
+struct TimePlot {
+  const char* name;
+  const char* title;
+  const char* label;
+  const char* unit;
+  std::vector<PhaseCourse> courses;
+  bool logarithmic = false;
+  std::optional<double> low{}, high{};
+  Curve::Kind kind = Curve::Kind::line;
+  bool per_step = false;  // sums since the last sample, which are not equally long apart
+};
+
+std::vector<TimePlot> time_plots() {
+  return {
+      {.name = "bonds",
+       .title = "Bonds",
+       .label = "fraction",
+       .unit = "1",
+       .courses = {{"active_bond_fraction", "active bonds over contacts"},
+                   {"remaining_bond_fraction", "remaining over initial bonds"}},
+       .low = 0,
+       .high = 1.05},
+      {.name = "coordination",
+       .title = "Coordination number",
+       .label = "mean number of neighbours",
+       .unit = "1",
+       .courses = {{"coordination", "touching"},
+                   {"coordination_loaded", "with a force or a bond"}}},
+      {.name = "volume_fraction",
+       .title = "Volume fraction of the lower 70 %",
+       .label = "volume fraction",
+       .unit = "1",
+       .courses = {{"volume_fraction", "volume fraction"}}},
+      {.name = "intruder",
+       .title = "Height of the intruder",
+       .label = "height above the floor",
+       .unit = "d",
+       .courses = {{"intruder_y", "intruder's centre"}, {"packing_top", "top of the packing"}},
+       .low = 0},
+      {.name = "kinetic_energy",
+       .title = "Kinetic energy",
+       .label = "energy",
+       .unit = "F_g d",
+       .courses = {{"kinetic_energy", "translation"}, {"rotational_energy", "rotation"}},
+       .logarithmic = true},
+      {.name = "residual",
+       .title = "Errors of the solver, worst since the last sample",
+       .label = "error",
+       .unit = "1",
+       .courses = {{"residual", "residual"}, {"gap_error", "gap error over its tolerance"}},
+       .logarithmic = true},
+      {.name = "factorisations",
+       .title = "Work of the solver, mean since the last sample",
+       .label = "factorisations per step",
+       .unit = "1",
+       .courses = {{"factorisations", "factorisations"}},
+       .low = 0,
+       .kind = Curve::Kind::steps,
+       .per_step = true},
+  };
+}
+
+// A value was there at least once.
+bool has_values(const RunResults& run, const char* quantity) {
+  return run.has_column(quantity) &&
+         std::ranges::any_of(run.column(quantity), [](double v) { return std::isfinite(v); });
+}
+
+std::vector<double> values_of(const RunResults& run, const PhaseCourse& course, bool per_step) {
+  std::vector<double> values = run.column(course.quantity);
+  if (!per_step) return values;
+  const std::vector<double>& step = run.column("step");
+  for (std::size_t i = values.size(); i-- > 0;) {
+    const double steps = i > 0 ? step[i] - step[i - 1] : 0;
+    values[i] = steps > 0 ? values[i] / steps : std::nan("");
+  }
+  return values;
+}
+
+// Samples at which a search has gone back to its stored state.
+std::vector<std::size_t> returns_to_base(const RunResults& run) {
+  std::vector<std::size_t> samples;
+  const std::vector<double>& trial = run.column("trial");
+  for (std::size_t i = 1; i < trial.size(); ++i)
+    if (std::isfinite(trial[i - 1]) && trial[i] != trial[i - 1]) samples.push_back(i);
+  return samples;
+}
+
+// Where a phase begins that is not the first.
+std::vector<Reference> phase_guides(const RunResults& run) {
+  std::vector<Reference> guides;
+  const std::vector<std::string>& phases = run.phases();
+  const std::vector<double>& time = run.column("time");
+  for (std::size_t i = 2; i < phases.size(); ++i) {
+    // The sample at the start of a phase belongs to the one before.
+    if (phases[i] == phases[i - 1] || phases[i - 1] == "start") continue;
+    guides.push_back({.name = phases[i],
+                      .low = time[i - 1],
+                      .high = time[i - 1],
+                      .of_x = true,
+                      .role = Reference::Role::guide});
+  }
+  return guides;
+}
+
+}  // namespace
+
+std::vector<Figure> run_figures(std::span<const RunResults> runs) {
+  const std::vector<std::string> names = run_names(runs);
+  const bool single = runs.size() == 1;
+  std::vector<Figure> figures;
+  for (const TimePlot& described : time_plots()) {
+    Plot plot{.name = described.name,
+              .title = described.title,
+              .x = {.label = "time", .unit = "sqrt(d/g)"},
+              .y = {.label = described.label,
+                    .unit = described.unit,
+                    .low = described.low,
+                    .high = described.high,
+                    .logarithmic = described.logarithmic},
+              .legend = LegendPlace::below};
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+      for (const PhaseCourse& course : described.courses) {
+        if (!single && &course != described.courses.data()) break;
+        if (!has_values(runs[r], course.quantity)) continue;
+        plot.curves.push_back({.name = single ? course.name : names[r],
+                               .kind = described.kind,
+                               .x = runs[r].column("time"),
+                               .y = values_of(runs[r], course, described.per_step),
+                               .begins = returns_to_base(runs[r])});
+      }
+    }
+    // Without its main course a plot says nothing: there is no intruder.
+    const auto main_course = [&](const RunResults& run) {
+      return has_values(run, described.courses.front().quantity);
+    };
+    if (std::ranges::none_of(runs, main_course)) continue;
+    if (single) plot.references = phase_guides(runs.front());
+    std::string caption = std::string(described.title) + " over time";
+    if (!single && described.courses.size() > 1) {
+      caption += std::string(": ") + described.courses.front().name;
+    }
+    figures.push_back({std::move(plot), caption + "."});
+  }
+  return figures;
+}
+
+}  // namespace quicksand

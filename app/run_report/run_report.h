@@ -1,0 +1,34 @@
+// The report of finished runs: what was modelled, final values, courses over time, pictures, and what
+// a reader must be warned of. Several runs stand side by side, with what differs between them.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/json/json_text.h"
+#include "app/report/report.h"
+#include "app/run_report/run_results.h"
+
+namespace quicksand {
+
+// Short names of runs: those of their folders, or whole paths where these are equal.
+std::vector<std::string> run_names(std::span<const RunResults> runs);
+
+// Without provenance, which the caller knows.
+Report run_report(std::span<const RunResults> runs);
+
+// Its plots: each quantity over time, all runs in one, with the phases of a single run.
+std::vector<Figure> run_figures(std::span<const RunResults> runs);
+
+// What its searches found: tables of critical forces and of adiabatic deposits, where there are any.
+std::vector<Block> found_by_searches(std::span<const RunResults> runs,
+                                     const std::vector<std::string>& names);
+
+// A value of summary.json in a cell of a table; "-" where there is none.
+std::string cell_text(const Json& value);
+
+// Unfinished, failed and unconverged computing, and overlaps; a sentence each.
+std::vector<std::string> run_warnings(const RunResults& run);
+
+}  // namespace quicksand

@@ -1,0 +1,139 @@
+#include "app/run_report/run_results.h"
+
+#include <charconv>
+#include <cmath>
+#include <sstream>
+
+#include "app/base/nearest_name.h"
+#include "app/json/json_reader.h"
+#include "core/base/errors.h"
+#include "render/image/frame_files.h"
+
+namespace quicksand {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+Json read_json(const fs::path& file) {
+  const std::string text = read_text(file);
+  try {
+    return parse_json(text);
+  } catch (const InputError& error) {
+    throw InputError(file.string(), error.what());
+  }
+}
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells(1);
+  for (const char c : line) {
+    if (c == ',') {
+      cells.emplace_back();
+    } else {
+      cells.back() += c;
+    }
+  }
+  return cells;
+}
+
+// NaN for an empty cell; nothing for what is no number.
+std::optional<double> number_of(const std::string& cell) {
+  if (cell.empty()) return std::nan("");
+  double value = 0;
+  const char* end = cell.data() + cell.size();
+  const auto read = std::from_chars(cell.data(), end, value);
+  if (read.ec != std::errc() || read.ptr != end) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+RunResults::RunResults(const fs::path& folder) : folder_{folder} {
+  std::error_code error;
+  if (!fs::exists(folder, error)) throw InputError(folder.string(), "there is no such folder");
+  if (!fs::is_directory(folder, error)) {
+    throw InputError(folder.string(), "is a file; give the folder of a run");
+  }
+  if (!fs::exists(folder_.series(), error)) {
+    throw InputError(folder.string(), "is not the folder of a run: it has no series.csv");
+  }
+  if (!fs::exists(folder_.summary(), error)) {
+    throw InputError(folder.string(), "holds a run that has not ended: it has no summary.json");
+  }
+  scene_ = read_json(folder_.scene());
+  summary_ = read_json(folder_.summary());
+  read_series();
+}
+
+void RunResults::read_series() {
+  std::istringstream text(read_text(folder_.series()));
+  std::string line;
+  std::getline(text, line);
+  const std::vector<std::string> names = cells_of(line);
+  std::vector<std::vector<double>> values(names.size());
+  std::vector<bool> words(names.size(), false);  // columns that hold words
+  for (int number = 2; std::getline(text, line); ++number) {
+    const std::vector<std::string> cells = cells_of(line);
+    if (cells.size() != names.size()) {
+      throw InputError(folder_.series().string() + ": line " + std::to_string(number),
+                       "has " + std::to_string(cells.size()) + " values, the first line names " +
+                           std::to_string(names.size()));
+    }
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (names[i] == "phase") phases_.push_back(cells[i]);
+      const std::optional<double> value = number_of(cells[i]);
+      if (!value) words[i] = true;
+      values[i].push_back(value.value_or(std::nan("")));
+    }
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!words[i]) columns_[names[i]] = std::move(values[i]);
+  }
+}
+
+std::optional<double> RunResults::final_value(const std::string& name) const {
+  const auto found = summary_.find(name);
+  if (found == summary_.end()) {
+    std::vector<std::string> names;
+    for (const auto& [key, value] : summary_.items()) names.push_back(key);
+    throw InputError(folder_.summary().string(),
+                     "has no value \"" + name + "\"" + suggestion(name, names));
+  }
+  if (found->is_null()) return std::nullopt;
+  if (!found->is_number()) {
+    throw InputError(folder_.summary().string() + ": " + name,
+                     "is " + described(*found) + ", not a number");
+  }
+  return found->get<double>();
+}
+
+const std::vector<double>& RunResults::column(const std::string& name) const {
+  const auto found = columns_.find(name);
+  if (found != columns_.end()) return found->second;
+  std::vector<std::string> names;
+  for (const auto& [known, values] : columns_) names.push_back(known);
+  throw InputError(folder_.series().string(),
+                   "has no column of numbers \"" + name + "\"" + suggestion(name, names));
+}
+
+std::vector<fs::path> RunResults::frames() const {
+  std::vector<fs::path> paths;
+  std::error_code error;
+  if (!fs::is_directory(folder_.frames(), error)) return paths;
+  for (const auto& [number, path] : frame_files(folder_.frames())) paths.push_back(path);
+  return paths;
+}
+
+Measured measured_over(std::span<const RunResults> runs, const std::string& quantity) {
+  std::vector<double> values;
+  for (const RunResults& run : runs) {
+    const std::optional<double> value = run.final_value(quantity);
+    if (!value) {
+      throw InputError(run.folder().summary().string(), "has no value for \"" + quantity + "\"");
+    }
+    values.push_back(*value);
+  }
+  return measured_over(values);
+}
+
+}  // namespace quicksand

@@ -1,0 +1,61 @@
+// Viscous drag, as fields of a scene file: in grain units, or by the properties of a fluid.
+#include <numbers>
+
+#include "app/scene_json/scene_fields.h"
+#include "app/scene_json/si_scale.h"
+#include "core/scene/scenario.h"
+
+namespace quicksand {
+
+namespace {
+
+// Stokes: F = 3 pi eta d v for a sphere of diameter d. [F_g/sqrt(g d)]
+double stokes(double viscosity, const SiScale& si) {
+  return 3 * std::numbers::pi * viscosity * si.length * si.velocity / si.force;
+}
+
+// F = C_D rho/2 pi d^2/4 v^2. [F_g/(g d)]
+double form_drag(double coefficient, double density, const SiScale& si) {
+  const double area = std::numbers::pi / 4 * si.length * si.length;
+  return coefficient * density / 2 * area * si.velocity * si.velocity / si.force;
+}
+
+}  // namespace
+
+void describe_drag(Fields& f, Drag& drag, const std::optional<PhysicalScale>& physical) {
+  std::optional<double> linear, quadratic, viscosity, coefficient, fluid_density;
+  if (!f.reading()) linear = drag.linear, quadratic = drag.quadratic;
+  f.number({"linear", "force over velocity, of a grain of 1 d; grows with the diameter"},
+           between(0, 1e12, "F_g/sqrt(g d)"), linear);
+  f.number({"quadratic", "force over velocity squared, of a grain of 1 d; grows with its square"},
+           between(0, 1e12, "F_g/(g d)"), quadratic);
+  f.number({"viscosity", "instead of linear, with physical: Stokes drag 3 pi eta d v of a sphere"},
+           between(0, 1e6, "Pa s"), viscosity);
+  f.number({"coefficient",
+            "instead of quadratic, with physical: C_D of F = C_D rho/2 pi d^2/4 v^2 of a sphere"},
+           between(0, 1e6, "1"), coefficient);
+  f.number({"fluid_density", "with coefficient: rho"}, between(0, 1e6, "kg/m^3"), fluid_density);
+  if (!f.reading()) return;
+  if (!linear && !viscosity && !quadratic && !coefficient) {
+    f.refuse("linear", "is missing; give linear, quadratic, viscosity or coefficient");
+  }
+  if (linear && viscosity) f.refuse("viscosity", "is given besides linear; give only one");
+  if (quadratic && coefficient) {
+    f.refuse("coefficient", "is given besides quadratic; give only one");
+  }
+  if (coefficient.has_value() != fluid_density.has_value()) {
+    f.refuse(coefficient ? "fluid_density" : "coefficient",
+             std::string("is missing; ") + (coefficient ? "coefficient" : "fluid_density") +
+                 " needs it");
+  }
+  if ((viscosity || coefficient) && !physical) {
+    f.refuse(viscosity ? "viscosity" : "coefficient",
+             "needs physical, which is absent, for the size and weight of a grain");
+  }
+  drag.linear = linear.value_or(0);
+  drag.quadratic = quadratic.value_or(0);
+  if (viscosity) drag.linear = stokes(*viscosity, si_scale(*physical));
+  if (coefficient) drag.quadratic = form_drag(*coefficient, *fluid_density, si_scale(*physical));
+}
+
+}  // namespace quicksand

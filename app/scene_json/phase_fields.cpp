@@ -1,0 +1,162 @@
+// The phases of a protocol, as fields of a scene file.
+#include "app/scene_json/phase_fields.h"
+
+#include <numbers>
+#include <utility>
+
+#include "app/scene_json/scene_fields.h"
+#include "core/scene/grain_sizes.h"
+#include "core/scene/scenario.h"
+
+namespace quicksand {
+
+namespace {
+
+// In the order of Phase::kind's alternatives.
+constexpr std::string_view kPhases[] = {"deposit", "settle", "push",  "pull",
+                                        "shear",   "heal",   "piston"};
+
+constexpr std::string_view kBondingTouches[] = {"first_touch", "every_touch"};
+constexpr std::string_view kPushEnds[] = {"rest", "intruder_rest"};
+constexpr double kDense = 0.91;  // more than any packing of equal disks reaches
+
+void describe_polydispersity(Fields& f, Polydispersity& p) {
+  f.number({"deviation", "standard deviation, after the cut", Presence::required},
+           above(0, kMostDeviation, "d"), p.deviation);
+}
+
+void describe_deposit(Fields& f, DepositPhase& p, const Box& box) {
+  f.integer({"grains", "number of grains; 0: until the height is reached"}, 0, kMaxBodies,
+            p.grains);
+  f.number({"height", "top of the packing that ends the phase; 0: by number only"},
+           between(0, 1e6, "d"), p.height);
+  f.number({"interval", "time between grains; 0: all at once, sticking where they touch"},
+           between(0, kMaxTime, "sqrt(d/g)"), p.interval);
+  f.number({"drop_velocity", "downward, at the place of first contact"},
+           between(0, 1e6, "sqrt(g d)"), p.drop_velocity);
+  describe_adiabatic(f, p);
+  f.optional_object({"polydispersity",
+                     "normal distribution of the diameters about 1 d, cut at 0.2 "
+                     "and 1.8 d; absent: equal grains"},
+                    p.polydispersity, describe_polydispersity);
+  f.number({"capture_radius",
+            "a falling grain is drawn in by the first that comes this close to its "
+            "surface; 0: only where they touch"},
+           between(0, 10, "d"), p.capture_radius);
+  describe_bonds(f, p.bonds);
+  if (!f.reading()) return;
+  if (p.grains == 0 && p.height == 0) {
+    f.refuse("grains", "and height are both 0; give a number of grains, a height [d] or both");
+  }
+  if (p.grains == 0 && kDense * box.width * p.height * 4 / std::numbers::pi > kMaxBodies) {
+    f.refuse("height", "times the box's width has room for more than " +
+                           std::to_string(kMaxBodies) + " grains");
+  }
+}
+
+void describe_settle(Fields& f, SettlePhase& p) {
+  describe_rest(f, p.rest_speed, p.rest_time, p.max_time);
+  f.flag({"until_rest", "false: lasts exactly max_time"}, p.until_rest);
+  describe_bonding(f, p.bonding, p.bonds);
+}
+
+void describe_push(Fields& f, PushPhase& p, const ContactLaw& law) {
+  f.number({"diameter", "of the intruder"}, above(0, 1e4, "d"), p.diameter);
+  f.number({"density", "of the intruder, over that of a grain"}, above(0, 1e6, "1"), p.density);
+  describe_force(f, "downward, besides the intruder's weight", -1, p.force, law);
+  f.number({"x", "where it is placed on the surface; the middle of the box if absent"},
+           between(-1e7, 1e7, "d"), p.x);
+  describe_rest(f, p.rest_speed, p.rest_time, p.max_time);
+  f.choice({"until", "rest of all bodies, or of the intruder alone"}, kPushEnds, p.until);
+  describe_threshold(f, p);
+  f.flag({"release", "whether the force ends with the phase; else it stays"}, p.release);
+  describe_bonding(f, p.bonding, p.bonds);
+}
+
+}  // namespace
+
+void describe_bonds(Fields& f, BondingTouch& bonds) {
+  f.choice(
+      {"bonds", "which touches form a bond: the first of a pair, or each while its bond is broken"},
+      kBondingTouches, bonds);
+}
+
+void describe_bonding(Fields& f, bool& bonding, BondingTouch& bonds) {
+  f.flag({"bonding", "whether touches form bonds; which ones, says bonds"}, bonding);
+  describe_bonds(f, bonds);
+}
+
+void describe_rest(Fields& f, double& rest_speed, double& rest_time, double& max_time) {
+  f.number({"rest_speed", "rest means that no body is faster than this ..."},
+           above(0, 1e6, "sqrt(g d)"), rest_speed);
+  f.number({"rest_time", "... for this long"}, between(0, kMaxTime, "sqrt(d/g)"), rest_time);
+  f.number({"max_time", "ends the phase in any case"}, above(0, kMaxTime, "sqrt(d/g)"), max_time);
+}
+
+void describe_force(Fields& f, const char* help, double least, double& force,
+                    const ContactLaw& law) {
+  std::optional<double> plain = force;
+  std::optional<double> over_cohesion;
+  f.number({"force", help}, between(least * 1e12, 1e12, "F_g"), plain);
+  f.number({"force_over_cohesion", "the same, over the grains' cohesion force"},
+           between(least * 1e6, 1e6, "F_c"), over_cohesion);
+  f.exactly_one({"force", "force_over_cohesion"});
+  if (!f.reading()) return;
+  if (over_cohesion && !law.cohesion_force) {
+    f.refuse("force_over_cohesion", "needs contact.cohesion_force, which is absent; give force");
+  }
+  force = over_cohesion ? *over_cohesion * *law.cohesion_force : *plain;
+}
+
+namespace {
+
+// Makes the phase one of that kind, with its defaults.
+template <std::size_t... kinds>
+void set_kind(Phase& phase, int type, std::index_sequence<kinds...> /*all*/) {
+  ((static_cast<int>(kinds) == type ? static_cast<void>(phase.kind.emplace<kinds>())
+                                    : static_cast<void>(0)),
+   ...);
+}
+void set_kind(Phase& phase, int type) {
+  set_kind(phase, type, std::make_index_sequence<std::variant_size_v<decltype(Phase::kind)>>{});
+}
+
+}  // namespace
+
+void describe_kind(Fields& f, Phase& phase, const Scenario& scenario) {
+  const auto type = phase.kind.index();
+  if (type == 0) {
+    describe_deposit(f, std::get<DepositPhase>(phase.kind), scenario.box);
+  } else if (type == 1) {
+    describe_settle(f, std::get<SettlePhase>(phase.kind));
+  } else if (type == 2) {
+    describe_push(f, std::get<PushPhase>(phase.kind), scenario.grain_law);
+  } else if (type == 3) {
+    describe_pull(f, std::get<PullPhase>(phase.kind), scenario.grain_law);
+  } else if (type == 4) {
+    describe_shear(f, std::get<ShearPhase>(phase.kind), scenario.grain_law);
+  } else if (type == 5) {
+    describe_heal(f, std::get<HealPhase>(phase.kind));
+    return;  // it takes no time
+  } else {
+    describe_piston(f, std::get<PistonPhase>(phase.kind), scenario.grain_law);
+  }
+  f.number({"dt", "time step of this phase; step.dt if absent"},
+           between(kLeastStep, 1, "sqrt(d/g)"), phase.dt);
+  f.number({"solver_tolerance",
+            "residual that the solver must reach in this phase; "
+            "solver.tolerance if absent"},
+           above(0, 1, "1"), phase.solver_tolerance);
+  f.number({"sample_every", "time between samples and frames; chosen if absent"},
+           above(0, kMaxTime, "sqrt(d/g)"), phase.sample_every);
+}
+
+void describe_phase(Fields& f, Phase& phase, const Scenario& scenario) {
+  f.variant({"type", "what happens"}, kPhases, static_cast<int>(phase.kind.index()),
+            [&](Fields& g, int type) {
+              if (phase.kind.index() != static_cast<std::size_t>(type)) set_kind(phase, type);
+              describe_kind(g, phase, scenario);
+            });
+}
+
+}  // namespace quicksand

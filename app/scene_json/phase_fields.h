@@ -1,0 +1,31 @@
+// The parts of a phase's fields: those that several kinds share, and kinds with a file of their own.
+#pragma once
+
+#include "app/json/fields.h"
+#include "core/scene/phases.h"
+
+namespace quicksand {
+
+constexpr double kMaxTime = 1e9;  // [sqrt(d/g)]
+
+// When a phase ends; see SettlePhase.
+void describe_rest(Fields& f, double& rest_speed, double& rest_time, double& max_time);
+
+// Which touches form bonds, in a phase in which they do, and in one that says whether.
+void describe_bonds(Fields& f, BondingTouch& bonds);
+void describe_bonding(Fields& f, bool& bonding, BondingTouch& bonds);
+
+// A force [F_g], which may be given over the cohesion force of `law` instead. `least` is -1 where it
+// may be negative, else 0.
+void describe_force(Fields& f, const char* help, double least, double& force,
+                    const ContactLaw& law);
+
+// loading_fields.cpp
+void describe_pull(Fields& f, PullPhase& pull, const ContactLaw& law);
+void describe_shear(Fields& f, ShearPhase& shear, const ContactLaw& law);
+void describe_adiabatic(Fields& f, DepositPhase& deposit);
+void describe_threshold(Fields& f, PushPhase& push);
+void describe_heal(Fields& f, HealPhase& phase);
+void describe_piston(Fields& f, PistonPhase& phase, const ContactLaw& law);
+
+}  // namespace quicksand

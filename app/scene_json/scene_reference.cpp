@@ -1,0 +1,83 @@
+#include "app/scene_json/scene_reference.h"
+
+#include <cctype>
+#include <map>
+#include <set>
+
+#include "app/json/schema_tables.h"
+#include "app/scene_json/scenario_json.h"
+
+namespace quicksand {
+
+namespace {
+
+constexpr const char* kIntroduction = R"(# Reference of scenes
+
+For users who write scenes: every key, its values, default and meaning. `quicksand list scene_reference` prints this page; how
+scenes are built is in [scenes.md](scenes.md).
+
+Units: d is the grain diameter, r = d/2, F_g the weight of a grain, F_c the cohesion force, sqrt(d/g) the unit of time. A path
+such as `step.dt` or `phases[1].force` names a key in `--set`, in campaigns and in sessions. A key without a default may be
+left out, and its meaning says what holds then.
+)";
+
+constexpr const char* kPhaseKinds = R"(
+## Phases
+
+`phases` is a list: what happens, in order. The `type` of each says which of the following it is.
+)";
+
+const std::map<std::string, const char*> kPhaseSentences{
+    {"deposit",
+     "Grains fall one by one and stick where they touch. Ends with a number of grains or with the "
+     "top of the packing at a height."},
+    {"settle", "Nothing is added. Ends at rest or at a time."},
+    {"push", "An intruder is placed on the surface and pushed down by a constant force."},
+    {"pull", "Seeks the smallest upward force that takes the intruder out."},
+    {"shear", "Seeks the smallest horizontal force that moves a grain, at several depths."},
+    {"heal", "Restores bonds of pairs in touch. No time passes."},
+    {"piston", "A wall with mass is laid on the packing and presses it down."}};
+
+// An object, or a list of objects, has a section of its own.
+const Json* fields_of(const Json& schema) {
+  if (schema.contains("properties")) return &schema;
+  if (schema.contains("items") && schema["items"].contains("properties")) return &schema["items"];
+  return nullptr;
+}
+
+std::string section(const std::string& key, const Json& schema, const Json& scene) {
+  std::string meaning = schema["description"];
+  meaning[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(meaning[0])));
+  std::string text = "\n## " + key + "\n\n" + meaning + ".";
+  if (schema.contains("items"))
+    text += " A list of at most " + schema["maxItems"].dump() + " objects.";
+  text += "\n\n";
+  const Json& contact = scene["properties"]["contact"];
+  const Json& fields = *fields_of(schema);
+  if (key != "contact" && fields["properties"] == contact["properties"])
+    return text + "Its keys are those of [contact](#contact).\n";
+  return text + key_table(fields);
+}
+
+}  // namespace
+
+std::string scene_reference() {
+  const Json scene = scene_schema();
+  std::string general, sections;
+  std::set<std::string> left_out{"phases"};
+  for (const auto& [key, schema] : scene["properties"].items()) {
+    if (fields_of(schema) == nullptr) continue;
+    left_out.insert(key);
+    sections += section(key, schema, scene);
+  }
+  general = "\n## Scene\n\n" + key_table(scene, left_out);
+  std::string phases = kPhaseKinds;
+  for (const Json& phase : scene["properties"]["phases"]["items"]["oneOf"]) {
+    const std::string type = phase["properties"]["type"]["const"];
+    phases +=
+        "\n### " + type + "\n\n" + kPhaseSentences.at(type) + "\n\n" + key_table(phase, {"type"});
+  }
+  return kIntroduction + general + sections + phases;
+}
+
+}  // namespace quicksand

@@ -1,0 +1,98 @@
+// The searches (push with a threshold, pull, shear, adiabatic deposit), as fields of a scene file.
+#include "app/scene_json/phase_fields.h"
+
+namespace quicksand {
+
+namespace {
+
+constexpr std::size_t kMaxDepths = 1000;
+constexpr std::string_view kTrialEnds[] = {"rest", "body_rest"};
+constexpr std::int64_t kMaxGrains = 100'000;  // at a depth
+
+void describe_interval(Fields& f, double& tolerance) {
+  f.number({"tolerance", "width of the interval of force that is found, over its upper end"},
+           between(1e-9, 0.5, "1"), tolerance);
+}
+
+void describe_trials(Fields& f, SearchTrials& t, const ContactLaw& law) {
+  std::optional<double> force = t.first_force;
+  std::optional<double> force_over_cohesion;
+  f.number({"first_force", "of the first trial; doubled or halved, then the interval is halved"},
+           above(0, 1e12, "F_g"), force);
+  f.number({"first_force_over_cohesion", "the same, over the grains' cohesion force"},
+           above(0, 1e6, "F_c"), force_over_cohesion);
+  f.exactly_one({"first_force", "first_force_over_cohesion"});
+  describe_interval(f, t.tolerance);
+  f.number({"rest_speed", "a trial ends as held when no body is faster than this ..."},
+           above(0, 1e6, "sqrt(g d)"), t.rest_speed);
+  f.number({"rest_time", "... for this long"}, between(0, kMaxTime, "sqrt(d/g)"), t.rest_time);
+  f.number({"max_time", "ends a trial in any case: undecided, counted as held"},
+           above(0, kMaxTime, "sqrt(d/g)"), t.max_time);
+  f.choice(
+      {"until",
+       "a trial ends when everything rests, or as soon as the body that is pulled rests and no "
+       "bond has failed for rest_time"},
+      kTrialEnds, t.until);
+  if (!f.reading()) return;
+  if (force_over_cohesion && law.cohesion_force.value_or(0) == 0) {
+    f.refuse("first_force_over_cohesion",
+             "needs contact.cohesion_force above 0, which is absent; give first_force");
+  }
+  t.first_force = force_over_cohesion ? *force_over_cohesion * *law.cohesion_force : *force;
+}
+
+}  // namespace
+
+void describe_pull(Fields& f, PullPhase& p, const ContactLaw& law) {
+  describe_trials(f, p.trials, law);
+  f.number({"distance", "rise of the intruder that counts as out; absent: above the packing"},
+           above(0, 1e6, "d"), p.distance);
+}
+
+void describe_shear(Fields& f, ShearPhase& p, const ContactLaw& law) {
+  f.numbers({"depths", "of the grains, below the top of the packing", Presence::required},
+            between(0, 1e6, "d"), kMaxDepths, p.depths);
+  f.integer({"grains_per_depth",
+             "drawn at random within half a diameter of the depth; all that "
+             "are there if these are fewer"},
+            1, kMaxGrains, p.grains_per_depth);
+  f.number({"distance", "along x, that counts as moved"}, above(0, 1e6, "d"), p.distance);
+  describe_trials(f, p.trials, law);
+  if (f.reading() && p.depths.empty()) f.refuse("depths", "is an empty list; give a depth [d]");
+}
+
+void describe_threshold(Fields& f, PushPhase& p) {
+  f.optional_object({"threshold",
+                     "instead of one push, seeks the smallest force with which the intruder "
+                     "enters, by trials from "
+                     "one state; force is that of the first, and they end as the push would"},
+                    p.threshold, [](Fields& g, Threshold& t) {
+                      g.number(
+                          {"distance", "way down that counts as entered; absent: its diameter"},
+                          above(0, 1e6, "d"), t.distance);
+                      describe_interval(g, t.tolerance);
+                    });
+  if (f.reading() && p.threshold && p.force <= 0)
+    f.refuse("threshold", "needs a force above 0, that of the first trial");
+}
+
+void describe_adiabatic(Fields& f, DepositPhase& p) {
+  f.optional_object(
+      {"adiabatic",
+       "deposits whole samples, each with a longer interval, until the volume "
+       "fraction no longer changes; the last one stays"},
+      p.adiabatic, [](Fields& g, Adiabatic& a) {
+        g.number({"tolerance", "relative change of the volume fraction that ends it"},
+                 above(0, 1, "1"), a.tolerance);
+        g.number({"factor", "from one interval to the next"}, between(1.1, 1000, "1"), a.factor);
+        g.number({"max_interval", "no longer interval is tried"}, above(0, kMaxTime, "sqrt(d/g)"),
+                 a.max_interval);
+      });
+  if (!f.reading() || !p.adiabatic) return;
+  if (p.interval == 0) f.refuse("interval", "is 0, must be above 0 sqrt(d/g) with adiabatic");
+  if (p.adiabatic->max_interval < p.interval) {
+    f.refuse("adiabatic.max_interval", "is below interval, the first one");
+  }
+}
+
+}  // namespace quicksand

@@ -1,0 +1,75 @@
+#include "app/series/course.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace quicksand {
+
+Course::Course(const Scenario& scenario, Checkpoint start, std::optional<double> every, Sink sink)
+    : protocol_(scenario, std::move(start.world), start.protocol),
+      every_(every),
+      sink_(std::move(sink)) {}
+
+void Course::go_on(const SamplesSoFar& samples) {
+  samples_ = samples;
+  if (samples_.step == world().step) samples_.last.sample = measure(world());
+}
+
+std::string Course::phase_name() const {
+  const Phase* phase = protocol_.phase();
+  return phase != nullptr ? std::string(quicksand::phase_name(*phase)) : std::string("end");
+}
+
+Progress Course::advance() {
+  if (samples_.step < 0) sample();
+  const ProtocolState before = protocol_.state();
+  const std::int64_t step_before = world().step;
+  const double time_before = world().time;
+  if (protocol_.phase() != nullptr && (before.phase != times_of_ || !before.entered)) {
+    times_ =
+        SampleTimes(before.entered ? before.phase_start : time_before,
+                    sample_interval(protocol_.scenario(), *protocol_.phase(), every_), time_before);
+    times_of_ = before.phase;
+  }
+  samples_.phase = phase_name();
+  const Progress progress = protocol_.advance();
+  if (world().step != step_before) count(before);
+  if (times_.due(world().time) || progress == Progress::phase_ended) sample();
+  return progress;
+}
+
+void Course::sample_every(std::optional<double> every) {
+  every_ = every;
+  times_of_ = -1;
+}
+
+void Course::count(const ProtocolState& before) {
+  const ProtocolState& now = protocol_.state();
+  const SolveReport& solve = protocol_.last_step().solve;
+  Row& pending = samples_.pending;
+  pending.residual = std::max(pending.residual, solve.residual.natural);
+  pending.gap_error = std::max(pending.gap_error, solve.residual.gap);
+  pending.velocity_change = std::max(pending.velocity_change, solve.velocity_change);
+  pending.iterations += now.iterations - before.iterations;
+  pending.factorisations += now.factorisations - before.factorisations;
+  pending.trial = now.search.trial;
+  pending.trial_force = now.search.force;
+  pending.unconverged += now.unconverged_steps - before.unconverged_steps;
+}
+
+void Course::sample() {
+  const bool first = samples_.step < 0;
+  if (!first && samples_.step == world().step && samples_.bodies == world().disks.size() &&
+      samples_.healed == world().bonds.healed)
+    return;
+  if (first) samples_.phase = phase_name();
+  samples_.last = std::exchange(samples_.pending, {});
+  samples_.last.sample = measure(world());
+  samples_.last.phase = samples_.phase;
+  samples_.step = world().step;
+  samples_.bodies = world().disks.size();
+  samples_.healed = world().bonds.healed;
+  sink_(samples_.last, world());
+}
+
+}  // namespace quicksand

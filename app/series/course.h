@@ -1,0 +1,66 @@
+// The course of a scene: its protocol, step by step, and a sample whenever one is due.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "app/series/quantities.h"
+#include "app/series/sample_times.h"
+#include "core/checkpoint/checkpoint.h"
+#include "core/scene/scenario.h"
+
+namespace quicksand {
+
+// Where the samples stand: with a checkpoint of the same moment, all that is needed to sample on as if
+// nothing had happened.
+struct SamplesSoFar {
+  std::int64_t step = -1;   // of the last sample; -1: there is none
+  int bodies = 0;           // at the last sample
+  std::int64_t healed = 0;  // bonds, at the last sample
+  std::string phase;        // that the last step belongs to
+  Row last;                 // the last sample; only what it says of steps, and its phase
+  Row pending;              // counts since then
+};
+
+class Course {
+ public:
+  // What becomes of a sample.
+  using Sink = std::function<void(const Row&, const World&)>;
+
+  // Goes on from `start`, which may be the beginning. `every`: time between samples instead of the
+  // scene's [sqrt(d/g)].
+  Course(const Scenario& scenario, Checkpoint start, std::optional<double> every, Sink sink);
+  // Takes over where the samples stood when `start` was written, before anything is computed.
+  void go_on(const SamplesSoFar& samples);
+  const SamplesSoFar& samples() const { return samples_; }
+
+  // At most one time step, with a sample before the first one and whenever one is due or a phase ends.
+  Progress advance();
+  // Samples the present world, unless it was sampled already: nothing moved, no body was added and no
+  // bond healed.
+  void sample();
+
+  // Time between samples from now on; that of the scene if absent [sqrt(d/g)].
+  void sample_every(std::optional<double> every);
+
+  const Protocol& protocol() const { return protocol_; }
+  Protocol& protocol() { return protocol_; }
+  const World& world() const { return protocol_.world(); }
+  std::string phase_name() const;  // of the present phase; "end" after the last
+  // The last sample taken.
+  const Row& last() const { return samples_.last; }
+
+ private:
+  void count(const ProtocolState& before);
+
+  Protocol protocol_;
+  std::optional<double> every_;
+  Sink sink_;
+  SampleTimes times_{0, 1, 0};
+  int times_of_ = -1;  // phase that `times_` belongs to
+  SamplesSoFar samples_;
+};
+
+}  // namespace quicksand

@@ -1,0 +1,147 @@
+#include "app/series/quantities.h"
+
+#include "app/json/json_reader.h"
+
+namespace quicksand {
+
+namespace {
+
+// The intruder's values exist only where there is one.
+template <class Number>
+Value of_intruder(const Row& row, Number value) {
+  return row.sample.has_intruder ? Value(value) : Value();
+}
+
+// A trial is there only while a critical force is sought.
+template <class Number>
+Value of_trial(const Row& row, Number value) {
+  return row.trial > 0 ? Value(value) : Value();
+}
+
+const Quantity kQuantities[] = {
+    {"time", "sqrt(d/g)", "since the beginning",
+     [](const Row& r) -> Value { return r.sample.time; }},
+    {"step", "1", "time steps since the beginning",
+     [](const Row& r) -> Value { return r.sample.step; }},
+    {"phase", "1", "name of the phase", [](const Row& r) -> Value { return r.phase; }},
+    {"grains", "1", "number of grains, intruders left out",
+     [](const Row& r) -> Value { return r.sample.grains; }},
+    {"kinetic_energy", "F_g d", "of translation",
+     [](const Row& r) -> Value { return r.sample.energy.kinetic; }},
+    {"rotational_energy", "F_g d", "of rotation",
+     [](const Row& r) -> Value { return r.sample.energy.rotational; }},
+    {"potential_energy", "F_g d", "in gravity, relative to the origin",
+     [](const Row& r) -> Value { return r.sample.energy.potential; }},
+    {"max_speed", "sqrt(g d)", "of the fastest body",
+     [](const Row& r) -> Value { return r.sample.max_speed; }},
+    {"packing_top", "d", "height of the highest grain's top",
+     [](const Row& r) -> Value { return r.sample.packing_top; }},
+    {"volume_fraction", "1", "of the lower 70 % of the packing",
+     [](const Row& r) -> Value { return r.sample.volume_fraction; }},
+    {"coordination", "1", "mean number of touching neighbours of a grain",
+     [](const Row& r) -> Value { return r.sample.coordination; }},
+    {"coordination_loaded", "1", "... of those that carry a force or a bond",
+     [](const Row& r) -> Value { return r.sample.coordination_loaded; }},
+    {"contacts", "1", "number of touching contacts",
+     [](const Row& r) -> Value { return r.sample.contacts; }},
+    {"active_bond_fraction", "1", "active bonds over touching contacts",
+     [](const Row& r) { return or_none(r.sample.active_bond_fraction); }},
+    {"remaining_bond_fraction", "1",
+     "active bonds over initial bonds: those that were active when the intruder or piston came",
+     [](const Row& r) { return or_none(r.sample.remaining_bond_fraction); }},
+    {"bonds_active", "1", "number of active bonds",
+     [](const Row& r) -> Value { return r.sample.bonds_active; }},
+    {"bonds_formed", "1", "bonds formed since the beginning",
+     [](const Row& r) -> Value { return r.sample.bonds_formed; }},
+    {"bonds_broken", "1", "bonds broken since the beginning",
+     [](const Row& r) -> Value { return r.sample.bonds_broken; }},
+    {"max_overlap", "d", "deepest overlap of two bodies",
+     [](const Row& r) -> Value { return r.sample.max_overlap; }},
+    {"intruder_x", "d", "of the intruder's centre",
+     [](const Row& r) { return of_intruder(r, r.sample.intruder_position.x()); }},
+    {"intruder_y", "d", "of the intruder's centre",
+     [](const Row& r) { return of_intruder(r, r.sample.intruder_position.y()); }},
+    {"intruder_velocity_x", "sqrt(g d)", "of the intruder's centre",
+     [](const Row& r) { return of_intruder(r, r.sample.intruder_velocity.x()); }},
+    {"intruder_velocity_y", "sqrt(g d)", "of the intruder's centre, positive upward",
+     [](const Row& r) { return of_intruder(r, r.sample.intruder_velocity.y()); }},
+    {"resistance", "F_g", "upward force of the contacts of the last step on the intruder",
+     [](const Row& r) { return of_intruder(r, r.sample.resistance); }},
+    {"depth", "d", "of the intruder's lowest point below the packing's top when it was placed",
+     [](const Row& r) { return of_intruder(r, r.sample.depth); }},
+    {"weight_above_column", "1",
+     "weight of the grains straight above the intruder over that of all",
+     [](const Row& r) { return of_intruder(r, r.sample.weight_above.column); }},
+    {"weight_above_level", "1", "weight of all grains higher than the intruder over that of all",
+     [](const Row& r) { return of_intruder(r, r.sample.weight_above.level); }},
+    {"channel_grains", "1", "number of grains where the intruder has passed",
+     [](const Row& r) { return of_intruder(r, r.sample.around_intruder.channel.grains); }},
+    {"channel_coordination", "1", "mean number of touching neighbours of a grain in the channel",
+     [](const Row& r) { return or_none(r.sample.around_intruder.channel.coordination); }},
+    {"channel_active_bond_fraction", "1", "active bonds over touching contacts in the channel",
+     [](const Row& r) { return or_none(r.sample.around_intruder.channel.active_bond_fraction); }},
+    {"channel_remaining_bond_fraction", "1",
+     "active initial bonds over initial bonds in the channel",
+     [](const Row& r) {
+       return or_none(r.sample.around_intruder.channel.remaining_bond_fraction);
+     }},
+    {"intact_grains", "1",
+     "number of grains farther from the intruder's way than 6 of its diameters",
+     [](const Row& r) { return of_intruder(r, r.sample.around_intruder.intact.grains); }},
+    {"intact_coordination", "1",
+     "mean number of touching neighbours of a grain in the intact region",
+     [](const Row& r) { return or_none(r.sample.around_intruder.intact.coordination); }},
+    {"intact_active_bond_fraction", "1", "active bonds over touching contacts in the intact region",
+     [](const Row& r) { return or_none(r.sample.around_intruder.intact.active_bond_fraction); }},
+    {"intact_remaining_bond_fraction", "1",
+     "active initial bonds over initial bonds in the intact region",
+     [](const Row& r) { return or_none(r.sample.around_intruder.intact.remaining_bond_fraction); }},
+    {"residual", "1", "worst residual of the solver since the last sample",
+     [](const Row& r) -> Value { return r.residual; }, true},
+    {"gap_error", "1",
+     "worst gap error of a loaded contact since the last sample, over its tolerance",
+     [](const Row& r) -> Value { return r.gap_error; }, true},
+    {"velocity_change", "1",
+     "worst change of velocity in a last iteration since the last sample, over the mean velocity",
+     [](const Row& r) -> Value { return r.velocity_change; }, true},
+    {"iterations", "1", "iterations of the solver since the last sample",
+     [](const Row& r) -> Value { return r.iterations; }, true},
+    {"factorisations", "1", "factorisations of the solver since the last sample",
+     [](const Row& r) -> Value { return r.factorisations; }, true},
+    {"unconverged", "1", "steps since the last sample that did not converge",
+     [](const Row& r) -> Value { return r.unconverged; }, true},
+    {"trial", "1", "number of the trial in this phase, from 1; searches of forces only",
+     [](const Row& r) { return of_trial(r, r.trial); }, true},
+    {"trial_force", "F_g", "force of the trial on its body",
+     [](const Row& r) { return of_trial(r, r.trial_force); }, true},
+    {"bonds_healed", "1", "bonds restored by healing since the beginning",
+     [](const Row& r) -> Value { return r.sample.bonds_healed; }},
+    {"piston_y", "d", "height of the piston's surface",
+     [](const Row& r) { return r.sample.piston_y ? Value(*r.sample.piston_y) : Value(); }},
+    {"coordination_within_1e-3", "1", "mean number of neighbours of a grain up to a gap of 1e-3 d",
+     [](const Row& r) -> Value { return r.sample.within[0].coordination; }},
+    {"coordination_within_1e-2", "1", "mean number of neighbours of a grain up to a gap of 1e-2 d",
+     [](const Row& r) -> Value { return r.sample.within[1].coordination; }},
+    {"active_bonds_within_1e-3", "1", "active bonds over pairs up to a gap of 1e-3 d",
+     [](const Row& r) { return or_none(r.sample.within[0].active_bond_fraction); }},
+    {"active_bonds_within_1e-2", "1", "active bonds over pairs up to a gap of 1e-2 d",
+     [](const Row& r) { return or_none(r.sample.within[1].active_bond_fraction); }},
+};
+
+}  // namespace
+
+Value or_none(const std::optional<double>& value) { return value ? Value(*value) : Value(); }
+
+std::span<const Quantity> quantities() { return kQuantities; }
+
+std::string text_of(const Value& value) {
+  struct Text {
+    std::string operator()(std::monostate) const { return {}; }
+    std::string operator()(std::int64_t number) const { return std::to_string(number); }
+    std::string operator()(double number) const { return number_text(number); }
+    std::string operator()(const std::string& text) const { return text; }
+  };
+  return std::visit(Text{}, value);
+}
+
+}  // namespace quicksand

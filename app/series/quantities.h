@@ -1,0 +1,47 @@
+// What a run reports: every quantity with name, unit, meaning and where it comes from, in one table.
+// Columns of series.csv, final values of summary.json and `quicksand list quantities` are this table.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "core/measures/measures.h"
+
+namespace quicksand {
+
+// One sample with what the steps since the last sample tell.
+struct Row {
+  Sample sample;
+  std::string phase;                // name of the phase that the sample belongs to
+  double residual = 0;              // worst since the last sample [1]
+  double gap_error = 0;             // worst since the last sample, over the tolerance [1]
+  double velocity_change = 0;       // worst since the last sample, over the mean velocity [1]
+  std::int64_t iterations = 0;      // of the solver since the last sample [1]
+  std::int64_t factorisations = 0;  // of the solver since the last sample [1]
+  std::int64_t unconverged = 0;     // steps since the last sample [1]
+  std::int64_t trial = 0;           // Search::trial; 0: no force is sought
+  double trial_force = 0;           // Search::force [F_g]
+};
+
+// monostate: there is no such value in this sample.
+using Value = std::variant<std::monostate, std::int64_t, double, std::string>;
+Value or_none(const std::optional<double>& value);
+
+struct Quantity {
+  std::string_view name;
+  std::string_view unit;  // "1" if none
+  std::string_view help;
+  Value (*get)(const Row& row);
+  bool of_steps = false;  // counted over the steps since the last sample: a state alone has none
+};
+
+std::span<const Quantity> quantities();
+
+// Shortest text that reads back as the same value; empty for no value.
+std::string text_of(const Value& value);
+
+}  // namespace quicksand

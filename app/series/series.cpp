@@ -1,0 +1,65 @@
+#include "app/series/series.h"
+
+#include "core/base/errors.h"
+
+namespace quicksand {
+
+namespace {
+
+// The header and up to `most` rows after it, each with its end of line; a row without is cut short.
+// Empty if the header is another one.
+std::string whole_lines(const std::filesystem::path& path, std::int64_t most, std::int64_t& rows) {
+  rows = 0;
+  std::ifstream file(path, std::ios::binary);
+  std::string line;
+  std::string text = series_header() + "\n";
+  if (!std::getline(file, line) || line + "\n" != text) return {};
+  while (rows < most && std::getline(file, line) && !file.eof()) {
+    text += line + "\n";
+    ++rows;
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string series_header() {
+  std::string header;
+  for (const Quantity& quantity : quantities()) {
+    header += (header.empty() ? "" : ",") + std::string(quantity.name);
+  }
+  return header;
+}
+
+std::int64_t whole_rows(const std::filesystem::path& path, std::int64_t most) {
+  std::int64_t rows = 0;
+  whole_lines(path, most, rows);
+  return rows;
+}
+
+Series::Series(std::filesystem::path path, std::int64_t kept_rows) : path_(std::move(path)) {
+  std::string text = series_header() + "\n";
+  if (kept_rows > 0) {
+    text = whole_lines(path_, kept_rows, rows_);
+    if (rows_ < kept_rows)
+      throw InputError(path_.string(),
+                       "has other columns or fewer rows than the run that is to go on; continue "
+                       "it in another folder with --out");
+  }
+  write_whole(path_, text);
+  file_.open(path_, std::ios::binary | std::ios::app);
+  if (!file_) throw InputError(path_.string(), "cannot be written");
+}
+
+void Series::add(const Row& row) {
+  std::string line;
+  for (const Quantity& quantity : quantities()) {
+    if (&quantity != quantities().data()) line += ',';
+    line += text_of(quantity.get(row));
+  }
+  file_ << line << '\n' << std::flush;
+  if (!file_) throw InputError(path_.string(), "cannot be written; is the disk full?");
+  ++rows_;
+}
+
+}  // namespace quicksand

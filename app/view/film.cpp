@@ -1,0 +1,43 @@
+#include "app/view/film.h"
+
+#include <array>
+#include <string>
+
+#include "core/base/whole_file.h"
+#include "core/scene/scenario.h"
+
+namespace quicksand {
+
+View view_of(const Scenario& scenario, View view) {
+  view.fit = scenario.box.width > 0 && scenario.box.height > 0 ? Fit::box : Fit::content;
+  view.physical = scenario.physical;
+  view.method =
+      scenario.step.nscd ? "NSCD, " + std::to_string(scenario.step.nscd->sweeps) + " sweeps" : "";
+  return view;
+}
+
+Film::Film(const RunFolder& folder, const Scenario& scenario, const View& view, std::int64_t first)
+    : folder_(folder),
+      view_(view_of(scenario, view)),
+      title_(scenario.name),
+      sequence_(folder.frames(), first),
+      secured_(first) {}
+
+void Film::add(const World& world, const std::string& phase) {
+  const auto caption = std::to_array<std::string>({title_, phase});
+  sequence_.add(renderer_.draw(world, view_, caption));
+}
+
+void Film::secure() {
+  sequence_.finish();
+  if (secured_ == frames()) return;
+  for (; secured_ < frames(); ++secured_) bring_to_disk(frame_path(folder_.frames(), secured_));
+  bring_to_disk(folder_.frames());
+}
+
+VideoReport Film::finish() {
+  sequence_.finish();
+  return write_video(folder_.frames(), folder_.film());
+}
+
+}  // namespace quicksand

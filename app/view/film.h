@@ -1,0 +1,43 @@
+// The frames of a run and the film made of them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "app/run_folder/run_folder.h"
+#include "core/scene/scenario.h"
+#include "core/world/world.h"
+#include "render/image/sequence.h"
+#include "render/image/video.h"
+#include "render/picture/renderer.h"
+
+namespace quicksand {
+
+// The view of a scene's whole box, or of its bodies where the box has no size, with SI units where the
+// scene gives physical values.
+View view_of(const Scenario& scenario, View view);
+
+class Film {
+ public:
+  // Frames are numbered from `first`. Throws RenderError if this system cannot draw, InputError if
+  // the folder cannot be written.
+  Film(const RunFolder& folder, const Scenario& scenario, const View& view, std::int64_t first);
+
+  void add(const World& world, const std::string& phase);
+  // Waits until the frames so far are on the disk. Throws InputError if one could not be written.
+  void secure();
+  // Waits for the frames, and joins them if there is ffmpeg. Returns what became of it.
+  VideoReport finish();
+
+  std::int64_t frames() const { return sequence_.next(); }
+
+ private:
+  RunFolder folder_;
+  View view_;
+  std::string title_;
+  Renderer renderer_;
+  Sequence sequence_;
+  std::int64_t secured_;  // frames with smaller numbers are on the disk
+};
+
+}  // namespace quicksand

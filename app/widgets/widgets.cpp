@@ -1,0 +1,273 @@
+#include "app/widgets/widgets.h"
+
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace quicksand::gui {
+namespace {
+
+PixelRect rect_of(const ImRect& r) { return {r.Min.x, r.Min.y, r.GetWidth(), r.GetHeight()}; }
+
+bool last_item_disabled() {
+  return (ImGui::GetCurrentContext()->LastItemData.InFlags & ImGuiItemFlags_Disabled) != 0;
+}
+
+// Sets a colour until the end of the block.
+class Tint {
+ public:
+  Tint(ImGuiCol which, ImU32 colour) { ImGui::PushStyleColor(which, colour); }
+  ~Tint() { ImGui::PopStyleColor(); }
+  Tint(const Tint&) = delete;
+  Tint& operator=(const Tint&) = delete;
+};
+
+std::string shown(double value, bool integer) {
+  char text[64];
+  std::snprintf(text, sizeof text, integer ? "%.0f" : "%.6g", value);
+  return text;
+}
+
+}  // namespace
+
+void Widgets::begin(Theme theme) {
+  look_ = &look(theme);
+  all_.clear();
+  prefix_.clear();
+}
+
+void Widgets::record(const std::string& name, Widget::Kind kind, std::string value) {
+  const ImGuiLastItemData& item = ImGui::GetCurrentContext()->LastItemData;
+  const ImRect clip = ImGui::GetCurrentWindow()->ClipRect;
+  all_.push_back({.path = path(name),
+                  .kind = kind,
+                  .rect = rect_of(item.Rect),
+                  .clip = rect_of(clip),
+                  .id = item.ID,
+                  .visible = clip.Contains(item.Rect.GetCenter()),
+                  .disabled = last_item_disabled(),
+                  .value = std::move(value)});
+}
+
+void Widgets::tooltip(const std::string& text) const {
+  if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(px(10), px(7)));
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0F);  // also of a disabled widget
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(px(300));
+  ImGui::TextUnformatted(capitalised(text).c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+  ImGui::PopStyleVar(2);
+}
+
+bool Widgets::begin_section(const std::string& name, bool open_at_first, bool open_now) {
+  const Tint back(ImGuiCol_Header, look_->panel);
+  const Tint hovered(ImGuiCol_HeaderHovered, look_->button);
+  const Tint border(ImGuiCol_Border, IM_COL32_BLACK_TRANS);
+  ImGui::PushFont(fonts_.bold);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(3), px(4)));
+  ImGui::SetNextItemOpen(open_now || open_at_first, open_now ? ImGuiCond_Always : ImGuiCond_Once);
+  const bool open = ImGui::CollapsingHeader(name.c_str());
+  ImGui::PopStyleVar();
+  ImGui::PopFont();
+  record(name, Widget::Kind::section, open ? "open" : "closed");
+  if (open) prefix_ += name + "/";
+  return open;
+}
+
+bool Widgets::begin_group(const std::string& name, bool open_at_first) {
+  const Tint hovered(ImGuiCol_HeaderHovered, look_->button);
+  ImGui::Dummy(ImVec2(0, px(1)));
+  ImGui::SetNextItemOpen(open_at_first, ImGuiCond_Once);
+  const bool open = ImGui::TreeNodeEx(
+      name.c_str(), ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanAvailWidth);
+  record(name, Widget::Kind::section, open ? "open" : "closed");
+  if (open) prefix_ += name + "/";
+  return open;
+}
+
+void Widgets::end_section() {
+  prefix_.pop_back();
+  const std::size_t slash = prefix_.rfind('/');
+  prefix_.resize(slash == std::string::npos ? 0 : slash + 1);
+}
+
+void Widgets::line_label(const Label& label) const {
+  if (label.bare) return;
+  const float left = ImGui::GetCursorPosX();
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted((label.text.empty() ? label.name : label.text).c_str());
+  tooltip(label.help);
+  ImGui::SameLine(left + label_width());
+}
+
+void Widgets::line_unit(const Label& label) const {
+  if (label.unit.empty()) return;
+  ImGui::SameLine();
+  ImGui::AlignTextToFramePadding();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width =
+      unit(ImGui::GetWindowDrawList(), {at.x, at.y + ImGui::GetStyle().FramePadding.y}, label.unit);
+  ImGui::Dummy(ImVec2(width, ImGui::GetTextLineHeight()));
+}
+
+float Widgets::unit(ImDrawList* list, const ImVec2& at, const std::string& text) const {
+  const ImU32 colour = ImGui::GetColorU32(look_->faint);
+  float x = at.x;
+  const auto put = [&](ImFont* font, float drop, const std::string& piece) {
+    if (list != nullptr) {
+      list->AddText(font, font->FontSize, {std::round(x), at.y + drop}, colour, piece.c_str());
+    }
+    x += font->CalcTextSizeA(font->FontSize, 1e6F, 0, piece.c_str()).x;
+  };
+  std::size_t start = 0;
+  while (start < text.size()) {
+    const std::size_t mark = std::min(text.find('_', start), text.size());
+    put(fonts_.text, 0, text.substr(start, mark - start));
+    if (mark + 1 < text.size()) put(fonts_.index, px(5), text.substr(mark + 1, 1));
+    start = mark + 2;
+  }
+  return x - at.x;
+}
+
+bool Widgets::button(const Label& label, float width, bool first_choice) {
+  const Tint back(ImGuiCol_Button, first_choice ? look_->accent : look_->button);
+  const Tint hovered(ImGuiCol_ButtonHovered, first_choice ? look_->accent_hovered : look_->hovered);
+  const Tint active(ImGuiCol_ButtonActive, first_choice ? look_->accent_hovered : look_->pressed);
+  const Tint ink(ImGuiCol_Text, first_choice ? look_->on_accent : look_->ink);
+  const Tint border(ImGuiCol_Border, first_choice ? look_->accent : look_->line);
+  const std::string& text = label.text.empty() ? label.name : label.text;
+  const bool pressed = ImGui::Button((text + "###" + path(label.name)).c_str(), ImVec2(width, 0));
+  record(label.name, Widget::Kind::button);
+  tooltip(label.help);
+  return pressed;
+}
+
+std::optional<bool> Widgets::checkbox(const Label& label, bool on) {
+  const std::string& text = label.text.empty() ? label.name : label.text;
+  bool value = on;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(8), px(2)));
+  const bool changed = ImGui::Checkbox((text + "###" + path(label.name)).c_str(), &value);
+  ImGui::PopStyleVar();
+  record(label.name, Widget::Kind::checkbox, on ? "on" : "off");
+  tooltip(label.help);
+  return changed ? std::optional<bool>(value) : std::nullopt;
+}
+
+std::optional<std::string> Widgets::combo(const Label& label,
+                                          const std::vector<std::string>& choices,
+                                          const std::string& chosen,
+                                          const std::vector<std::string>& helps) {
+  line_label(label);
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+  const bool open =
+      ImGui::BeginCombo(("###" + path(label.name)).c_str(), chosen.c_str(), ImGuiComboFlags_None);
+  std::optional<std::string> given;
+  if (open) {
+    // The popup is the present window now, the combo no longer the last item: it is written down below.
+    prefix_ += label.name + "/";
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+      if (ImGui::Selectable((choices[i] + "###" + path(choices[i])).c_str(),
+                            choices[i] == chosen)) {
+        given = choices[i];
+      }
+      record(choices[i], Widget::Kind::choice);
+      if (i < helps.size()) tooltip(helps[i]);
+    }
+    end_section();
+    ImGui::EndCombo();
+  }
+  record(label.name, Widget::Kind::combo, chosen);
+  if (!open) tooltip(label.help);
+  return given;
+}
+
+std::optional<double> Widgets::number(const Label& label, double value, bool integer) {
+  line_label(label);
+  const std::string key = path(label.name);
+  const auto pending = numbers_.find(key);
+  double now = pending == numbers_.end() ? value : pending->second;
+  const float speed = static_cast<float>(std::max({std::abs(now) * 0.01, integer ? 0.1 : 1e-4}));
+  ImGui::SetNextItemWidth(field_width());
+  ImGui::DragScalar(("###" + key).c_str(), ImGuiDataType_Double, &now, speed, nullptr, nullptr,
+                    integer ? "%.0f" : "%.6g", ImGuiSliderFlags_NoRoundToFormat);
+  if (integer) now = std::round(now);
+  const bool active = ImGui::IsItemActive();
+  const bool finished = ImGui::IsItemDeactivated();
+  record(label.name, Widget::Kind::number, shown(now, integer));
+  if (!active) tooltip(label.help);
+  line_unit(label);
+  if (active) {
+    numbers_[key] = now;
+    return std::nullopt;
+  }
+  numbers_.erase(key);
+  return finished && now != value ? std::optional<double>(now) : std::nullopt;
+}
+
+void Widgets::no_number(const Label& label) {
+  ImGui::BeginDisabled();
+  line_label(label);
+  ImGui::SetNextItemWidth(field_width());
+  double none = 0;
+  ImGui::DragScalar(("###" + path(label.name)).c_str(), ImGuiDataType_Double, &none, 1, nullptr,
+                    nullptr, "–");
+  record(label.name, Widget::Kind::number);
+  tooltip(label.help);
+  line_unit(label);
+  ImGui::EndDisabled();
+}
+
+std::optional<std::string> Widgets::text(const Label& label, const std::string& value) {
+  line_label(label);
+  const std::string key = path(label.name);
+  const auto pending = texts_.find(key);
+  std::string now = pending == texts_.end() ? value : pending->second;
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+  ImGui::InputText(("###" + key).c_str(), &now, ImGuiInputTextFlags_AutoSelectAll);
+  const bool active = ImGui::IsItemActive();
+  const bool finished = ImGui::IsItemDeactivated();
+  record(label.name, Widget::Kind::text, now);
+  if (!active) tooltip(label.help);
+  if (active) {
+    texts_[key] = now;
+    return std::nullopt;
+  }
+  texts_.erase(key);
+  return finished && now != value ? std::optional<std::string>(now) : std::nullopt;
+}
+
+void Widgets::caption(const std::string& text) {
+  const Tint ink(ImGuiCol_Text, look_->faint);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+}
+
+void Widgets::reading(const std::string& label, const std::string& value) {
+  {
+    const Tint ink(ImGuiCol_Text, look_->faint);
+    ImGui::TextUnformatted(label.c_str());
+  }
+  ImGui::SameLine();
+  const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(value.c_str()).x;
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, std::floor(room)));
+  ImGui::TextUnformatted(value.c_str());
+}
+
+void Widgets::progress(double share) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, height = px(4);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled(at, {at.x + width, at.y + height}, look_->hovered, px(2));
+  const float done = width * static_cast<float>(std::clamp(share, 0.0, 1.0));
+  if (done > px(1)) {
+    list->AddRectFilled(at, {at.x + done, at.y + height}, look_->accent, px(2));
+  }
+  ImGui::Dummy(ImVec2(width, height));
+}
+
+}  // namespace quicksand::gui

@@ -1,0 +1,52 @@
+// A file that is there as a whole or not at all: written beside its place, brought to the disk, then
+// renamed. Neither a killed program nor a power cut leaves half of it under its name.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+
+#include "core/base/errors.h"
+
+namespace quicksand {
+
+// There is no room for a result: nothing is wrong with the input, and the program ends with exit code 1.
+class DiskFull : public InputError {
+ public:
+  using InputError::InputError;
+};
+
+// The file that a path names, links followed. Throws InputError if it is no file, but a pipe or a device: those
+// cannot be replaced by one.
+std::filesystem::path file_named(const std::filesystem::path& path);
+
+// Throws what belongs to an error number: DiskFull, or an InputError.
+[[noreturn]] void refuse_to_write(const std::filesystem::path& path, int error);
+
+class WholeFile {
+ public:
+  // Throws InputError if it cannot be written.
+  explicit WholeFile(std::filesystem::path path);
+  // Removes what was written if finish() was not reached.
+  ~WholeFile();
+  WholeFile(const WholeFile&) = delete;
+  WholeFile& operator=(const WholeFile&) = delete;
+
+  std::ostream& stream() { return file_; }
+  // Puts the file in its place. Throws InputError if something could not be written.
+  void finish();
+
+ private:
+  std::filesystem::path path_, part_;
+  std::ofstream file_;
+  bool finished_ = false;
+};
+
+// A whole file of this text. Throws InputError if it cannot be written.
+void write_whole(const std::filesystem::path& path, std::string_view text);
+
+// Waits until what was written to a file, or the names in a folder, are on the disk. Throws InputError if
+// they cannot be brought there.
+void bring_to_disk(const std::filesystem::path& path);
+
+}  // namespace quicksand

@@ -1,0 +1,29 @@
+// Straight, infinite, rigid walls: the floor, side walls, pistons.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "core/base/types.h"
+
+namespace quicksand {
+
+enum class WallRole : std::uint8_t { floor, side, piston };
+
+struct Wall {
+  Vec2 point{0, 0};     // any point of the surface [d]
+  Vec2 normal{0, 1};    // unit, into the free side
+  Vec2 velocity{0, 0};  // [sqrt(g d)]
+  double mass = 0;      // [grain masses]; 0: the motion is prescribed by `velocity`
+  double force = 0;     // along the normal, on a wall with mass [F_g]
+  WallRole role = WallRole::floor;
+
+  // Inverse mass for (x, y, rotation): a wall with mass moves along its normal only, which must
+  // then be parallel to x or y; others do not respond to forces.
+  Vec3 inverse_mass() const;
+};
+
+// What bodies that fall come to lie on.
+inline bool is_floor(const Wall& wall) { return wall.normal.y() > 0.5; }
+
+}  // namespace quicksand

@@ -1,0 +1,141 @@
+#include "core/checkpoint/check.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/measures/critical_force.h"
+
+namespace quicksand {
+
+namespace {
+
+template <class... Numbers>
+bool finite(Numbers... x) {
+  return (std::isfinite(x) && ...);
+}
+
+template <class Vectors>
+bool all_finite(const Vectors& vectors) {
+  return std::ranges::all_of(vectors, [](const auto& v) { return v.allFinite(); });
+}
+
+bool not_negative(double x) { return std::isfinite(x) && x >= 0; }
+bool positive(double x) { return std::isfinite(x) && x > 0; }
+
+bool possible(const ContactLaw& law) {
+  return not_negative(law.friction.value_or(0)) && not_negative(law.rolling_friction.value_or(0)) &&
+         not_negative(law.cohesion_force.value_or(0)) && not_negative(law.cohesion_range);
+}
+
+bool possible(const Disks& d) {
+  return all_finite(d.position) && all_finite(d.velocity) && all_finite(d.applied) &&
+         std::ranges::all_of(d.angle, [](double x) { return std::isfinite(x); }) &&
+         std::ranges::all_of(d.radius, positive) && std::ranges::all_of(d.mass, positive) &&
+         std::ranges::all_of(d.inverse_mass,
+                             [](const Vec3& m) { return m.allFinite() && m.minCoeff() >= 0; }) &&
+         std::ranges::all_of(d.role, [](Role role) { return role <= Role::intruder; });
+}
+
+bool possible(const Wall& wall) {
+  return wall.point.allFinite() && wall.velocity.allFinite() && wall.normal.allFinite() &&
+         std::abs(wall.normal.norm() - 1) < 1e-9 && not_negative(wall.mass) && finite(wall.force) &&
+         wall.role <= WallRole::piston;
+}
+
+bool possible(const Bond& bond) { return bond.state <= BondState::broken; }
+
+bool possible(const Contact& contact) {
+  return contact.normal.allFinite() && contact.impulse.allFinite() &&
+         finite(contact.gap, contact.cohesion);
+}
+
+// A search has its base, its targets are bodies of it, and a trial has a target.
+bool possible(const Search& search) {
+  const ForceBracket& bracket = search.bracket;
+  if (search.kind > SearchKind::push || (search.kind != SearchKind::none) != !!search.base)
+    return false;
+  if (!positive(bracket.first) || !not_negative(bracket.low) || !not_negative(bracket.held) ||
+      bracket.trials < 0 || !positive(bracket.high.value_or(1)) || !not_negative(search.interval) ||
+      !not_negative(search.force))
+    return false;
+  if (is_of_force(search.kind) && search.trial_runs && search.targets.empty()) return false;
+  return std::ranges::all_of(search.targets, [&](const SearchTarget& target) {
+    return target.body >= 0 && search.base && target.body < search.base->disks.size() &&
+           finite(target.depth, target.weight_above);
+  });
+}
+
+bool possible(const CriticalForce& found) {
+  return found.phase >= 0 && is_of_force(found.kind) && found.position.allFinite() &&
+         finite(found.depth, found.weight_above, found.force_low, found.force_high.value_or(0));
+}
+
+bool possible(const AdiabaticDeposit& sample) {
+  return finite(sample.interval, sample.volume_fraction, sample.coordination,
+                sample.change.value_or(0));
+}
+
+template <class Item>
+bool all_possible(const std::vector<Item>& items) {
+  return std::ranges::all_of(items, [](const Item& item) { return possible(item); });
+}
+
+template <class Item>
+bool pairs_in_order(const World& world, const std::vector<Item>& items) {
+  const auto nd = world.disks.size();
+  const auto nw = static_cast<int>(world.walls.size());
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    const auto [a, b] = items[k].pair;
+    if (a < 0 || a >= nd) return false;
+    if (is_wall(b) ? b - kWallBase >= nw : b <= a || b >= nd) return false;
+    if (k > 0 && !(items[k - 1].pair < items[k].pair)) return false;
+  }
+  return true;
+}
+
+bool possible(const LogHistogram& histogram) {
+  return (histogram.counts.empty() || histogram.counts.size() == LogHistogram::kBins + 1) &&
+         std::ranges::all_of(histogram.counts, [](std::int64_t n) { return n >= 0; });
+}
+
+const char* impossible(const World& world) {
+  if (world.box.sides > Sides::walls || !not_negative(world.box.width) ||
+      !finite(world.box.height) || (world.box.sides != Sides::open && world.box.width == 0))
+    return "no such box";
+  if (world.gravity && !world.gravity->allFinite()) return "gravity is not a number";
+  if (world.drag && !(not_negative(world.drag->linear) && not_negative(world.drag->quadratic)))
+    return "no such drag";
+  if (!possible(world.grain_law) || !possible(world.wall_law) || !possible(world.intruder_law))
+    return "no such contact law";
+  if (!possible(world.disks)) return "a number of a disk is not possible";
+  if (!all_possible(world.walls)) return "a number of a wall is not possible";
+  if (!all_possible(world.bonds.list) || !pairs_in_order(world, world.bonds.list))
+    return "the bonds are not those of these bodies";
+  if (!all_possible(world.contacts) || !pairs_in_order(world, world.contacts))
+    return "the contacts are not those of these bodies";
+  if (!all_finite(world.way.places) || !finite(world.way.surface))
+    return "the intruder's way is not one of numbers";
+  if (!finite(world.time) || !not_negative(world.impulse_dt)) return "a time is not a number";
+  return nullptr;
+}
+
+}  // namespace
+
+const char* impossible(const Checkpoint& checkpoint) {
+  if (const char* problem = impossible(checkpoint.world)) return problem;
+  const ProtocolState& protocol = checkpoint.protocol;
+  if (protocol.search.base)
+    if (const char* problem = impossible(*protocol.search.base)) return problem;
+  if (protocol.phase < 0 ||
+      !finite(protocol.phase_start, protocol.next_drop, protocol.rest_since, protocol.trial_start))
+    return "the protocol stands nowhere";
+  const SweepErrors& errors = protocol.sweep_errors;
+  if (!possible(errors.residual) || !possible(errors.bond_gap) || !possible(errors.penetration))
+    return "no such distribution of errors";
+  if (!possible(protocol.search)) return "no such search";
+  if (!all_possible(protocol.critical_forces) || !all_possible(protocol.adiabatic_deposits))
+    return "a number that a search found is not possible";
+  return nullptr;
+}
+
+}  // namespace quicksand

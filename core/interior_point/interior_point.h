@@ -1,0 +1,85 @@
+// Primal-dual interior point on the exact, non-associated problem, with Mehrotra's predictor and
+// corrector [Mehrotra 1992], in velocity space.
+//
+// In two dimensions the laws are products of non-negative pairs: with s = u_n,
+//   N s = 0
+//   (mu N + R_t) a = 0,  (mu N - R_t) b = 0,   u_t = a - b
+//   (mu_r N + T) a' = 0, (mu_r N - T) b' = 0,  w = a' - b'.
+// All products are driven together to zero, along a path that starts at large ones. Where contacts slide
+// the problem is not monotone and the path may fold: products that are asked to shrink further have no
+// solution near. Beyond a fold the path goes on with growing products, until it folds again. Its
+// direction is that of the determinant of Newton's matrix, positive at the start, so the products are
+// made to grow where that is negative [Allgower 1990]. The variables of a contact are eliminated by hand (see
+// interior_point_cone.h), which leaves (M + H^T D H) dv = H^T dp with one 3x3 block D a contact; it is
+// not symmetric where a contact slides.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "core/interior_point/cone.h"
+#include "core/interior_point/contact_matrix.h"
+#include "core/interior_point/newton_on_modes.h"
+#include "core/problem/contact_problem.h"
+#include "core/problem/solver_settings.h"
+
+namespace quicksand {
+
+// Keeps the order of elimination while the contacts stay the same, and its scratch memory.
+class InteriorPoint {
+ public:
+  // Starts from state.impulse, at a distance from the boundary of `shift` times the violation found
+  // there, and leaves the best state that it met.
+  SolveReport solve(const ContactProblem& problem, const SolverSettings& settings, double shift,
+                    ContactState& state);
+
+  // Relaxes state.impulse (see solve_relaxation.h); where that converges, some iterations of Newton's method
+  // on the modes follow, which also tell the change of velocity.
+  SolveReport relax(const ContactProblem& problem, const SolverSettings& settings,
+                    ContactState& state);
+
+ private:
+  // Of some of the pairs.
+  struct Products {
+    std::array<double, 3> by_power{};  // their sum after a step of alpha, by powers of alpha
+    std::size_t pairs = 0;
+    double fastest = 1e-3;  // the largest relative decrease of a factor, at least this
+    void add(const Products& other) {
+      for (std::size_t k = 0; k < by_power.size(); ++k) by_power[k] += other.by_power[k];
+      pairs += other.pairs;
+      fastest = std::max(fastest, other.fastest);
+    }
+  };
+
+  void start(const ContactProblem& problem, double shift, const ContactState& state);
+  double admissible_product(const ContactProblem& problem, double admissible) const;
+  void linearise(const ContactProblem& problem);
+  // Heads for products tau; returns the step that reaches the boundary.
+  double find_direction(const ContactProblem& problem, double tau, bool correct);
+  // The same for products that such a step of alpha would leave well within bounds.
+  double centre_direction(const ContactProblem& problem, double tau, double alpha);
+  double follow(const ContactProblem& problem);
+  double find_step(const ContactProblem& problem, double product, double least_product);
+  bool finish(const ContactProblem& problem, const SolverSettings& settings, ContactState& state,
+              SolveReport& report);
+  // Whether at most so many sweeps of relaxation of relaxed_ were accepted; then it is the solution.
+  bool try_relaxation(const ContactProblem& problem, const SolverSettings& settings, int sweeps,
+                      ContactState& state, SolveReport& report);
+  double mean_product(double alpha) const;  // after a step of alpha along the direction
+
+  ContactMatrix matrix_;
+  NewtonOnModes newton_;
+  Products products_;
+  double proximal_ = 0;            // over each contact's Delassus diagonal [1]
+  std::vector<Vec3> delassus_;     // (nc) diagonal of each contact's own block
+  std::vector<ContactCone> cone_;  // (nc)
+  std::vector<Mat3> stiffness_;    // (nc)
+  std::vector<Vec3> impulse_;      // (nc)
+  std::vector<Vec3> velocity_;     // (nb) that the impulses of the cones give
+  std::vector<Vec3> change_;       // (nb)
+  std::vector<Vec3> best_;         // (nc)
+  ContactState relaxed_;
+};
+
+}  // namespace quicksand

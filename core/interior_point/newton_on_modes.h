@@ -1,0 +1,51 @@
+// The end of a solution: Newton's method on the modes of the contacts.
+//
+// Near a solution each contact is known to be open or closed, to stick or slide, to hold or roll: with
+// q = p - u/W (natural map, W the diagonal of the contact's own Delassus block) it is closed where q_n > 0,
+// sticks where |R_t part of q| <= friction q_n and holds where |T part of q| <= rolling q_n. What is closed,
+// sticks or holds obeys u = 0, what slides R_t = +-friction N, what rolls T = +-rolling N. These equations
+// are linear; u = 0 is met by the proximal iteration p := p - u/(eps W), which leaves the solution as it
+// is and bounds what redundant contacts may ask for. Modes are read again after each solution
+// [Alart 1991].
+//
+// Interior points end at products above zero: where the bodies that a contact force carries are many or
+// heavy, their velocities are still wrong when the residual of every contact is small. This is not so at
+// the solution of the linear equations, which costs one more factorisation, or none while modes stay.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/interior_point/contact_matrix.h"
+#include "core/problem/contact_problem.h"
+#include "core/problem/solver_settings.h"
+
+namespace quicksand {
+
+class NewtonOnModes {
+ public:
+  // Improves `state`, whose velocity is that of its impulses, in at most `max_iterations`, and until the modes
+  // stay or velocities have settled; leaves the best state that it met. `matrix` must be attached to the problem.
+  SolveReport solve(const ContactProblem& problem, const SolverSettings& settings,
+                    int max_iterations, ContactMatrix& matrix, ContactState& state);
+
+ private:
+  enum class Mode : std::uint8_t { free, held, at_upper_bound, at_lower_bound };
+  struct Modes {
+    Mode normal = Mode::free, slide = Mode::free, roll = Mode::free;
+    bool operator==(const Modes&) const = default;
+  };
+
+  // Modes, and the impulses' change at dv = 0. Returns whether the modes are those of before.
+  bool read_modes(const ContactProblem& problem, const ContactState& state);
+  static void read_bounded(double p, double u, double w, double limit, double q_n, double p_n,
+                           int component, Mode& mode, Vec3& change, Mat3& stiffness);
+
+  std::vector<Modes> modes_;     // (nc)
+  std::vector<Mat3> stiffness_;  // (nc)
+  std::vector<Vec3> change_;     // (nc) of the impulses
+  std::vector<Vec3> dv_;         // (nb)
+  ContactState best_;
+};
+
+}  // namespace quicksand

@@ -1,0 +1,84 @@
+#include "core/linear/subtrees.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace quicksand {
+
+namespace {
+
+constexpr int kSmall = 1500;  // columns below which all is top
+constexpr int kGroups = 8;
+// A subtree with more than this share of the work is split at its root.
+constexpr double kShare = 1.0 / kGroups;
+
+// Products of blocks.
+double work_of(const Supernode& s) {
+  const double columns = s.columns, rows = s.rows;
+  return columns * (rows + columns / 2 + 1) * (rows + columns / 2 + 1);
+}
+
+}  // namespace
+
+void Subtrees::find(const Elimination& plan) {
+  const std::vector<Supernode>& node = plan.supernodes();
+  const std::size_t size = node.size();
+  group_.clear();
+  top_.clear();
+  border_.clear();
+  inside_.resize(size);
+  for (std::size_t s = 0; s < size; ++s) inside_[s] = node[s].rows;
+  if (plan.size() < kSmall) {
+    top_.resize(size);
+    std::iota(top_.begin(), top_.end(), 0);
+    return;
+  }
+  // A supernode's parent has the first of its rows, and comes later.
+  const auto parent = [&](std::size_t s) {
+    return node[s].rows > 0 ? plan.supernode_of(*plan.rows(node[s])) : -1;
+  };
+  std::vector<double> work(size, 0);  // of the subtree
+  double sum = 0;
+  for (std::size_t s = 0; s < size; ++s) {
+    const double own = work_of(node[s]);
+    sum += own;
+    work[s] += own;
+    if (const int p = parent(s); p >= 0) work[p] += work[s];
+  }
+  constexpr int kTop = -1, kRoot = -2;
+  std::vector<int> root(size);  // of the subtree a supernode is in
+  std::vector<int> roots;
+  for (std::size_t s = size; s-- > 0;) {
+    const int p = parent(s);
+    const int above = p < 0 ? kRoot : root[p];
+    const bool under_top = above == kTop || above == kRoot;
+    root[s] = !under_top ? above : work[s] > kShare * sum ? kTop : static_cast<int>(s);
+    if (root[s] == static_cast<int>(s)) roots.push_back(root[s]);
+  }
+  // The heaviest first, each to the group that has least.
+  std::ranges::sort(roots,
+                    [&](int a, int b) { return std::pair(work[b], a) < std::pair(work[a], b); });
+  std::vector<int> group_of(size, kTop);
+  std::vector<double> load(kGroups, 0);
+  for (const int r : roots) {
+    const auto least = std::ranges::min_element(load);
+    *least += work[r];
+    group_of[r] = static_cast<int>(least - load.begin());
+  }
+  group_.resize(kGroups);
+  for (std::size_t s = 0; s < size; ++s) {
+    if (root[s] == kTop) {
+      top_.push_back(static_cast<int>(s));
+      continue;
+    }
+    group_[group_of[root[s]]].push_back(static_cast<int>(s));
+    // Rows are ancestors, the nearest first.
+    const int* row = plan.rows(node[s]);
+    const int* end = std::partition_point(
+        row, row + node[s].rows, [&](int r) { return root[plan.supernode_of(r)] != kTop; });
+    inside_[s] = static_cast<int>(end - row);
+    if (inside_[s] < node[s].rows) border_.push_back(static_cast<int>(s));
+  }
+}
+
+}  // namespace quicksand

@@ -1,0 +1,252 @@
+#include "core/measures/measures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <optional>
+#include <span>
+
+#include "core/world/extent.h"
+#include "core/world/neighbors.h"
+
+namespace quicksand {
+
+namespace {
+
+// Gap up to which two bodies count as touching, where no cohesion range says so. [d]
+constexpr double kTouching = 5e-5;
+
+double touching_gap(const ContactLaw& law) {
+  return law.cohesion_force ? law.cohesion_range : kTouching;
+}
+
+// Area of the part of a disk below the height y above its centre.
+double area_below(double radius, double y) {
+  const double h = std::clamp(y / radius, -1.0, 1.0);
+  return radius * radius * (std::numbers::pi / 2 + std::asin(h) + h * std::sqrt(1 - h * h));
+}
+
+double widest_touching_gap(const World& world) {
+  return std::max({touching_gap(world.grain_law), touching_gap(world.wall_law),
+                   touching_gap(world.intruder_law)});
+}
+
+bool touches(const World& world, Pair pair) {
+  return world.gap(pair) <= touching_gap(world.law(pair));
+}
+
+}  // namespace
+
+std::vector<Pair> touching_pairs(const World& world) {
+  std::vector<Pair> pairs = pairs_within(world, widest_touching_gap(world));
+  std::erase_if(pairs, [&](Pair pair) { return !touches(world, pair); });
+  return pairs;
+}
+
+Energies energies(const World& world) {
+  Energies sum;
+  const Disks& disks = world.disks;
+  for (int i = 0; i < disks.size(); ++i) {
+    if (disks.fixed(i)) continue;
+    sum.kinetic += disks.mass[i] * disks.velocity[i].head<2>().squaredNorm() / 2;
+    sum.rotational += disks.inertia(i) * disks.velocity[i].z() * disks.velocity[i].z() / 2;
+    if (world.gravity) sum.potential -= disks.mass[i] * world.gravity->dot(disks.position[i]);
+  }
+  return sum;
+}
+
+Vec2 momentum(const World& world) {
+  Vec2 sum(0, 0);
+  for (int i = 0; i < world.disks.size(); ++i)
+    if (!world.disks.fixed(i)) sum += world.disks.mass[i] * world.disks.velocity[i].head<2>();
+  return sum;
+}
+
+Neighbours neighbours(const World& world, std::span<const Pair> touching) {
+  const auto nd = static_cast<std::size_t>(world.disks.size());
+  Neighbours n;
+  for (auto* counts : {&n.active, &n.broken, &n.initial, &n.initial_active, &n.touching, &n.loaded})
+    counts->assign(nd, 0);
+  const auto count = [&](std::vector<int>& counts, Pair pair) {
+    ++counts[static_cast<std::size_t>(pair.a)];
+    if (!is_wall(pair.b)) ++counts[static_cast<std::size_t>(pair.b)];
+  };
+  for (const Bond& bond : world.bonds.list) {
+    const bool active = bond.state == BondState::active;
+    count(active ? n.active : n.broken, bond.pair);
+    if (bond.initial) count(n.initial, bond.pair);
+    if (bond.initial && active) count(n.initial_active, bond.pair);
+  }
+  for (const Pair& pair : touching) count(n.touching, pair);
+  for (const Contact& contact : world.contacts) {
+    // A bond may have broken, or been formed, at the end of the step that the contacts are of.
+    const Bond* bond = world.bonds.find(contact.pair);
+    const bool bonded = bond && bond->state == BondState::active;
+    if (bonded || contact.impulse.x() > 0) count(n.loaded, contact.pair);
+  }
+  return n;
+}
+
+Neighbours neighbours(const World& world) { return neighbours(world, touching_pairs(world)); }
+
+ContactCounts contact_counts(const World& world, const Neighbours& neighbours) {
+  ContactCounts counts;
+  int grains = 0;
+  for (int i = 0; i < world.disks.size(); ++i) {
+    if (world.disks.role[i] != Role::grain) continue;
+    const auto k = static_cast<std::size_t>(i);
+    ++grains;
+    counts.touching += neighbours.touching[k];
+    counts.loaded += neighbours.loaded[k];
+    counts.bonded += neighbours.active[k];
+    if (neighbours.touching[k] == 0) ++counts.without;
+  }
+  if (grains == 0) return counts;
+  for (double* sum : {&counts.touching, &counts.loaded, &counts.bonded, &counts.without})
+    *sum /= grains;
+  return counts;
+}
+
+std::vector<double> contact_pressure(const World& world) {
+  std::vector<double> pressure(static_cast<std::size_t>(world.disks.size()), 0.0);
+  if (world.impulse_dt == 0) return pressure;
+  const auto add = [&](int body, double force) {
+    pressure[static_cast<std::size_t>(body)] +=
+        force / (2 * std::numbers::pi * world.disks.radius[body]);
+  };
+  for (const Contact& contact : world.contacts) {
+    const double force = contact.impulse.x() / world.impulse_dt - contact.cohesion;
+    if (force <= 0) continue;
+    add(contact.pair.a, force);
+    if (!is_wall(contact.pair.b)) add(contact.pair.b, force);
+  }
+  return pressure;
+}
+
+Vec2 contact_force(const World& world, int body) {
+  Vec2 force(0, 0);
+  if (world.impulse_dt == 0) return force;
+  for (const Contact& contact : world.contacts) {
+    if (contact.pair.b == body) force += contact.force(world.impulse_dt);
+    if (contact.pair.a == body) force -= contact.force(world.impulse_dt);
+  }
+  return force;
+}
+
+double volume_fraction(const World& world, double y_low, double y_high) {
+  if (world.box.width <= 0 || y_high <= y_low) return 0;
+  double area = 0;
+  for (int i = 0; i < world.disks.size(); ++i) {
+    const double y = world.disks.position[i].y();
+    const double r = world.disks.radius[i];
+    area += area_below(r, y_high - y) - area_below(r, y_low - y);
+  }
+  return area / (world.box.width * (y_high - y_low));
+}
+
+std::vector<double> volume_fraction_profile(const World& world, double height, int bins) {
+  std::vector<double> profile;
+  profile.reserve(static_cast<std::size_t>(bins));
+  for (int k = 0; k < bins; ++k)
+    profile.push_back(volume_fraction(world, height * k / bins, height * (k + 1) / bins));
+  return profile;
+}
+
+WeightAbove weight_above_intruder(const World& world, const MeasureChoices& choices) {
+  const int intruder = world.intruder();
+  if (intruder < 0) return {};
+  const double radius = world.disks.radius[intruder];
+  const double begins = world.disks.position[intruder].y() + choices.above_begins * radius;
+  double all = 0;
+  WeightAbove above;
+  for (int i = 0; i < world.disks.size(); ++i) {
+    if (world.disks.role[i] != Role::grain) continue;
+    const double mass = world.disks.mass[i];
+    all += mass;
+    if (world.disks.position[i].y() <= begins) continue;
+    above.level += mass;
+    if (std::abs(world.separation(intruder, i).x()) <= radius) above.column += mass;
+  }
+  if (all == 0) return {};
+  return {above.column / all, above.level / all};
+}
+
+namespace {
+
+// Of the pairs, those within this gap.
+WithinGap within_gap(const World& world, std::span<const Pair> pairs, double gap,
+                     std::int64_t grains, std::int64_t bonds) {
+  std::int64_t near = 0, ends = 0;
+  const auto is_grain = [&](int body) {
+    return !is_wall(body) && world.disks.role[body] == Role::grain;
+  };
+  for (const Pair& pair : pairs) {
+    if (!world.movable(pair) || world.gap(pair) > gap) continue;
+    ++near;
+    ends += (is_grain(pair.a) ? 1 : 0) + (is_grain(pair.b) ? 1 : 0);
+  }
+  WithinGap found;
+  if (grains > 0) found.coordination = static_cast<double>(ends) / static_cast<double>(grains);
+  if (near > 0) found.active_bond_fraction = static_cast<double>(bonds) / static_cast<double>(near);
+  return found;
+}
+
+}  // namespace
+
+Sample measure(const World& world, const MeasureChoices& choices) {
+  Sample s;
+  s.time = world.time;
+  s.step = world.step;
+  s.energy = energies(world);
+  s.grains = std::ranges::count(world.disks.role, Role::grain);
+  for (const Vec3& v : world.disks.velocity)
+    s.max_speed = std::max(s.max_speed, v.head<2>().norm());
+  s.packing_top = packing_top(world);
+  s.volume_fraction = volume_fraction(world, 0, 0.7 * s.packing_top);
+
+  // One search serves all margins of what counts as a contact.
+  const std::vector<Pair> near =
+      pairs_within(world, std::max(widest_touching_gap(world), kContactMargins.back()));
+  std::vector<Pair> touching;
+  std::ranges::copy_if(near, std::back_inserter(touching),
+                       [&](Pair pair) { return touches(world, pair); });
+  const ContactCounts counts = contact_counts(world, neighbours(world, touching));
+  s.coordination = counts.touching;
+  s.coordination_loaded = counts.loaded;
+
+  std::int64_t initial_active = 0;
+  for (const Bond& bond : world.bonds.list) {
+    if (bond.state != BondState::active) continue;
+    ++s.bonds_active;
+    initial_active += bond.initial ? 1 : 0;
+  }
+  for (std::size_t k = 0; k < s.within.size(); ++k)
+    s.within[k] = within_gap(world, near, kContactMargins[k], s.grains, s.bonds_active);
+  for (const Pair& pair : touching) {
+    ++s.contacts;
+    s.max_overlap = std::max(s.max_overlap, -world.gap(pair));
+  }
+  if (s.contacts > 0)
+    s.active_bond_fraction = static_cast<double>(s.bonds_active) / static_cast<double>(s.contacts);
+  if (world.bonds.initial > 0)
+    s.remaining_bond_fraction =
+        static_cast<double>(initial_active) / static_cast<double>(world.bonds.initial);
+  s.bonds_formed = world.bonds.formed;
+  s.bonds_broken = world.bonds.broken;
+  s.bonds_healed = world.bonds.healed;
+  for (const Wall& wall : world.walls)
+    if (wall.role == WallRole::piston) s.piston_y = wall.point.y();
+  if (const int intruder = world.intruder(); intruder >= 0) {
+    s.has_intruder = true;
+    s.intruder_position = world.disks.position[intruder];
+    s.intruder_velocity = world.disks.velocity[intruder].head<2>();
+    s.resistance = contact_force(world, intruder).y();
+    s.depth = way_so_far(world).surface - (s.intruder_position.y() - world.disks.radius[intruder]);
+    s.weight_above = weight_above_intruder(world, choices);
+    s.around_intruder = around_intruder(world, touching, choices);
+  }
+  return s;
+}
+
+}  // namespace quicksand

@@ -1,0 +1,102 @@
+// What is measured on a world. Fractions and numbers are [1], lengths [d], energies [F_g d].
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/measures/regions.h"
+#include "core/world/world.h"
+
+namespace quicksand {
+
+struct Energies {
+  double kinetic = 0;  // of translation
+  double rotational = 0;
+  double potential = 0;  // in gravity, relative to the origin; 0 without gravity
+};
+Energies energies(const World& world);
+
+// Total momentum (p_x, p_y) of the disks [m sqrt(g d)].
+Vec2 momentum(const World& world);
+
+// Pairs whose gap is at most the cohesion range of their law, or 5e-5 d without cohesion, at the present
+// positions, whether a step was made or not; sorted.
+std::vector<Pair> touching_pairs(const World& world);
+
+// Counts for each disk (nd): active bonds, broken bonds, initial bonds, touching contacts, loaded
+// contacts (compressed, or an active bond). Walls count as neighbours.
+struct Neighbours {
+  std::vector<int> active, broken, initial, initial_active, touching, loaded;
+};
+Neighbours neighbours(const World& world);
+// The same, if touching_pairs(world) is known already.
+Neighbours neighbours(const World& world, std::span<const Pair> touching);
+
+// Mean neighbours of a grain by what counts as a contact: any that touches, one that carries (compressed, or an
+// active bond), an active bond; and the share of grains that touch nothing, which count in these means. Zeros
+// without grains. [1]
+struct ContactCounts {
+  double touching = 0, loaded = 0, bonded = 0, without = 0;
+};
+ContactCounts contact_counts(const World& world, const Neighbours& neighbours);
+
+// Mean contact force pressure on each disk: sum of compressive normal forces over the
+// circumference [F_g/d].
+std::vector<double> contact_pressure(const World& world);
+
+// Resultant force of the contacts of the last step on a body [F_g]; zero before the first step.
+Vec2 contact_force(const World& world, int body);
+
+// Area of the disks between two heights over the area of the box there, clipped exactly.
+double volume_fraction(const World& world, double y_low, double y_high);
+// Volume fraction in `bins` equal slices from 0 to `height`.
+std::vector<double> volume_fraction_profile(const World& world, double height, int bins);
+
+// Grains above the intruder, as a share of the weight of all grains [1]: straight above it, no farther
+// to a side than its radius, and all that are higher. Zero where there is no intruder.
+struct WeightAbove {
+  double column = 0, level = 0;
+};
+WeightAbove weight_above_intruder(const World& world, const MeasureChoices& choices);
+
+// Neighbours counted up to a wider gap than a bond's: a step that is not exact leaves true neighbours that far apart,
+// so a number of contacts that depends on the margin says more of the method than of the packing.
+struct WithinGap {
+  double coordination = 0;  // mean number of neighbours of a grain within the gap
+  std::optional<double> active_bond_fraction;  // active bonds over pairs within it; empty: no pairs
+};
+inline constexpr std::array kContactMargins{1e-3, 1e-2};  // [d]
+
+struct Sample {
+  double time = 0;
+  std::int64_t step = 0;
+  std::int64_t grains = 0;
+  Energies energy;
+  double max_speed = 0;                           // of any disk's centre [sqrt(g d)]
+  double packing_top = 0;                         // [d]
+  double volume_fraction = 0;                     // of the lower 70 % of the packing
+  double coordination = 0;                        // mean number of touching neighbours of a grain
+  double coordination_loaded = 0;                 // ... that carry a compressive force or a bond
+  std::optional<double> active_bond_fraction;     // active bonds over contacts; empty: no contacts
+  std::optional<double> remaining_bond_fraction;  // active initial bonds over initial; empty: none
+  std::array<WithinGap, kContactMargins.size()> within;  // each of kContactMargins
+  std::int64_t contacts = 0;
+  std::int64_t bonds_active = 0;
+  std::int64_t bonds_formed = 0;
+  std::int64_t bonds_broken = 0;
+  std::int64_t bonds_healed = 0;
+  double max_overlap = 0;  // [d]
+  bool has_intruder = false;
+  Vec2 intruder_position{0, 0};  // [d]
+  Vec2 intruder_velocity{0, 0};  // [sqrt(g d)]
+  double resistance = 0;         // upward force of its contacts [F_g]
+  double depth = 0;  // of its lowest point below the packing's top when it was placed [d]
+  WeightAbove weight_above;
+  AroundIntruder around_intruder;
+  std::optional<double> piston_y;  // height of the last piston [d]
+};
+Sample measure(const World& world, const MeasureChoices& choices = {});
+
+}  // namespace quicksand

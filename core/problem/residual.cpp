@@ -1,0 +1,95 @@
+#include "core/problem/residual.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/parallel.h"
+#include "core/problem/delassus.h"
+
+namespace quicksand {
+
+namespace {
+
+struct Largest {
+  double value = 0;
+  void add(const Largest& other) { value = std::max(value, other.value); }
+};
+
+// Of a part of the contacts.
+struct Judgement {
+  Residual worst;
+  bool finite = true;
+  void add(const Judgement& other) {
+    worst.natural = std::max(worst.natural, other.worst.natural);
+    worst.gap = std::max(worst.gap, other.worst.gap);
+    finite = finite && other.finite;
+  }
+};
+
+}  // namespace
+
+void velocity_from_impulses(const ContactProblem& problem, const std::vector<Vec3>& impulse,
+                            std::vector<Vec3>& velocity) {
+  velocity = problem.free_velocity;
+  if (problem.components == 1) {  // reads no spins
+    for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+      const ContactRow& row = problem.contacts[c];
+      const Vec2 p = impulse[c].x() * row.normal;
+      velocity[row.a].head<2>() -= problem.inverse_mass[row.a].head<2>().cwiseProduct(p);
+      velocity[row.b].head<2>() += problem.inverse_mass[row.b].head<2>().cwiseProduct(p);
+    }
+    return;
+  }
+  visit_sides(
+      problem,
+      [&](std::size_t c, const ContactRow& row) {
+        velocity[row.a] += problem.inverse_mass[row.a].cwiseProduct(momentum_of_a(row, impulse[c]));
+      },
+      [&](std::size_t c, const ContactRow& row) {
+        velocity[row.b] += problem.inverse_mass[row.b].cwiseProduct(momentum_of_b(row, impulse[c]));
+      });
+}
+
+double fastest_at_contacts(const ContactProblem& problem, const std::vector<Vec3>& change) {
+  const auto collect = [&](std::size_t begin, std::size_t end, Largest& squared) {
+    for (std::size_t c = begin; c < end; ++c) {
+      const ContactRow& row = problem.contacts[c];
+      const auto at_contact = [&](const Vec3& v, const Vec2& spin) {
+        const Vec2 in_frame(row.normal.dot(v.head<2>()),
+                            perpendicular(row.normal).dot(v.head<2>()));
+        return (in_frame + v.z() * spin).squaredNorm();
+      };
+      squared.value = std::max({squared.value, at_contact(change[row.a], row.spin_a),
+                                at_contact(change[row.b], row.spin_b)});
+    }
+  };
+  return std::sqrt(gather_range<Largest>(problem.contacts.size(), collect).value);
+}
+
+Residual residual(const ContactProblem& problem, ContactState& state) {
+  velocity_from_impulses(problem, state.impulse, state.velocity);
+  auto [worst, finite] = gather_range<Judgement>(
+      problem.contacts.size(), [&](std::size_t begin, std::size_t end, Judgement& part) {
+        for (std::size_t c = begin; c < end; ++c) {
+          const ContactRow& row = problem.contacts[c];
+          const Vec3& p = state.impulse[c];
+          const Vec3 u =
+              row.offset + relative_velocity(row, state.velocity[row.a], state.velocity[row.b]);
+          const double r = contact_residual(problem, row, inverse_delassus(problem, row), p, u);
+          part.finite = part.finite && std::isfinite(r);
+          part.worst.natural = std::max(part.worst.natural, r);
+          if (p.x() > 0)
+            part.worst.gap =
+                std::max(part.worst.gap, std::abs(u.x()) * problem.dt / row.gap_tolerance);
+        }
+      });
+  // Any NaN of an impulse or a free velocity shows here; the maxima above may hide it.
+  for (const Vec3& v : state.velocity) finite = finite && v.allFinite();
+  worst.natural /= problem.force_scale * problem.dt;
+  // NaN compares false with everything and must not pass as a small residual.
+  if (!finite) worst.natural = worst.gap = std::numeric_limits<double>::infinity();
+  return worst;
+}
+
+}  // namespace quicksand

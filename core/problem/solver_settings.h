@@ -1,0 +1,60 @@
+// What a solver is asked for, and what it reports.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "core/problem/residual.h"
+
+namespace quicksand {
+
+// A word in the scene for each method; `automatic` ("auto") is the ladder described in contact_solver.cpp.
+enum class Method : std::uint8_t { automatic, interior_point, gauss_seidel };
+
+struct SolverSettings {
+  Method method = Method::automatic;
+  double tolerance = 1e-6;          // on Residual::natural [1]
+  double velocity_tolerance = 0.1;  // on SolveReport::velocity_change [1]
+  int max_iterations = 20000;       // sweeps of Gauss-Seidel, or as much relaxation
+  int max_factorisations = 80;      // of one interior-point attempt
+  bool patient = true;              // of `automatic`: goes on as long as anything is gained
+
+  bool operator==(const SolverSettings&) const = default;
+
+  // A start is taken as it is where its distance from acceptance is this. One that is just acceptable is
+  // not: what is wrong with its velocities would be handed on from step to step.
+  static constexpr double kAsItIs = 1e-5;
+
+  // At most 1 where a solution is accepted: both the residual and the gap error count. The interior
+  // point goes on for a few iterations, as far as they help, until velocities have settled too.
+  double distance(const Residual& r) const { return std::max(r.natural / tolerance, r.gap); }
+  bool accepts(const Residual& r) const { return distance(r) <= 1; }
+};
+
+// What found the solution; see contact_solver.cpp.
+enum class Rung : std::uint8_t { start, locality, interior_point, far_start, polish };
+
+// Not converging is an answer: the caller decides.
+struct SolveReport {
+  bool converged = false;
+  Rung rung = Rung::start;
+  Residual residual;
+  // Fastest change of velocity at a contact in the last iteration of Newton's method, over the scale. As
+  // it converges quadratically, the error left is far smaller. 0 where nothing was iterated, and not
+  // known of Gauss-Seidel and of relaxation, which leave it.
+  double velocity_change = 0;
+  std::int64_t iterations = 0;
+  std::int64_t factorisations = 0;
+
+  // Takes over the outcome of a further solution and sums up the work.
+  void add(const SolveReport& further) {
+    converged = further.converged;
+    rung = further.rung;
+    residual = further.residual;
+    velocity_change = further.velocity_change;
+    iterations += further.iterations;
+    factorisations += further.factorisations;
+  }
+};
+
+}  // namespace quicksand

@@ -1,0 +1,153 @@
+#include "core/scene/validate.h"
+
+#include <algorithm>
+
+#include "core/base/errors.h"
+#include "core/scene/grain_sizes.h"
+#include "core/scene/make_world.h"
+#include "core/world/neighbors.h"
+
+namespace quicksand {
+
+namespace {
+
+// Overlaps up to this are rounding of touching bodies. [d]
+constexpr double kOverlapTolerance = 1e-9;
+
+std::string place(int disk) { return "bodies[" + std::to_string(disk) + "]"; }
+
+void check_overlaps(const Scenario& scenario) {
+  Scenario unbonded = scenario;
+  unbonded.initial_bonds = InitialBonds::none;
+  const World world = make_world(unbonded);
+  // One is enough: of bodies that all lie in one place there are too many pairs to list.
+  for (const Pair& pair : pairs_within(world, -kOverlapTolerance, 1)) {
+    const double gap = world.gap(pair);
+    const std::string other =
+        is_wall(pair.b) ? "wall " + std::to_string(pair.b - kWallBase) : place(pair.b);
+    throw InputError(place(pair.a), "overlaps " + other + " by " + message_number(-gap) +
+                                        " d; bodies must not overlap by more than 1e-9 d");
+  }
+}
+
+void check_walls(const Scenario& scenario) {
+  for (std::size_t k = 0; k < scenario.walls.size(); ++k) {
+    const Wall& wall = scenario.walls[k];
+    if (wall.mass > 0 && wall.normal.x() != 0 && wall.normal.y() != 0)
+      throw InputError("walls[" + std::to_string(k) + "]",
+                       "has a mass and is tilted; a wall with mass moves along x or y only");
+    if (scenario.box.sides == Sides::periodic && wall.normal.x() != 0)
+      throw InputError(
+          "walls[" + std::to_string(k) + "].normal",
+          "is not along y; where the box's sides are periodic only a horizontal wall is "
+          "the same in all its images");
+  }
+}
+
+void check_push(const Scenario& scenario, const PushPhase& push, const std::string& where) {
+  if (scenario.box.sides != Sides::walls || !push.x) return;
+  const double least = push.diameter / 2, most = scenario.box.width - least;
+  if (*push.x < least || *push.x > most)
+    throw InputError(where + ".x", "is " + message_number(*push.x) +
+                                       " d; between the side walls there is room from " +
+                                       message_number(least) + " to " + message_number(most) +
+                                       " d");
+}
+
+void check_pull(const Scenario& scenario, std::size_t phase, const std::string& where) {
+  const auto pushes = [](const Phase& p) { return std::holds_alternative<PushPhase>(p.kind); };
+  const auto before = scenario.phases.begin() + static_cast<std::ptrdiff_t>(phase);
+  if (std::any_of(scenario.phases.begin(), before, pushes) || !scenario.start_from.empty() ||
+      std::ranges::find(scenario.disks, Role::intruder, &Disk::role) != scenario.disks.end())
+    return;
+  throw InputError(where,
+                   "a pull needs an intruder: a push before it, a body whose role is intruder, or "
+                   "start_from with a state that has one");
+}
+
+void check_heal(const Scenario& scenario, const std::string& where) {
+  const auto cohesive = [](const std::optional<ContactLaw>& law) {
+    return law && law->cohesion_force;
+  };
+  if (!cohesive(scenario.grain_law) && !cohesive(scenario.wall_law) &&
+      !cohesive(scenario.intruder_law))
+    throw InputError(where, "heals bonds, but no contact law has a cohesion_force");
+}
+
+void check_piston(const Scenario& scenario, std::size_t phase, const std::string& where) {
+  if (!scenario.box.floor || scenario.box.sides == Sides::open)
+    throw InputError(where, "a piston needs a floor and sides that are periodic or walls");
+  const auto brings_bodies = [](const Phase& earlier) {
+    return std::holds_alternative<DepositPhase>(earlier.kind) ||
+           std::holds_alternative<PushPhase>(earlier.kind);
+  };
+  if (scenario.disks.empty() && scenario.start_from.empty() &&
+      std::none_of(scenario.phases.begin(),
+                   scenario.phases.begin() + static_cast<std::ptrdiff_t>(phase), brings_bodies))
+    throw InputError(where, "there is nothing that the piston could press");
+}
+
+// Grains and intruders come from above, straight down to the floor or to what lies on it.
+void check_way_down(const Scenario& scenario, std::size_t phase, const std::string& where) {
+  for (std::size_t k = 0; k < scenario.walls.size(); ++k)
+    if (!is_floor(scenario.walls[k]))
+      throw InputError(where, "places bodies from above, and walls[" + std::to_string(k) +
+                                  "] may be in their way; only floors may be listed with it");
+  for (std::size_t k = 0; k < phase; ++k) {
+    const auto* piston = std::get_if<PistonPhase>(&scenario.phases[k].kind);
+    if (piston && !piston->remove)
+      throw InputError(where, "places bodies from above, and the piston of phases[" +
+                                  std::to_string(k) + "] is in their way; let it \"remove\" it");
+  }
+}
+
+void check_phases(const Scenario& scenario) {
+  for (std::size_t k = 0; k < scenario.phases.size(); ++k) {
+    const std::string where = "phases[" + std::to_string(k) + "]";
+    if (const auto* push = std::get_if<PushPhase>(&scenario.phases[k].kind)) {
+      check_push(scenario, *push, where);
+      check_way_down(scenario, k, where);
+    }
+    if (std::holds_alternative<PullPhase>(scenario.phases[k].kind)) check_pull(scenario, k, where);
+    if (std::holds_alternative<HealPhase>(scenario.phases[k].kind)) check_heal(scenario, where);
+    if (std::holds_alternative<PistonPhase>(scenario.phases[k].kind))
+      check_piston(scenario, k, where);
+    const auto* deposit = std::get_if<DepositPhase>(&scenario.phases[k].kind);
+    if (!deposit) continue;
+    check_way_down(scenario, k, where);
+    if (!scenario.box.floor || scenario.box.sides == Sides::open)
+      throw InputError(where, "a deposit needs a floor and sides that are periodic or walls");
+    if (deposit->grains == 0 && deposit->height == 0)
+      throw InputError(where, "a deposit needs a number of grains or a height");
+    if (!scenario.gravity && deposit->interval > 0)
+      throw InputError(where, "a deposit needs gravity, or an interval of 0");
+  }
+}
+
+}  // namespace
+
+void validate(const Scenario& scenario) {
+  double largest = 1;
+  for (const Disk& disk : scenario.disks) largest = std::max(largest, 2 * disk.radius);
+  for (const Phase& phase : scenario.phases) {
+    if (const auto* push = std::get_if<PushPhase>(&phase.kind))
+      largest = std::max(largest, push->diameter);
+    const auto* deposit = std::get_if<DepositPhase>(&phase.kind);
+    if (deposit && deposit->polydispersity) largest = std::max(largest, kMostDiameter);
+  }
+  // Two bodies must never touch both directly and through the periodic image.
+  if (scenario.box.sides == Sides::periodic && scenario.box.width < 3 * largest)
+    throw InputError("box.width", "is " + message_number(scenario.box.width) +
+                                      " d; periodic sides need at least three times the largest "
+                                      "diameter, " +
+                                      message_number(3 * largest) + " d");
+  if (scenario.box.sides == Sides::walls && scenario.box.width < largest)
+    throw InputError("box.width", "is " + message_number(scenario.box.width) +
+                                      " d; the largest body has a diameter of " +
+                                      message_number(largest) + " d");
+  check_walls(scenario);
+  check_overlaps(scenario);
+  check_phases(scenario);
+}
+
+}  // namespace quicksand

@@ -1,0 +1,129 @@
+#include "core/solvers/contact_solver.h"
+
+#include <array>
+#include <span>
+
+#include "core/interior_point/interior_point.h"
+#include "core/problem/residual.h"
+#include "core/solvers/local.h"
+#include "core/sweeps/gauss_seidel.h"
+#include "core/sweeps/relaxation.h"
+
+namespace quicksand {
+
+struct ContactSolver::Methods {
+  LocalSolver local;
+  InteriorPoint interior_point;
+  std::vector<Vec3> inherited;  // (nc)
+  ContactState best;
+};
+
+ContactSolver::ContactSolver() : methods_(std::make_unique<Methods>()) {}
+ContactSolver::~ContactSolver() = default;
+
+namespace {
+
+// The ladder:
+//   1. locality, which also takes the inherited impulses as they are if they solve the problem already
+//      (a packing at rest);
+//   2. interior point from near the inherited impulses, and relaxation from where it jams;
+//   3. both again from farther inside;
+//   4. where the step cannot be halved any more, both again from other distances and shares of these impulses.
+// In a jammed packing the interior point ends at folds of its path, where some ten to some hundred sweeps
+// of relaxation gain the last factor of 10 to 30. What has jammed is a bad start for another path: each
+// begins at the inherited impulses, and ends elsewhere. If all fall short, the best state counts, and the
+// step is repeated with half the time step (see protocols.h).
+template <class Methods>
+SolveReport climb(const ContactProblem& problem, const SolverSettings& settings, Rung from,
+                  Methods& methods, ContactState& state) {
+  // Share of the inherited impulses that a path starts from, and how far inside. In the shortest steps of a shock
+  // through thousands of jammed contacts about two in five of the far ones end, and which ones is chance.
+  struct Start {
+    double share, shift;
+  };
+  constexpr std::array<Start, 6> kStarts{
+      {{1, 1}, {1, 100}, {1, 10}, {0.5, 100}, {0, 100}, {0.9, 10}}};
+  constexpr std::size_t kImpatientStarts = 2;
+  // So many sweeps of relaxation; whoever is patient goes on while the distance falls below this share of
+  // what it was. Under a piston most jams that ever end do so within 300, and half a step is cheaper than more.
+  constexpr int kPolishSweeps = 300, kPatientSweeps = 1000;
+  constexpr double kPatientGain = 0.98;
+  SolveReport report;
+  if (from > Rung::locality) {
+    report.residual = residual(problem, state);
+    report.converged = settings.distance(report.residual) <= SolverSettings::kAsItIs;
+  } else {
+    report = methods.local.solve(problem, settings, state);
+  }
+  if (report.converged) return report;
+  methods.inherited = state.impulse;
+  methods.best = state;
+  Residual least = report.residual;
+  // Settings for a part of the work; all parts together keep to the scene's.
+  const auto sweeps_left = [&](std::int64_t most) {
+    SolverSettings part = settings;
+    const std::int64_t left = settings.max_iterations - report.iterations;
+    part.max_iterations = static_cast<int>(std::clamp<std::int64_t>(left, 0, most));
+    return part;
+  };
+  for (const auto& [share, shift] :
+       std::span(kStarts).first(settings.patient ? kStarts.size() : kImpatientStarts)) {
+    state.impulse = methods.inherited;
+    for (Vec3& p : state.impulse) p *= share;
+    report.add(
+        methods.interior_point.solve(problem, sweeps_left(settings.max_iterations), shift, state));
+    if (report.converged) return report;
+    double before = 0;
+    do {
+      before = settings.distance(report.residual);
+      const int most = settings.patient ? kPatientSweeps : kPolishSweeps;
+      report.add(methods.interior_point.relax(problem, sweeps_left(most), state));
+      if (report.converged) return report;
+    } while (settings.patient && settings.distance(report.residual) < kPatientGain * before);
+    if (settings.distance(report.residual) > settings.distance(least)) continue;
+    least = report.residual;
+    methods.best = state;
+  }
+  state = methods.best;
+  report.residual = least;
+  return report;
+}
+
+}  // namespace
+
+SolveReport ContactSolver::solve(const ContactProblem& problem, const SolverSettings& settings,
+                                 ContactState& state, Rung from) {
+  switch (settings.method) {
+    case Method::automatic:
+      return climb(problem, settings, from, *methods_, state);
+    case Method::interior_point:
+      return methods_->interior_point.solve(problem, settings, 1, state);
+    case Method::gauss_seidel:
+      return solve_gauss_seidel(problem, settings, state);
+  }
+  return {};
+}
+
+// What such contacts change is near them: a few sweeps of relaxation nearly always end it, where the interior point
+// would begin anew.
+SolveReport ContactSolver::solve_with_more(const ContactProblem& problem,
+                                           const SolverSettings& settings, ContactState& state,
+                                           Rung from) {
+  constexpr int kSweeps = 30;
+  SolveReport report;
+  if (settings.method == Method::automatic) {
+    SolverSettings few = settings;
+    few.max_iterations = std::min(kSweeps, settings.max_iterations);
+    ContactState mended = state;
+    report = solve_relaxation(problem, few, mended);
+    report.rung = from;
+    if (report.converged) {
+      std::swap(state, mended);
+      return report;
+    }
+  }
+  report.add(solve(problem, settings, state, from));
+  return report;
+}
+
+}  // namespace quicksand

@@ -1,0 +1,38 @@
+// Solves contact problems: the chain of methods from the cheapest to the last resort.
+#pragma once
+
+#include <memory>
+
+#include "core/problem/contact_problem.h"
+#include "core/problem/solver_settings.h"
+
+namespace quicksand {
+
+// Keeps scratch memory and what can be reused between problems with the same contacts; the answer
+// depends on the problem, the settings and the warm start only.
+class ContactSolver {
+ public:
+  ContactSolver();
+  ~ContactSolver();
+  ContactSolver(const ContactSolver&) = delete;
+  ContactSolver& operator=(const ContactSolver&) = delete;
+
+  // `from`: what solved a problem much like this one; easier ways are not tried again.
+  SolveReport solve(const ContactProblem& problem, const SolverSettings& settings,
+                    ContactState& state, Rung from = Rung::start);
+  // The same for a problem that was solved by `from` but for some contacts that have come in since.
+  SolveReport solve_with_more(const ContactProblem& problem, const SolverSettings& settings,
+                              ContactState& state, Rung from);
+
+ private:
+  struct Methods;
+  std::unique_ptr<Methods> methods_;
+};
+
+// A single problem.
+inline SolveReport solve(const ContactProblem& problem, const SolverSettings& settings,
+                         ContactState& state) {
+  return ContactSolver().solve(problem, settings, state);
+}
+
+}  // namespace quicksand

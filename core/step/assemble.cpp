@@ -1,0 +1,244 @@
+#include "core/step/assemble.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quicksand {
+
+namespace {
+
+// Pairs farther apart than this are contacts only if their free velocities close the gap. [d]
+constexpr double kAlwaysWithin = 5e-3;
+// Others may become faster by what happens in the step: so many times their free velocity. A contact
+// that stays open costs far less than to solve again with one that was missed: in a collapse, 2 % more
+// contacts save two thirds of the repeats.
+constexpr double kForesight = 2;
+// Gaps below this, and this share of what is admissible, are taken for none. To close what rounding opens
+// costs a packing at rest two solutions, one that moves and one that stops, whose impulses hand the
+// same motion on; it would never come to rest exactly.
+constexpr double kLeastGap = 1e-10;      // [d]
+constexpr double kLeastGapShare = 2e-5;  // over the admissible gap error
+// Admissible gap error of a loaded contact: a tenth of the cohesion range where there is one.
+constexpr double kPlainGapTolerance = 1e-3;  // [d]
+
+}  // namespace
+
+void start_velocities(const World& world, std::vector<Vec3>& velocity) {
+  velocity.assign(world.disks.velocity.begin(), world.disks.velocity.end());
+  for (const Wall& wall : world.walls)
+    velocity.emplace_back(wall.velocity.x(), wall.velocity.y(), 0);
+}
+
+double turning_rate(const World& world, const Contact& contact, const std::vector<Vec3>& velocity) {
+  const auto [a, b] = contact.pair;
+  if (is_wall(b)) return 0;
+  const Vec3 u = velocity[b] - velocity[a];
+  const double u_ct = perpendicular(contact.normal).dot(u.head<2>());
+  return u_ct * u_ct / (world.disks.radius[a] + world.disks.radius[b] + contact.gap);
+}
+
+double fastest_turning(const World& world) {
+  double fastest = 0;
+  for (const Bond& bond : world.bonds.list) {
+    const auto [a, b] = bond.pair;
+    if (bond.state == BondState::broken || is_wall(b)) continue;
+    const Vec2 apart = world.separation(a, b);
+    const Vec2 u = (world.disks.velocity[b] - world.disks.velocity[a]).head<2>();
+    fastest = std::max(fastest, std::abs(perpendicular(apart).dot(u)) / apart.squaredNorm());
+  }
+  return fastest;
+}
+
+double fastest(const std::vector<Vec3>& velocity) {
+  double squared = 0;
+  for (const Vec3& v : velocity) squared = std::max(squared, v.head<2>().squaredNorm());
+  return std::sqrt(squared);
+}
+
+void free_velocities(const World& world, double dt, std::vector<Vec3>& velocity) {
+  const Disks& disks = world.disks;
+  start_velocities(world, velocity);
+  const Vec2 g = world.gravity.value_or(Vec2(0, 0));
+  for (int i = 0; i < disks.size(); ++i) {
+    if (disks.fixed(i)) continue;
+    velocity[i] +=
+        dt * (Vec3(g.x(), g.y(), 0) + disks.inverse_mass[i].cwiseProduct(disks.applied[i]));
+  }
+  for (std::size_t k = 0; k < world.walls.size(); ++k) {
+    const Wall& wall = world.walls[k];
+    if (wall.mass == 0) continue;
+    Vec3& v = velocity[disks.position.size() + k];
+    const Vec2 push = wall.force * wall.normal + wall.mass * g;
+    v += dt * wall.inverse_mass().cwiseProduct(Vec3(push.x(), push.y(), 0));
+  }
+  if (world.drag) apply_drag(*world.drag, world.disks, dt, velocity);
+}
+
+double contact_reach(const World& world, const std::vector<Vec3>& free_velocity, double dt) {
+  double reach = std::max(kAlwaysWithin, 2 * dt * fastest(free_velocity));
+  for (const ContactLaw* law : {&world.grain_law, &world.wall_law, &world.intruder_law})
+    if (law->cohesion_force) reach = std::max(reach, law->cohesion_range);
+  return reach;
+}
+
+void find_contacts(const World& world, const std::vector<Pair>& candidates,
+                   const std::vector<Vec3>& free_velocity, double dt,
+                   std::vector<Contact>& contacts, NewBond new_bond) {
+  contacts.clear();
+  const double reach = contact_reach(world, free_velocity, dt);
+  const double scale = world.impulse_dt > 0 ? dt / world.impulse_dt : 0;
+  auto old = world.contacts.begin();
+  auto bond = world.bonds.list.begin();
+  for (const Pair& pair : candidates) {
+    while (bond != world.bonds.list.end() && bond->pair < pair) ++bond;
+    while (old != world.contacts.end() && old->pair < pair) ++old;
+    const bool bonded =
+        bond != world.bonds.list.end() && bond->pair == pair && bond->state == BondState::active;
+    Vec2 normal;
+    const double gap = world.gap(pair, &normal);
+    if (gap > reach) continue;
+    if (!bonded && gap > kAlwaysWithin) {
+      const Vec3 u = free_velocity[problem_body(world, pair.b)] - free_velocity[pair.a];
+      // The normal turns while bodies pass each other, hence their whole relative speed.
+      if (gap > kForesight * dt * u.head<2>().norm()) continue;
+    }
+    if (!world.movable(pair)) continue;
+    Contact& contact = contacts.emplace_back();
+    contact.pair = pair;
+    contact.normal = normal;
+    contact.gap = gap;
+    const ContactLaw& law = world.law(pair);
+    if (bonded) contact.cohesion = law.cohesion_force.value_or(0);
+    if (contact.cohesion > 0) contact.turning = turning_rate(world, contact, world.disks.velocity);
+    if (old == world.contacts.end() || old->pair != pair) {
+      if (new_bond == NewBond::balanced) contact.impulse.x() = dt * contact.cohesion;
+      continue;
+    }
+    contact.impulse = scale * old->impulse;
+    if (!law.friction) contact.impulse.y() = 0;
+    if (!law.rolling_friction) contact.impulse.z() = 0;
+    // N includes the cohesion: a bond that came or went since takes its part along.
+    contact.impulse.x() += dt * (contact.cohesion - old->cohesion);
+    contact.impulse.x() = std::max(0.0, contact.impulse.x());
+  }
+}
+
+int add_missed_contacts(const World& world, const std::vector<Pair>& candidates,
+                        const std::vector<Vec3>& velocity, double dt, double tolerance,
+                        std::vector<Contact>& contacts) {
+  const auto known = static_cast<std::ptrdiff_t>(contacts.size());
+  std::ptrdiff_t next = 0;
+  for (const Pair& pair : candidates) {
+    while (next < known && contacts[static_cast<std::size_t>(next)].pair < pair) ++next;
+    if (next < known && contacts[static_cast<std::size_t>(next)].pair == pair) continue;
+    const Vec3 u = velocity[problem_body(world, pair.b)] - velocity[pair.a];
+    const double way = dt * u.head<2>().norm();
+    if (way < kAlwaysWithin) continue;  // what is nearer is a contact already
+    Contact contact{.pair = pair};
+    contact.gap = world.gap(pair, &contact.normal);
+    if (contact.gap + tolerance > way) continue;
+    double after = 0;
+    if (is_wall(pair.b)) {
+      after = contact.gap + dt * contact.normal.dot(u.head<2>());
+    } else {
+      const Vec2 s = world.separation(pair.a, pair.b);
+      after = (s + dt * u.head<2>()).norm() - (s.norm() - contact.gap);
+    }
+    if (after < -tolerance && world.movable(pair)) contacts.push_back(contact);
+  }
+  std::inplace_merge(contacts.begin(), contacts.begin() + known, contacts.end(),
+                     [](const Contact& p, const Contact& q) { return p.pair < q.pair; });
+  return static_cast<int>(static_cast<std::ptrdiff_t>(contacts.size()) - known);
+}
+
+bool correct_turning(const World& world, const std::vector<Vec3>& velocity, double dt,
+                     double tolerance, std::vector<Contact>& contacts) {
+  const auto off = [&](const Contact& c) {
+    const double rate = turning_rate(world, c, velocity);
+    return c.cohesion > 0 && dt * dt / 2 * std::abs(rate - c.turning) > tolerance;
+  };
+  if (std::ranges::none_of(contacts, off)) return false;
+  for (Contact& c : contacts)
+    if (c.cohesion > 0) c.turning = turning_rate(world, c, velocity);
+  return true;
+}
+
+void build_problem(const World& world, const std::vector<Contact>& contacts,
+                   const std::vector<Vec3>& free_velocity, const StepSettings& step,
+                   ContactProblem& problem) {
+  const Disks& disks = world.disks;
+  const double dt = step.dt;
+  problem.dt = dt;
+  problem.inverse_mass.assign(disks.inverse_mass.begin(), disks.inverse_mass.end());
+  for (const Wall& wall : world.walls) problem.inverse_mass.push_back(wall.inverse_mass());
+  if (world.drag) apply_drag(*world.drag, world.disks, dt, problem.inverse_mass);
+  problem.free_velocity = free_velocity;
+
+  const auto has = [&](auto term) {
+    return world.grain_law.*term || world.wall_law.*term || world.intruder_law.*term;
+  };
+  problem.components = has(&ContactLaw::rolling_friction) ? 3 : has(&ContactLaw::friction) ? 2 : 1;
+
+  double strongest_bond = 0;
+  problem.contacts.resize(contacts.size());
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const Contact& contact = contacts[c];
+    const Pair pair = contact.pair;
+    const ContactLaw& law = world.law(pair);
+    ContactRow& row = problem.contacts[c];
+    row = {.a = pair.a, .b = problem_body(world, pair.b), .normal = contact.normal};
+    const double radius = disks.radius[pair.a];
+    row.spin_a.y() = row.arm = radius;
+    row.friction = law.friction.value_or(0);
+    if (is_wall(pair.b)) {
+      row.rolling = rolling_length_on_wall(law.rolling_friction.value_or(0), radius);
+    } else {
+      const double other = disks.radius[pair.b];
+      row.spin_b.y() = -other;
+      row.arm = (radius + other) / 2;
+      row.rolling = rolling_length(law.rolling_friction.value_or(0), radius, other);
+    }
+    row.gap_tolerance = contact.cohesion == 0 ? kPlainGapTolerance : 0.1 * law.cohesion_range;
+    if (std::abs(contact.gap) > std::min(kLeastGap, kLeastGapShare * row.gap_tolerance))
+      row.offset.x() = contact.gap / dt;
+    row.cohesive = contact.cohesion > 0;
+    if (!row.cohesive) continue;
+
+    strongest_bond = std::max(strongest_bond, contact.cohesion);
+    if (step.curvature_term) row.offset.x() += dt * contact.turning / 2;
+    const Vec3 attraction(dt * contact.cohesion, 0, 0);
+    problem.free_velocity[row.a] -=
+        problem.inverse_mass[row.a].cwiseProduct(momentum_of_a(row, attraction));
+    problem.free_velocity[row.b] -=
+        problem.inverse_mass[row.b].cwiseProduct(momentum_of_b(row, attraction));
+  }
+
+  // Forces are judged relative to the strongest bond, or the mean force or momentum of a body.
+  double force = 0, mass = 0;
+  int mobile = 0;
+  for (int i = 0; i < disks.size(); ++i) {
+    if (disks.fixed(i)) continue;
+    ++mobile;
+    mass += disks.mass[i];
+    force += disks.mass[i] *
+             std::sqrt(std::max((free_velocity[i] - disks.velocity[i]).head<2>().squaredNorm(),
+                                disks.velocity[i].head<2>().squaredNorm())) /
+             dt;
+  }
+  for (std::size_t k = 0; k < world.walls.size(); ++k) {
+    const Wall& wall = world.walls[k];
+    if (wall.mass == 0) continue;
+    ++mobile;
+    mass += wall.mass;
+    const Vec2 free = free_velocity[disks.position.size() + k].head<2>();
+    force +=
+        wall.mass *
+        std::sqrt(std::max((free - wall.velocity).squaredNorm(), wall.velocity.squaredNorm())) / dt;
+  }
+  problem.velocity_scale = force > 0 ? dt * force / mass : 1;
+  if (mobile > 0) force /= mobile;
+  problem.force_scale = std::max(strongest_bond, force);
+  if (problem.force_scale == 0) problem.force_scale = 1;
+}
+
+}  // namespace quicksand

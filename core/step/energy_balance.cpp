@@ -1,0 +1,73 @@
+#include "core/step/energy_balance.h"
+
+namespace quicksand {
+
+namespace {
+
+void add_disks(const World& world, const std::vector<Vec3>& velocity, double dt,
+               EnergyBalance& energy) {
+  const Disks& disks = world.disks;
+  const Vec2 g = world.gravity.value_or(Vec2(0, 0));
+  for (int i = 0; i < disks.size(); ++i) {
+    if (disks.fixed(i)) continue;
+    const Vec3 sum = velocity[i] + disks.velocity[i], gain = velocity[i] - disks.velocity[i];
+    energy.change += disks.mass[i] * sum.head<2>().dot(gain.head<2>()) / 2 +
+                     disks.inertia(i) * sum.z() * gain.z() / 2;
+    energy.work +=
+        dt * (disks.mass[i] * g.dot(velocity[i].head<2>()) + disks.applied[i].dot(velocity[i]));
+  }
+}
+
+void add_walls(const World& world, const std::vector<Vec3>& velocity, double dt,
+               EnergyBalance& energy) {
+  const Vec2 g = world.gravity.value_or(Vec2(0, 0));
+  for (std::size_t k = 0; k < world.walls.size(); ++k) {
+    const Wall& wall = world.walls[k];
+    if (wall.mass == 0) continue;
+    // It moves freely along its normal only; what it does along itself is prescribed.
+    const double after = wall.normal.dot(velocity[world.disks.position.size() + k].head<2>());
+    const double before = wall.normal.dot(wall.velocity);
+    energy.change += wall.mass * (after + before) * (after - before) / 2;
+    energy.work += dt * (wall.force + wall.mass * wall.normal.dot(g)) * after;
+  }
+}
+
+void add_contacts(const World& world, const std::vector<Contact>& contacts,
+                  const ContactProblem& problem, const std::vector<Vec3>& velocity, double dt,
+                  EnergyBalance& energy) {
+  auto bond = world.bonds.list.begin();
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const Contact& contact = contacts[c];
+    const ContactRow& row = problem.contacts[c];
+    const Vec3 &va = velocity[row.a], &vb = velocity[row.b];
+    const Vec3 impulse = contact.impulse - Vec3(dt * contact.cohesion, 0, 0);
+    // What does not respond to forces passes the work of the contact on; a wall with mass does along itself.
+    if (world.disks.fixed(contact.pair.a)) energy.work -= momentum_of_a(row, impulse).dot(va);
+    if (is_wall(contact.pair.b) || world.disks.fixed(contact.pair.b)) {
+      const Vec3& im = problem.inverse_mass[row.b];
+      energy.work -=
+          momentum_of_b(row, impulse).dot((im.array() == 0).select(vb.array(), 0.0).matrix());
+    }
+    if (contact.cohesion == 0) continue;
+    while (bond != world.bonds.list.end() && bond->pair < contact.pair) ++bond;
+    const bool lasts = bond != world.bonds.list.end() && bond->pair == contact.pair &&
+                       bond->state == BondState::active;
+    // The gap that a bond leaves behind where it breaks is lost. The offset has the turning of the pair.
+    const double opened = dt * (row.offset.x() + relative_velocity(row, va, vb).x());
+    energy.change += contact.cohesion * ((lasts ? opened : 0) - contact.gap);
+  }
+}
+
+}  // namespace
+
+EnergyBalance energy_balance(const World& world, const std::vector<Contact>& contacts,
+                             const ContactProblem& problem, const std::vector<Vec3>& velocity,
+                             double dt) {
+  EnergyBalance energy;
+  add_disks(world, velocity, dt, energy);
+  add_walls(world, velocity, dt, energy);
+  add_contacts(world, contacts, problem, velocity, dt, energy);
+  return energy;
+}
+
+}  // namespace quicksand

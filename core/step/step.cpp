@@ -1,0 +1,209 @@
+#include "core/step/step.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/solvers/contact_solver.h"
+#include "core/step/assemble.h"
+#include "core/step/energy_criterion.h"
+#include "core/world/neighbors.h"
+
+namespace quicksand {
+
+namespace {
+
+// Overlap that a pair outside the problem may reach before the step is solved again with it. [d]
+constexpr double kMissTolerance = 1e-7;
+// By which a bond's gap may be off because it turns otherwise than foreseen, as when a collision stops it: what is too
+// narrow overlaps, and is pushed apart in the next step. A tenth of this makes no run more accurate. [d]
+constexpr double kTurnTolerance = 1e-3;
+constexpr int kMaxRepeats = 10;
+
+int first_not_finite(const std::vector<Vec3>& velocity) {
+  const auto bad = std::ranges::find_if(velocity, [](const Vec3& v) { return !v.allFinite(); });
+  return bad == velocity.end() ? -1 : static_cast<int>(bad - velocity.begin());
+}
+
+}  // namespace
+
+struct Stepper::Scratch {
+  NeighborList neighbors;
+  std::vector<Vec3> free_velocity;
+  std::vector<Contact> contacts, solved;
+  ContactProblem problem;
+  ContactSolver solver;
+  NscdSweeps sweeps;
+  ContactState state;
+  EnergyRule energy_rule;
+  std::vector<BondBreak> breaks;
+  std::vector<Pair> formed;
+};
+
+Stepper::Stepper() : scratch_(std::make_unique<Scratch>()) {}
+Stepper::~Stepper() = default;
+
+namespace {
+
+void move(World& world, const std::vector<Vec3>& velocity, double dt) {
+  Disks& disks = world.disks;
+  for (int i = 0; i < disks.size(); ++i) {
+    disks.velocity[i] = velocity[i];
+    disks.position[i] += dt * velocity[i].head<2>();
+    disks.angle[i] += dt * velocity[i].z();
+  }
+  for (std::size_t k = 0; k < world.walls.size(); ++k) {
+    world.walls[k].velocity = velocity[disks.position.size() + k].head<2>();
+    world.walls[k].point += dt * world.walls[k].velocity;
+  }
+}
+
+}  // namespace
+
+// `repeated`: some contacts have come in, or bonds turn otherwise, since `from` solved it.
+SolveReport Stepper::solve_once(World& world, const StepSettings& step,
+                                const SolverSettings& settings, bool repeated, Rung from) {
+  Scratch& s = *scratch_;
+  if (step.nscd) {
+    // Its own stream, so that scenes draw the same places and sizes whatever the order of the sweeps.
+    constexpr std::uint64_t kOfSweeps = 0x5357454550530000ULL;
+    if (!world.sweep_random && step.nscd->order == SweepOrder::random)
+      world.sweep_random = Random{world.random.state ^ kOfSweeps};
+    Random none;
+    return s.sweeps.solve(s.problem, *step.nscd, settings, s.state,
+                          world.sweep_random ? *world.sweep_random : none);
+  }
+  return repeated ? s.solver.solve_with_more(s.problem, settings, s.state, from)
+                  : s.solver.solve(s.problem, settings, s.state, from);
+}
+
+// Solves the contacts of the step, again with those that the prediction had missed and where bonds turn otherwise.
+void Stepper::solve_contacts(World& world, const StepSettings& step, const SolverSettings& settings,
+                             StepReport& report) {
+  Scratch& s = *scratch_;
+  for (int repeat = 0; repeat <= kMaxRepeats; ++repeat) {
+    build_problem(world, s.contacts, s.free_velocity, step, s.problem);
+    s.state.impulse.resize(s.contacts.size());
+    for (std::size_t c = 0; c < s.contacts.size(); ++c) s.state.impulse[c] = s.contacts[c].impulse;
+    report.solve.add(solve_once(world, step, settings, repeat > 0, report.solve.rung));
+    report.bad_body = first_not_finite(s.state.velocity);
+    report.finite = report.bad_body < 0;
+    if (!report.finite || (!report.solve.converged && step.stop_if_unconverged)) return;
+    for (std::size_t c = 0; c < s.contacts.size(); ++c) s.contacts[c].impulse = s.state.impulse[c];
+
+    const double reach = 2 * step.dt * fastest(s.state.velocity) + kMissTolerance;
+    const std::vector<Pair>& near = s.neighbors.pairs(world, reach);
+    if (repeat == kMaxRepeats) s.solved = s.contacts;
+    const int missed =
+        add_missed_contacts(world, near, s.state.velocity, step.dt, kMissTolerance, s.contacts);
+    const bool turned = step.curvature_term && correct_turning(world, s.state.velocity, step.dt,
+                                                               kTurnTolerance, s.contacts);
+    if (missed == 0 && !turned) return;
+  }
+  // What is still missed or turned has no place in a problem that is not solved again.
+  std::swap(s.contacts, s.solved);
+  report.solve.converged = false;
+}
+
+// Breaks and forms bonds by the solved step.
+void Stepper::update_bonds(World& world, const StepSettings& step, StepReport& report) {
+  Scratch& s = *scratch_;
+  auto bond = world.bonds.list.begin();
+  const auto tear = [&](Bond& torn) {
+    if (!report.converged && !step.nscd) {
+      ++report.breaks_withheld;
+      return;
+    }
+    torn.state = BondState::broken;
+    ++report.bonds_broken;
+  };
+  // Bonds that are no contacts: wider open than any reach, by a range that was made shorter.
+  const auto pass_to = [&](const Pair* pair) {
+    for (; bond != world.bonds.list.end() && (!pair || bond->pair < *pair); ++bond)
+      if (bond->state == BondState::active && world.movable(bond->pair)) tear(*bond);
+  };
+  s.formed.clear();
+  for (std::size_t c = 0; c < s.contacts.size(); ++c) {
+    const ContactRow& row = s.problem.contacts[c];
+    const Pair pair = s.contacts[c].pair;
+    pass_to(&pair);
+    const bool listed = bond != world.bonds.list.end() && bond->pair == pair;
+    if (!listed) {
+      const bool touched = s.state.impulse[c].x() > 0;
+      if (world.bonding && touched && world.law(pair).cohesion_force) s.formed.push_back(pair);
+      continue;
+    }
+    Bond& known = *bond++;
+    if (known.state == BondState::broken) {
+      if (world.rebonding && s.state.impulse[c].x() > 0 && world.law(pair).cohesion_force) {
+        world.bonds.form_again(known);
+        ++report.bonds_formed;
+      }
+      continue;
+    }
+    const Vec3& va = s.state.velocity[row.a];
+    const Vec3& vb = s.state.velocity[row.b];
+    double gap = step.dt * (row.offset.x() + relative_velocity(row, va, vb).x());
+    if (step.break_rule == BreakRule::geometric && !is_wall(pair.b)) {
+      const Vec2 apart = world.separation(pair.a, pair.b) + step.dt * (vb - va).head<2>();
+      gap = apart.norm() - world.disks.radius[pair.a] - world.disks.radius[pair.b];
+    }
+    const bool by_energy = std::ranges::binary_search(s.breaks, pair, {}, &BondBreak::pair);
+    if (!by_energy && gap <= world.law(pair).cohesion_range) continue;
+    tear(known);
+  }
+  pass_to(nullptr);
+  world.bonds.broken += report.bonds_broken;
+  report.bonds_formed += static_cast<std::int64_t>(s.formed.size());
+  if (!s.formed.empty()) world.bonds.form(s.formed);
+}
+
+StepReport Stepper::advance(World& world, const StepSettings& step,
+                            const SolverSettings& settings) {
+  Scratch& s = *scratch_;
+  const auto begin = std::chrono::steady_clock::now();
+  StepReport report;
+  free_velocities(world, step.dt, s.free_velocity);
+  report.bad_body = first_not_finite(s.free_velocity);
+  report.finite = report.taken = report.bad_body < 0;
+  if (!report.finite) return report;
+
+  const double reach = contact_reach(world, s.free_velocity, step.dt);
+  find_contacts(world, s.neighbors.pairs(world, reach), s.free_velocity, step.dt, s.contacts,
+                step.nscd ? NewBond::balanced : NewBond::from_zero);
+  solve_contacts(world, step, settings, report);
+  s.breaks.clear();
+  if (report.solve.converged && report.finite && step.break_rule == BreakRule::energy) {
+    SolveReport judgement;
+    judgement.converged = true;
+    judgement.rung = report.solve.rung;
+    s.breaks = s.energy_rule.judge(world, s.contacts, step, settings, s.solver, judgement);
+    const SolveReport of_step = report.solve;
+    report.solve.add(judgement);
+    // What is reported is the step's own solution.
+    report.solve.converged = judgement.converged;
+    report.solve.rung = of_step.rung;
+    report.solve.residual = of_step.residual;
+    report.solve.velocity_change = of_step.velocity_change;
+    for (const BondBreak& broken : s.breaks)
+      std::ranges::lower_bound(s.contacts, broken.pair, {}, &Contact::pair)->cohesion =
+          broken.last_force;
+    if (!s.breaks.empty()) solve_contacts(world, step, settings, report);
+  }
+  report.converged = report.solve.converged;
+  report.taken = report.finite && (report.converged || !step.stop_if_unconverged);
+  if (!report.taken) return report;
+
+  if (step.nscd) report.sweeps = swept_step(s.problem, s.state, report.solve.residual);
+  update_bonds(world, step, report);
+  report.energy = energy_balance(world, s.contacts, s.problem, s.state.velocity, step.dt);
+  move(world, s.state.velocity, step.dt);
+  std::swap(world.contacts, s.contacts);
+  world.impulse_dt = step.dt;
+  world.time += step.dt;
+  ++world.step;
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return report;
+}
+
+}  // namespace quicksand

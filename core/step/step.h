@@ -1,0 +1,49 @@
+// One time step: implicit Euler (Moreau-Jean with theta = 1), one contact problem. [Jean 1999]
+#pragma once
+
+#include <memory>
+
+#include "core/problem/solver_settings.h"
+#include "core/step/energy_balance.h"
+#include "core/sweeps/nscd.h"
+#include "core/world/world.h"
+
+namespace quicksand {
+
+struct StepReport {
+  bool converged = true;
+  bool taken = true;   // false: the world was left as it was before the step
+  bool finite = true;  // false: not taken
+  int bad_body = -1;   // the first body whose velocity is not finite
+  SolveReport solve;
+  double seconds = 0;    // that the step took, if taken
+  EnergyBalance energy;  // if taken
+  SweptStep sweeps;      // of a step by NSCD
+  std::int64_t bonds_formed = 0;
+  std::int64_t bonds_broken = 0;     // always 0 if not converged, unless the step is one of NSCD
+  std::int64_t breaks_withheld = 0;  // bonds beyond their range in an unconverged step
+};
+
+// Advances worlds. Holds scratch memory only: two steppers give the same bytes, whatever they did
+// before.
+class Stepper {
+ public:
+  Stepper();
+  ~Stepper();
+  Stepper(const Stepper&) = delete;
+  Stepper& operator=(const Stepper&) = delete;
+
+  StepReport advance(World& world, const StepSettings& step, const SolverSettings& solver);
+
+ private:
+  struct Scratch;
+  SolveReport solve_once(World& world, const StepSettings& step, const SolverSettings& settings,
+                         bool repeated, Rung from);
+  void solve_contacts(World& world, const StepSettings& step, const SolverSettings& settings,
+                      StepReport& report);
+  void update_bonds(World& world, const StepSettings& step, StepReport& report);
+
+  std::unique_ptr<Scratch> scratch_;
+};
+
+}  // namespace quicksand

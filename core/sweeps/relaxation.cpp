@@ -1,0 +1,120 @@
+#include "core/sweeps/relaxation.h"
+
+#include <bit>
+#include <cmath>
+
+#include "core/problem/residual.h"
+#include "core/sweeps/relax_contact.h"
+
+namespace quicksand {
+
+namespace {
+
+// Contacts are solved that are off by this share of the tolerance. At 0.5 it is ten times the work under a
+// piston.
+constexpr double kViolatedShare = 0.9;
+
+// A set of contacts that is emptied while others come in.
+class WorkList {
+ public:
+  explicit WorkList(std::size_t size) : words_((size + 63) / 64), size_(size) {}
+  void add(std::size_t c) { words_[c / 64] |= std::uint64_t{1} << (c % 64); }
+  void add_all() {
+    for (std::size_t c = 0; c < size_; ++c) add(c);
+  }
+  // Goes through the contacts in it, roughly in their order, and takes out each before visit(c), which ends
+  // the way by false. Returns whether there was any.
+  template <class Visit>
+  bool sweep(Visit visit) {
+    bool any = false;
+    for (std::size_t w = 0; w < words_.size(); ++w)
+      while (words_[w] != 0) {
+        const auto c = 64 * w + static_cast<std::size_t>(std::countr_zero(words_[w]));
+        words_[w] &= words_[w] - 1;
+        any = true;
+        if (!visit(c)) return false;
+      }
+    return any;
+  }
+
+ private:
+  std::vector<std::uint64_t> words_;
+  std::size_t size_;
+};
+
+// The contacts of each mobile body.
+class ContactsOfBody {
+ public:
+  explicit ContactsOfBody(const ContactProblem& problem)
+      : start_(problem.inverse_mass.size() + 1, 0) {
+    const auto visit = [&](auto use) {
+      for (std::size_t c = 0; c < problem.contacts.size(); ++c)
+        for (const int body : {problem.contacts[c].a, problem.contacts[c].b})
+          if (!problem.inverse_mass[body].isZero(0)) use(body, c);
+    };
+    visit([&](int body, std::size_t) { ++start_[body + 1]; });
+    for (std::size_t b = 1; b < start_.size(); ++b) start_[b] += start_[b - 1];
+    list_.resize(start_.back());
+    std::vector<std::size_t> end(start_.begin(), start_.end() - 1);
+    visit([&](int body, std::size_t c) { list_[end[body]++] = c; });
+  }
+  template <class Visit>
+  void visit(int body, Visit visit) const {
+    for (std::size_t k = start_[body]; k < start_[body + 1]; ++k) visit(list_[k]);
+  }
+
+ private:
+  std::vector<std::size_t> start_, list_;
+};
+
+}  // namespace
+
+SolveReport solve_relaxation(const ContactProblem& problem, const SolverSettings& settings,
+                             ContactState& state) {
+  SolveReport report;
+  const auto judge = [&] {
+    report.residual = residual(problem, state);
+    report.converged = settings.accepts(report.residual);
+    return report.converged;
+  };
+  if (judge() || settings.max_iterations <= 0) return report;
+  report.rung = Rung::polish;
+  const std::size_t nc = problem.contacts.size();
+  const std::vector<Vec3> inverse = inverse_delassus(problem);
+  const ContactsOfBody contacts(problem);
+  const double admissible = kViolatedShare * settings.tolerance * problem.force_scale * problem.dt;
+  const auto is_off = [&](std::size_t c) {
+    const ContactRow& row = problem.contacts[c];
+    const Vec3& p = state.impulse[c];
+    const Vec3 u =
+        row.offset + relative_velocity(row, state.velocity[row.a], state.velocity[row.b]);
+    return contact_residual(problem, row, inverse[c], p, u) > admissible ||
+           (p.x() > 0 && std::abs(u.x()) * problem.dt > kViolatedShare * row.gap_tolerance);
+  };
+  const std::size_t most = nc * static_cast<std::size_t>(settings.max_iterations);
+  std::size_t seen = 0, solved = 0;
+  WorkList list(nc);
+  with_components(problem, [&]<int Components> {
+    do {
+      list.add_all();
+      solved = 0;
+      while (list.sweep([&](std::size_t c) {
+        ++seen;
+        if (is_off(c)) {
+          ++solved;
+          relax_contact<Components>(problem, c, inverse[c], state);
+          // Itself among them: where radii differ N, R_t and T act on each other.
+          const ContactRow& row = problem.contacts[c];
+          for (const int body : {row.a, row.b})
+            contacts.visit(body, [&](std::size_t other) { list.add(other); });
+        }
+        return seen < most;
+      })) {
+      }
+    } while (!judge() && seen < most && solved > 0);
+  });
+  report.iterations = static_cast<std::int64_t>((seen + nc - 1) / nc);
+  return report;
+}
+
+}  // namespace quicksand

@@ -1,0 +1,138 @@
+#include "core/world/world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "core/world/neighbors.h"
+
+namespace quicksand {
+
+const ContactLaw& World::law(Pair pair) const {
+  if (disks.role[pair.a] == Role::intruder) return intruder_law;
+  if (is_wall(pair.b)) return wall_law;
+  return disks.role[pair.b] == Role::intruder ? intruder_law : grain_law;
+}
+
+Vec2 World::separation(int a, int b) const {
+  Vec2 s = disks.position[b] - disks.position[a];
+  // Rounding is a call to the library, and few pairs are across the sides.
+  if (box.sides == Sides::periodic && std::abs(s.x()) > box.width / 2)
+    s.x() -= box.width * std::nearbyint(s.x() / box.width);
+  return s;
+}
+
+double World::wrapped_x(double x) const {
+  if (box.sides != Sides::periodic) return x;
+  const double inside = x - box.width * std::floor(x / box.width);
+  return inside < box.width ? inside : 0;
+}
+
+double World::gap(Pair pair, Vec2* normal) const {
+  if (is_wall(pair.b)) {
+    const Wall& w = wall(pair.b);
+    if (normal) *normal = -w.normal;
+    return w.normal.dot(disks.position[pair.a] - w.point) - disks.radius[pair.a];
+  }
+  const Vec2 s = separation(pair.a, pair.b);
+  const double distance = s.norm();
+  if (normal) *normal = distance > 0 ? Vec2(s / distance) : Vec2(0, 1);
+  return distance - disks.radius[pair.a] - disks.radius[pair.b];
+}
+
+int World::intruder() const {
+  const auto at = std::ranges::find(disks.role, Role::intruder);
+  return at == disks.role.end() ? -1 : static_cast<int>(at - disks.role.begin());
+}
+
+std::vector<Pair> bondable_pairs(const World& world) {
+  const double widest = std::max({world.grain_law.cohesion_range, world.wall_law.cohesion_range,
+                                  world.intruder_law.cohesion_range});
+  std::vector<Pair> pairs = pairs_within(world, widest);
+  std::erase_if(pairs, [&](Pair pair) {
+    const ContactLaw& law = world.law(pair);
+    return !law.cohesion_force || world.gap(pair) > law.cohesion_range || !world.movable(pair);
+  });
+  return pairs;
+}
+
+void remove_last_wall(World& world) {
+  world.walls.pop_back();
+  const int body = kWallBase + static_cast<int>(world.walls.size());
+  world.bonds.initial -= std::ranges::count_if(
+      world.bonds.list, [&](const Bond& bond) { return bond.pair.b == body && bond.initial; });
+  std::erase_if(world.bonds.list, [&](const Bond& bond) { return bond.pair.b == body; });
+  std::erase_if(world.contacts, [&](const Contact& contact) { return contact.pair.b == body; });
+}
+
+namespace {
+
+// FNV-1a over 64-bit words, with a final mix. Plain values only: padding must not be hashed.
+class Hash {
+ public:
+  void add(std::uint64_t word) {
+    value_ = (value_ ^ word) * 0x100000001B3ULL;
+    value_ ^= value_ >> 29U;
+  }
+  void add(double x) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, &x, sizeof word);
+    add(word);
+  }
+  void add(const std::optional<double>& x) { add(x.has_value() ? 1 : 0), add(x.value_or(0)); }
+  void add(const ContactLaw& law) {
+    add(law.friction), add(law.rolling_friction), add(law.cohesion_force), add(law.cohesion_range);
+  }
+  void add(const Vec2& v) { add(v.x()), add(v.y()); }
+  void add(const Vec3& v) { add(v.x()), add(v.y()), add(v.z()); }
+  void add(int i) { add(static_cast<std::uint64_t>(i)); }
+  void add(std::int64_t i) { add(static_cast<std::uint64_t>(i)); }
+  template <class T>
+  void add_all(const std::vector<T>& items) {
+    add(static_cast<std::uint64_t>(items.size()));
+    for (const T& item : items) add(item);
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xCBF29CE484222325ULL;
+};
+
+}  // namespace
+
+std::uint64_t world_hash(const World& world) {
+  Hash hash;
+  hash.add(world.time);
+  hash.add(world.step);
+  hash.add(world.random.state);
+  hash.add(static_cast<int>(world.bonding) + (world.rebonding ? 2 : 0));
+  if (world.sweep_random) hash.add(world.sweep_random->state);
+  hash.add(world.box.width), hash.add(static_cast<int>(world.box.sides));
+  hash.add(world.gravity.has_value() ? 1 : 0), hash.add(world.gravity.value_or(Vec2(0, 0)));
+  if (world.drag) hash.add(world.drag->linear), hash.add(world.drag->quadratic);
+  hash.add(world.grain_law), hash.add(world.wall_law), hash.add(world.intruder_law);
+  hash.add(world.impulse_dt);
+  hash.add_all(world.disks.position);
+  hash.add_all(world.disks.angle);
+  hash.add_all(world.disks.velocity);
+  hash.add_all(world.disks.applied);
+  hash.add_all(world.disks.radius);
+  hash.add_all(world.disks.mass);
+  hash.add_all(world.disks.inverse_mass);
+  for (const Role role : world.disks.role) hash.add(static_cast<int>(role));
+  for (const Wall& wall : world.walls) {
+    hash.add(wall.point), hash.add(wall.normal), hash.add(wall.velocity);
+    hash.add(wall.mass), hash.add(wall.force);
+  }
+  for (const Bond& bond : world.bonds.list) {
+    hash.add(bond.pair.a), hash.add(bond.pair.b);
+    hash.add(static_cast<int>(bond.state)), hash.add(static_cast<int>(bond.initial));
+  }
+  for (const Contact& contact : world.contacts) {
+    hash.add(contact.pair.a), hash.add(contact.pair.b);
+    hash.add(contact.impulse), hash.add(contact.cohesion);
+  }
+  return hash.value();
+}
+
+}  // namespace quicksand

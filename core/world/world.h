@@ -1,0 +1,65 @@
+// Everything that is simulated, at one moment.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/random.h"
+#include "core/bodies/bonds.h"
+#include "core/bodies/box.h"
+#include "core/bodies/contact_law.h"
+#include "core/bodies/contacts.h"
+#include "core/bodies/disks.h"
+#include "core/bodies/drag.h"
+#include "core/bodies/walls.h"
+#include "core/world/intruder_way.h"
+
+namespace quicksand {
+
+struct World {
+  Box box;
+  std::optional<Vec2> gravity;  // [g]
+  std::optional<Drag> drag;
+  ContactLaw grain_law, wall_law, intruder_law;
+  Disks disks;
+  std::vector<Wall> walls;
+  Bonds bonds;
+  bool bonding = false;           // whether first touches form bonds now
+  bool rebonding = false;         // ... and so does each touch of a pair whose bond is broken
+  std::vector<Contact> contacts;  // of the last step, sorted by pair
+  double impulse_dt = 0;          // step that the contacts' impulses belong to [sqrt(d/g)]
+  double time = 0;                // [sqrt(d/g)]
+  std::int64_t step = 0;
+  Random random;
+  std::optional<Random> sweep_random;  // of the order of sweeps, from the first that draws on
+  IntruderWay way;                     // decides nothing of the future, so it is not in the hash
+
+  const ContactLaw& law(Pair pair) const;
+  // Centre of b seen from the centre of a, through the nearest periodic image [d] (disks only).
+  Vec2 separation(int a, int b) const;
+  // x inside [0, width) for periodic sides, otherwise x itself [d].
+  double wrapped_x(double x) const;
+  // Gap and normal of a pair at the present positions.
+  double gap(Pair pair, Vec2* normal = nullptr) const;
+  // Whether forces move a body.
+  bool movable(int body) const { return is_wall(body) ? wall(body).mass > 0 : !disks.fixed(body); }
+  bool movable(Pair pair) const { return movable(pair.a) || movable(pair.b); }
+  const Wall& wall(int body) const { return walls[static_cast<std::size_t>(body - kWallBase)]; }
+  // Index of the first intruder, or -1.
+  int intruder() const;
+};
+
+// The pairs that a bond could hold: they touch within the cohesion range of their law, which has a
+// cohesion, and not both are immovable. Sorted.
+std::vector<Pair> bondable_pairs(const World& world);
+
+// Takes away the last wall, of which there must be one, with its bonds and contacts. Its bonds do not
+// count as broken.
+void remove_last_wall(World& world);
+
+// 64-bit hash of everything that decides the future of the world, bit by bit.
+std::uint64_t world_hash(const World& world);
+
+}  // namespace quicksand

@@ -1,0 +1,57 @@
+#include "render/base/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace quicksand {
+namespace {
+
+// Smallest rectangle around the disks; the unit square if there are none.
+WorldRect bounds(const World& world) {
+  if (world.disks.size() == 0) return {{0, 0}, {1, 1}};
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  WorldRect rect{{kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
+  for (int i = 0; i < world.disks.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const Vec2 reach = Vec2::Constant(world.disks.radius[k]);
+    const Vec2 centre(world.wrapped_x(world.disks.position[k].x()), world.disks.position[k].y());
+    rect.low = rect.low.cwiseMin(centre - reach);
+    rect.high = rect.high.cwiseMax(centre + reach);
+  }
+  return rect;
+}
+
+}  // namespace
+
+Camera::Camera(const WorldRect& window, const PixelRect& viewport) : window_(window) {
+  const Vec2 size = window.size();
+  scale_ = std::min(viewport.width / size.x(), viewport.height / size.y());
+  covered_.width = size.x() * scale_;
+  covered_.height = size.y() * scale_;
+  covered_.x = viewport.x + (viewport.width - covered_.width) / 2;
+  covered_.y = viewport.y + (viewport.height - covered_.height) / 2;
+  origin_ = {covered_.x - scale_ * window.low.x(), covered_.y + scale_ * window.high.y()};
+}
+
+WorldRect view_window(const World& world, const View& view) {
+  if (view.window) return *view.window;
+  const Box& box = world.box;
+  WorldRect rect = bounds(world);
+  if (box.width > 0) {
+    rect.low.x() = 0;
+    rect.high.x() = box.width;
+    if (box.floor) rect.low.y() = std::min(rect.low.y(), 0.0);
+    if (view.fit == Fit::box) {
+      if (box.floor) rect.low.y() = 0;
+      if (box.height > 0) rect.high.y() = box.height;
+    }
+  } else if (box.floor) {
+    rect.low.y() = std::min(rect.low.y(), 0.0);
+  }
+  // A single layer or nothing at all still gets a picture of some extent.
+  rect.high = rect.high.cwiseMax(rect.low + Vec2::Constant(0.5));
+  return rect;
+}
+
+}  // namespace quicksand

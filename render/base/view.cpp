@@ -1,0 +1,40 @@
+#include "render/base/view.h"
+
+#include <algorithm>
+#include <array>
+
+namespace quicksand {
+namespace {
+
+constexpr std::array<ColouringInfo, 5> kColourings{{
+    {Colouring::active_bonds, "active_bonds", "number of active bonds of a grain: 0, 1, 2, 3, 4+",
+     "1"},
+    {Colouring::initial_bonds, "initial_bonds",
+     "share of a grain's initial bonds that are still active", "1"},
+    {Colouring::speed, "speed", "speed of a grain's centre", "sqrt(g d)"},
+    {Colouring::pressure, "pressure",
+     "compressive contact forces on a grain over its circumference", "F_g/d"},
+    {Colouring::coordination, "coordination", "number of bodies that a grain touches", "1"},
+}};
+
+}  // namespace
+
+std::span<const ColouringInfo> colourings() { return kColourings; }
+
+const ColouringInfo& info(Colouring colouring) {
+  return kColourings[static_cast<std::size_t>(colouring)];
+}
+
+std::optional<Colouring> colouring_from_name(std::string_view name) {
+  const auto* const found = std::ranges::find(kColourings, name, &ColouringInfo::name);
+  if (found == kColourings.end()) return std::nullopt;
+  return found->colouring;
+}
+
+std::optional<Theme> theme_from_name(std::string_view name) {
+  if (name == "light") return Theme::light;
+  if (name == "dark") return Theme::dark;
+  return std::nullopt;
+}
+
+}  // namespace quicksand

@@ -1,0 +1,85 @@
+// How a world is looked at. Nothing in here changes the physics, and a scene says nothing of it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/base/types.h"
+#include "core/scene/scenario.h"
+
+namespace quicksand {
+
+enum class Theme : std::uint8_t { light, dark };
+
+enum class Colouring : std::uint8_t { active_bonds, initial_bonds, speed, pressure, coordination };
+
+struct ColouringInfo {
+  Colouring colouring = Colouring::active_bonds;
+  std::string_view name;         // the word of the command line, "active_bonds"
+  std::string_view description;  // one line
+  std::string_view unit;         // in plain text, "sqrt(g d)"; "1" if none
+};
+// Every way to colour grains, in the order of the enum.
+std::span<const ColouringInfo> colourings();
+const ColouringInfo& info(Colouring colouring);
+// The colouring of that name, or none.
+std::optional<Colouring> colouring_from_name(std::string_view name);
+std::optional<Theme> theme_from_name(std::string_view name);  // "light", "dark"
+
+// A rectangle of the world [d].
+struct WorldRect {
+  Vec2 low{0, 0};
+  Vec2 high{0, 0};
+  Vec2 size() const { return high - low; }
+  bool operator==(const WorldRect&) const = default;
+};
+
+struct Range {
+  double low = 0;
+  double high = 1;
+  bool operator==(const Range&) const = default;
+};
+
+// What the picture shows when no window is given: the box, the same in every frame, or the bodies.
+enum class Fit : std::uint8_t { box, content };
+
+struct View {
+  int width = 1280;  // of the whole picture [px]
+  int height = 720;
+  Theme theme = Theme::light;
+  Colouring colouring = Colouring::active_bonds;
+
+  bool bonds = false;        // lines along the active bonds
+  bool forces = false;       // lines along the contacts, as wide as their normal force
+  bool broken_bonds = true;  // bars across the bonds that broke, while their bodies stay close
+  bool orientation = false;  // a mark on each disk that turns with it
+  bool legend = true;        // what the colours mean
+  bool scale_bar = true;
+  bool numbers = true;  // time and key numbers
+  bool detail = true;   // a close-up of the intruder where a tall box leaves room for it
+
+  Fit fit = Fit::box;
+  // Shown instead of what `fit` finds; keeps a film steady.
+  std::optional<WorldRect> window = std::nullopt;
+  // Of a continuous colouring; from the data if absent.
+  std::optional<Range> range = std::nullopt;
+  // Force of a line 0.4 d wide [F_g]; from the data if absent.
+  std::optional<double> force_scale = std::nullopt;
+  // The time-stepping scheme, where pictures must name it; empty: the exact one.
+  std::string method = {};
+  // Adds SI units to the scale bar and the time.
+  std::optional<PhysicalScale> physical = std::nullopt;
+  // [px]; follows from the size of the picture if absent.
+  std::optional<double> text_size = std::nullopt;
+
+  bool operator==(const View&) const = default;
+};
+
+// Sizes that can be drawn [px].
+constexpr int kSmallestPicture = 64;
+constexpr int kLargestPicture = 8192;
+
+}  // namespace quicksand

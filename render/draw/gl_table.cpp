@@ -1,0 +1,29 @@
+#include "render/draw/gl_table.h"
+
+#include <string>
+
+#include "render/base/render_error.h"
+
+namespace quicksand {
+namespace {
+
+template <typename Function>
+void load_one(GlTable::Loader loader, const char* name, Function& function) {
+  function = reinterpret_cast<Function>(loader(name));
+  if (function == nullptr) {
+    throw RenderError(std::string("the OpenGL of this system lacks ") + name +
+                      "; install the package libosmesa6");
+  }
+}
+
+}  // namespace
+
+GlTable GlTable::load(Loader loader) {
+  GlTable table;
+#define QUICKSAND_GL_LOAD(name, type) load_one(loader, "gl" #name, table.name);
+  QUICKSAND_GL_FUNCTIONS(QUICKSAND_GL_LOAD)
+#undef QUICKSAND_GL_LOAD
+  return table;
+}
+
+}  // namespace quicksand

@@ -1,0 +1,137 @@
+#include "render/key/key.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/base/nice_numbers.h"
+#include "render/key/key_words.h"
+#include "render/key/scale_bar.h"
+#include "render/layers/network.h"
+
+namespace quicksand {
+namespace {
+
+void add_numbers(Legend& key, const KeyContent& content, double widest, bool all) {
+  const Colour ink = palette(content.view.theme).ink;
+  Legend::Group captions{.title = {}, .words = {}, .line_each = true};
+  for (const std::string& line : content.caption) {
+    captions.words.push_back(
+        text_word(content.font, cut_to_fit(content.font, line, widest), widest, ink));
+  }
+  key.add(std::move(captions));
+  Legend::Group numbers{.title = {}, .words = {}, .line_each = true};
+  for (const Reading& reading : content.readings) {
+    if (reading.text.empty() && !all) continue;
+    const double reserved =
+        std::max(content.font.width(reading.longest), content.font.width(reading.text));
+    numbers.words.push_back(text_word(content.font, reading.text, reserved, ink));
+  }
+  key.add(std::move(numbers));
+}
+
+void add_colours(Legend& key, const KeyContent& content, bool all) {
+  const Palette& colours = palette(content.view.theme);
+  Legend::Group group{.title = {text_word(content.font, content.colours.title, colours.ink)},
+                      .words = {},
+                      .line_each = false};
+  for (const Swatch& swatch : content.colours.swatches) {
+    group.words.push_back(swatch_word(content.font, content.view.theme, swatch));
+  }
+  if (content.colours.range)
+    group.words.push_back(bar_word(content.font, content.view.theme, content.colours));
+  if (content.colours.no_value) {
+    group.words.push_back(swatch_word(content.font, content.view.theme, *content.colours.no_value));
+  }
+  if (all || content.world.intruder() >= 0) {
+    group.words.push_back(
+        swatch_word(content.font, content.view.theme, {colours.intruder, "intruder"}));
+  }
+  key.add(std::move(group));
+}
+
+// Where gravity does not point down the picture, an arrow says where to.
+void add_gravity(Legend& key, const KeyContent& content) {
+  const World& world = content.world;
+  if (!world.gravity || world.gravity->norm() == 0) return;
+  const Vec2 along = Vec2(world.gravity->x(), -world.gravity->y()).normalized();
+  if (std::abs(along.x()) < 1e-9 && along.y() > 0) return;
+  const Font& font = content.font;
+  const Colour ink = palette(content.view.theme).ink;
+  const double half = 0.6 * font.size();
+  Legend::Word word =
+      labelled(font, 2 * half, italic("g"), ink, [=](DrawList& list, const Vec2& at) {
+        const Vec2 centre = at + Vec2(half, 0);
+        const Vec2 tip = centre + half * along;
+        list.line(centre - half * along, tip, 1.5, ink, true);
+        for (const double side : {-1.0, 1.0}) {
+          const Vec2 back = along + side * 0.7 * perpendicular(along);
+          list.line(tip, tip - 0.5 * half * back, 1.5, ink, true);
+        }
+      });
+  word.height = 1.3 * font.size();
+  key.add({.title = {}, .words = {std::move(word)}, .line_each = true});
+}
+
+void add_lines(Legend& key, const KeyContent& content, double scale) {
+  const Font& font = content.font;
+  const View& view = content.view;
+  const Palette& colours = palette(view.theme);
+  const double length = std::round(1.5 * font.size());
+  const auto line = [&](const std::string& label, double width, Colour colour) {
+    return labelled(font, length, label, colours.ink, [=](DrawList& list, const Vec2& at) {
+      const double inset = std::min(width, length) / 2;
+      list.line(at + Vec2(inset, 0), at + Vec2(length - inset, 0), width, colour, true);
+    });
+  };
+  Legend::Group group{.title = {}, .words = {}, .line_each = true};
+  if (view.bonds) group.words.push_back(line("active bond", bond_width(scale), colours.ink));
+  if (view.forces) {
+    const double width = std::clamp(kReferenceWidth * scale, 0.5, font.size());
+    const std::string value =
+        short_number(content.force_scale * width / (kReferenceWidth * scale)) + " " + italic("F") +
+        subscript("g");
+    for (const bool tensile : {false, true}) {
+      const std::string label = tensile ? " tension" : " compression";
+      Legend::Word word =
+          line(value + label, width, tensile ? colours.tensile : colours.compressive);
+      // The value may change from frame to frame; its room must not.
+      word.width = length + font.width("00000 Fg" + label) + 0.35 * font.size();
+      group.words.push_back(std::move(word));
+    }
+  }
+  if (view.broken_bonds) {
+    group.words.push_back(
+        labelled(font, std::round(0.8 * font.size()), "broken bond", colours.ink,
+                 [=, &font](DrawList& list, const Vec2& at) {
+                   const double half = 0.4 * font.size();
+                   const double width = std::clamp(bar_width(scale), 2.0, 0.25 * font.size());
+                   list.line(at + Vec2(half, -half + width / 2), at + Vec2(half, half - width / 2),
+                             width, colours.broken, true);
+                 }));
+  }
+  key.add(std::move(group));
+}
+
+}  // namespace
+
+Legend make_key(const KeyContent& content, double pixels_per_diameter, double widest, bool all) {
+  const Font& font = content.font;
+  const View& view = content.view;
+  const Colour ink = palette(view.theme).ink;
+  Legend key(font.size());
+  add_numbers(key, content, widest, all);
+  if (view.scale_bar) {
+    Legend::Group group{.title = {}, .words = {}, .line_each = true};
+    if (content.close_up) group.title.push_back(text_word(font, "Close-up", ink));
+    group.words.push_back(scale_bar_word(font, view, pixels_per_diameter));
+    key.add(std::move(group));
+  }
+  if (view.legend) {
+    add_colours(key, content, all);
+    add_lines(key, content, pixels_per_diameter);
+    add_gravity(key, content);
+  }
+  return key;
+}
+
+}  // namespace quicksand

@@ -1,0 +1,31 @@
+// The words of a picture's legend: numbers, colours, lines, scale bar.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "core/world/world.h"
+#include "render/base/view.h"
+#include "render/draw/font.h"
+#include "render/key/legend.h"
+#include "render/key/readings.h"
+#include "render/layers/colouring.h"
+
+namespace quicksand {
+
+struct KeyContent {
+  const World& world;
+  const View& view;
+  const Font& font;
+  const ColourScale& colours;
+  double force_scale;  // [F_g]
+  std::span<const std::string> caption;
+  std::span<const Reading> readings;
+  bool close_up = false;  // whether the scale is that of a close-up
+};
+// `pixels_per_diameter`: scale of the panel that widths and the scale bar refer to; the room that
+// the words take does not depend on it. Captions are given `widest` [px] and cut to it. With `all`,
+// words are included that the world does not need now but may need later: so much room is kept.
+Legend make_key(const KeyContent& content, double pixels_per_diameter, double widest, bool all);
+
+}  // namespace quicksand

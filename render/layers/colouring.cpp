@@ -1,0 +1,103 @@
+#include "render/layers/colouring.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "render/base/nice_numbers.h"
+#include "render/draw/font.h"
+
+namespace quicksand {
+namespace {
+
+ColouredGrains by_count(const std::vector<int>& count, std::span<const Colour> colours,
+                        std::string title) {
+  ColouredGrains grains;
+  grains.scale.title = std::move(title);
+  for (std::size_t i = 0; i < colours.size(); ++i) {
+    const bool last = i + 1 == colours.size();
+    grains.scale.swatches.push_back({colours[i], std::to_string(i) + (last ? "+" : "")});
+  }
+  for (const int n : count) {
+    grains.fill.push_back(colours[std::min(static_cast<std::size_t>(n), colours.size() - 1)]);
+  }
+  return grains;
+}
+
+ColouredGrains by_value(const World& world, const View& view, const std::vector<double>& values,
+                        std::string title) {
+  std::vector<double> of_grains;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (world.disks.role[i] == Role::grain) of_grains.push_back(values[i]);
+  }
+  const Range range = view.range ? *view.range : range_of(std::move(of_grains));
+  ColouredGrains grains;
+  grains.scale = {.title = std::move(title),
+                  .swatches = {},
+                  .range = range,
+                  .map = &sequential_map,
+                  .no_value = std::nullopt};
+  for (const double value : values) {
+    const double t = (value - range.low) / (range.high - range.low);
+    grains.fill.push_back(sequential_map(view.theme, t));
+  }
+  return grains;
+}
+
+ColouredGrains by_initial_bonds(const World& world, const View& view) {
+  const Neighbours count = neighbours(world);
+  const Colour none = palette(view.theme).no_value;
+  ColouredGrains grains;
+  grains.scale = {.title = "Initial bonds left",
+                  .swatches = {},
+                  .range = Range{0, 1},
+                  .map = &damage_map,
+                  .no_value = Swatch{none, "had none"}};
+  for (std::size_t i = 0; i < count.initial.size(); ++i) {
+    const bool bonded = count.initial[i] > 0;
+    const double left =
+        bonded ? static_cast<double>(count.initial_active[i]) / count.initial[i] : 0;
+    grains.fill.push_back(bonded ? damage_map(view.theme, left) : none);
+  }
+  return grains;
+}
+
+std::vector<double> speeds(const World& world) {
+  std::vector<double> values;
+  for (const Vec3& velocity : world.disks.velocity) values.push_back(velocity.head<2>().norm());
+  return values;
+}
+
+}  // namespace
+
+Range range_of(std::vector<double> values) {
+  if (values.empty()) return {0, 1};
+  const auto high = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) * 98 / 100);
+  std::nth_element(values.begin(), high, values.end());
+  double top = *high;
+  // All but a few are zero: then the few are what there is to see.
+  if (top <= 0) top = *std::max_element(high, values.end());
+  return {0, top > 1e-12 && std::isfinite(top) ? nice_above(top) : 1};
+}
+
+ColouredGrains colour_grains(const World& world, const View& view) {
+  const Palette& colours = palette(view.theme);
+  switch (view.colouring) {
+    case Colouring::active_bonds:
+      return by_count(neighbours(world).active, colours.bonds, "Active bonds");
+    case Colouring::coordination:
+      return by_count(neighbours(world).touching, colours.counts, "Contacts");
+    case Colouring::initial_bonds:
+      return by_initial_bonds(world, view);
+    case Colouring::speed:
+      return by_value(world, view, speeds(world),
+                      "Speed " + italic("v") + " / √(" + italic("gd") + ")");
+    case Colouring::pressure:
+      return by_value(world, view, contact_pressure(world),
+                      "Contact pressure " + italic("p") + " / (" + italic("F") + subscript("g") +
+                          "/" + italic("d") + ")");
+  }
+  return {};
+}
+
+}  // namespace quicksand

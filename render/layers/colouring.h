@@ -1,0 +1,41 @@
+// From a quantity to the colours of the grains, and what the legend must say about it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/measures/measures.h"
+#include "core/world/world.h"
+#include "render/base/colour.h"
+#include "render/base/palette.h"
+#include "render/base/view.h"
+
+namespace quicksand {
+
+struct Swatch {
+  Colour colour;
+  std::string label;
+};
+
+// The legend of a colouring: either swatches, or a bar over a range with the colours of `map`.
+struct ColourScale {
+  std::string title;  // with its unit, in the markup of font.h
+  std::vector<Swatch> swatches;
+  std::optional<Range> range = std::nullopt;
+  Colour (*map)(Theme, double) = nullptr;         // of the position in the range, 0 to 1
+  std::optional<Swatch> no_value = std::nullopt;  // grains that have no such quantity
+};
+
+struct ColouredGrains {
+  ColourScale scale;
+  std::vector<Colour> fill;  // (nd); that of an intruder is not its value but its role
+};
+
+ColouredGrains colour_grains(const World& world, const View& view);
+
+// From zero to the nice number above the 98th of a hundred, so that a few fast grains do not make
+// all others look alike; to 1 if all are zero.
+Range range_of(std::vector<double> values);
+
+}  // namespace quicksand

@@ -1,0 +1,131 @@
+#include "render/layers/network.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "render/base/nice_numbers.h"
+#include "render/base/palette.h"
+
+namespace quicksand {
+namespace {
+
+constexpr double kThinnestForce = 0.35;  // [px]; weaker forces are left out
+constexpr double kWidestForce = 1.2;     // [d]
+constexpr double kThinnestRimmed = 2;    // width of a bar [px]
+constexpr double kBarLength = 0.62;      // over the smaller diameter [1]
+
+// Centre of a and vector to the centre of b, or to the surface if b is a wall [d].
+struct Link {
+  Vec2 from, along;
+};
+Link link(const World& world, Pair pair) {
+  const auto a = static_cast<std::size_t>(pair.a);
+  const Vec2 centre(world.wrapped_x(world.disks.position[a].x()), world.disks.position[a].y());
+  if (!is_wall(pair.b)) return {centre, world.separation(pair.a, pair.b)};
+  Vec2 normal;
+  const double gap = world.gap(pair, &normal);
+  return {centre, (world.disks.radius[a] + gap) * normal};
+}
+
+// Calls draw(from, to) in pixels for each visible image of the link.
+template <typename Draw>
+void at_each_image(const World& world, const Panel& panel, const Link& link, Draw draw) {
+  const double x = link.from.x();
+  at_each_image(world.box, std::min(x, x + link.along.x()), std::max(x, x + link.along.x()),
+                [&](double shift) {
+                  const Vec2 from = panel.camera.to_pixel(link.from + Vec2(shift, 0));
+                  const Vec2 to = panel.camera.to_pixel(link.from + link.along + Vec2(shift, 0));
+                  const double reach = (to - from).norm() / 2 + panel.camera.scale();
+                  if (panel.sees((from + to) / 2, reach)) draw(from, to);
+                });
+}
+
+// Normal component of the resultant, positive if it pushes apart [F_g].
+double normal_force(const Contact& contact, double dt) {
+  return contact.impulse.x() / dt - contact.cohesion;
+}
+
+}  // namespace
+
+double bond_width(double pixels_per_diameter) {
+  return std::clamp(0.14 * pixels_per_diameter, 0.7, 5.0);
+}
+
+double bar_width(double pixels_per_diameter) {
+  return std::clamp(0.2 * pixels_per_diameter, 1.3, 8.0);
+}
+
+double force_scale(const World& world, const View& view) {
+  if (view.force_scale) return *view.force_scale;
+  std::vector<double> forces;
+  if (world.impulse_dt > 0) {
+    for (const Contact& contact : world.contacts) {
+      const double force = std::abs(normal_force(contact, world.impulse_dt));
+      if (force > 0 && std::isfinite(force)) forces.push_back(force);
+    }
+  }
+  if (forces.empty()) return 1;
+  const auto high = forces.begin() + static_cast<std::ptrdiff_t>((forces.size() - 1) * 99 / 100);
+  std::nth_element(forces.begin(), high, forces.end());
+  return nice_above(*high);
+}
+
+void draw_bonds(DrawList& list, const World& world, const View& view, const Panel& panel) {
+  const double width = bond_width(panel.camera.scale());
+  const Colour colour = palette(view.theme).ink;
+  for (const Bond& bond : world.bonds.list) {
+    if (bond.state != BondState::active) continue;
+    at_each_image(world, panel, link(world, bond.pair), [&](const Vec2& from, const Vec2& to) {
+      list.line(from, to, width, colour, true);
+    });
+  }
+}
+
+void draw_forces(DrawList& list, const World& world, const View& view, const Panel& panel,
+                 double scale_force) {
+  if (!(world.impulse_dt > 0)) return;
+  const Palette& colours = palette(view.theme);
+  const double pixels_per_force = kReferenceWidth * panel.camera.scale() / scale_force;
+  // Tension above compression: it is rarer.
+  for (const bool tensile : {false, true}) {
+    for (const Contact& contact : world.contacts) {
+      const double force = normal_force(contact, world.impulse_dt);
+      const double width =
+          std::min(std::abs(force) * pixels_per_force, kWidestForce * panel.camera.scale());
+      if ((force < 0) != tensile || !(width >= kThinnestForce)) continue;
+      at_each_image(world, panel, link(world, contact.pair), [&](const Vec2& from, const Vec2& to) {
+        list.line(from, to, width, tensile ? colours.tensile : colours.compressive, true);
+      });
+    }
+  }
+}
+
+void draw_broken_bonds(DrawList& list, const World& world, const View& view, const Panel& panel) {
+  const double width = bar_width(panel.camera.scale());
+  const Palette& colours = palette(view.theme);
+  for (const Bond& bond : world.bonds.list) {
+    if (bond.state != BondState::broken) continue;
+    Vec2 normal;
+    const double gap = world.gap(bond.pair, &normal);
+    if (!(gap < kStillClose)) continue;
+    const double radius_a = world.disks.radius[static_cast<std::size_t>(bond.pair.a)];
+    const double smaller =
+        is_wall(bond.pair.b)
+            ? radius_a
+            : std::min(radius_a, world.disks.radius[static_cast<std::size_t>(bond.pair.b)]);
+    // The middle of the gap, and half a bar to either side of it.
+    Link bar = link(world, bond.pair);
+    bar.from += (radius_a + gap / 2) * normal - kBarLength * smaller * perpendicular(normal);
+    bar.along = 2 * kBarLength * smaller * perpendicular(normal);
+    at_each_image(world, panel, bar, [&](const Vec2& from, const Vec2& to) {
+      // A rim of the background sets the bars off from any colour of grains.
+      if (width > kThinnestRimmed) {
+        list.line(from, to, 1.6 * width, with_alpha(colours.background, 0.85), true);
+      }
+      list.line(from, to, width, colours.broken, true);
+    });
+  }
+}
+
+}  // namespace quicksand

@@ -1,0 +1,29 @@
+// Lines between the bodies: bonds, forces, and what is left of broken bonds. Lines across a
+// periodic side are drawn at both sides, each up to the side.
+#pragma once
+
+#include "render/draw/draw_list.h"
+#include "render/layers/panel.h"
+
+namespace quicksand {
+
+// A broken bond is marked as long as its bodies are not farther apart than this [d].
+constexpr double kStillClose = 0.3;
+constexpr double kReferenceWidth = 0.4;  // width of a line of the reference force [d]
+
+// Force that a line of the reference width stands for: as the view says, or the nice number above
+// the 99th of a hundred [F_g].
+double force_scale(const World& world, const View& view);
+
+void draw_bonds(DrawList& list, const World& world, const View& view, const Panel& panel);
+// Normal forces, compressive and tensile in different colours.
+void draw_forces(DrawList& list, const World& world, const View& view, const Panel& panel,
+                 double scale_force);
+// Bars across the contact, where bonds broke.
+void draw_broken_bonds(DrawList& list, const World& world, const View& view, const Panel& panel);
+
+// Widths of lines [px], shared with the legend.
+double bond_width(double pixels_per_diameter);
+double bar_width(double pixels_per_diameter);
+
+}  // namespace quicksand

@@ -1,0 +1,21 @@
+// The bodies: grains in the colours of a quantity, the intruder, walls and the sides of the box.
+#pragma once
+
+#include "render/draw/draw_list.h"
+#include "render/layers/colouring.h"
+#include "render/layers/panel.h"
+
+namespace quicksand {
+
+// How deep the hatching behind a wall is [px]: room that a panel leaves around the world.
+double hatch_depth(double text_size);
+
+void draw_disks(DrawList& list, const World& world, const View& view, const ColouredGrains& grains,
+                const Panel& panel);
+// Surfaces of walls with hatching behind, pistons as plates.
+void draw_walls(DrawList& list, const World& world, const View& view, const Panel& panel,
+                double text_size);
+// Dashed lines at periodic sides; what lies beyond is paled, since it is drawn elsewhere too.
+void draw_periodic_sides(DrawList& list, const World& world, const View& view, const Panel& panel);
+
+}  // namespace quicksand

@@ -1,0 +1,190 @@
+#include "render/picture/frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/errors.h"
+#include "core/measures/measures.h"
+#include "core/world/extent.h"
+#include "render/base/palette.h"
+#include "render/key/key.h"
+#include "render/layers/network.h"
+#include "render/layers/packing.h"
+
+namespace quicksand {
+namespace {
+
+constexpr double kImageMargin = 1.0;  // beyond periodic and open sides of a box [d]
+constexpr double kCaptionRoom = 17;   // whatever a caption says, over the size of the text
+constexpr double kBodyMargin = 0.04;  // around bodies without a box, over the larger extent
+
+// The window of the view with the room around it that is part of the world.
+WorldRect window_with_margins(const World& world, const View& view) {
+  WorldRect window = view_window(world, view);
+  if (view.window) return window;
+  if (world.box.width > 0) {
+    const double side = world.box.sides == Sides::walls ? 0 : kImageMargin;
+    window.low.x() -= side;
+    window.high.x() += side;
+  } else {
+    const Vec2 margin = Vec2::Constant(kBodyMargin * window.size().maxCoeff());
+    window.low.x() -= margin.x();
+    window.high += margin;
+    if (!world.box.floor) window.low.y() -= margin.y();
+  }
+  return window;
+}
+
+Margins wall_margins(const World& world, double text) {
+  Margins margins{2, 2, 2, 2};
+  for (const Wall& wall : world.walls) {
+    const double depth = hatch_depth(text) + 1;
+    if (wall.normal.x() > 0.5) margins.left = std::max(margins.left, depth);
+    if (wall.normal.x() < -0.5) margins.right = std::max(margins.right, depth);
+    if (wall.normal.y() > 0.5) margins.bottom = std::max(margins.bottom, depth);
+    if (wall.normal.y() < -0.5) margins.top = std::max(margins.top, depth);
+  }
+  return margins;
+}
+
+Panel packing_panel(const PixelRect& place, const WorldRect& window, const Margins& margins) {
+  const PixelRect inner{place.x + margins.left, place.y + margins.top,
+                        std::max(1.0, place.width - margins.left - margins.right),
+                        std::max(1.0, place.height - margins.top - margins.bottom)};
+  const Camera camera(window, inner);
+  const PixelRect c = camera.covered();
+  return {camera,
+          {c.x - margins.left, c.y - margins.top, c.width + margins.left + margins.right,
+           c.height + margins.top + margins.bottom}};
+}
+
+// The whole width of the window; as high as the place allows, around the intruder or the top of the
+// packing, but not beyond the window.
+Panel detail_panel(const World& world, const PixelRect& place, const WorldRect& window,
+                   double floor_margin) {
+  const double scale = place.width / window.size().x();
+  const double height = place.height / scale;
+  const double lowest = window.low.y() - floor_margin / scale;
+  const int intruder = world.intruder();
+  const double centre = intruder >= 0 ? world.disks.position[static_cast<std::size_t>(intruder)].y()
+                                      : packing_top(world) - 0.4 * height;
+  const double low =
+      std::clamp(centre - height / 2, lowest, std::max(lowest, window.high.y() - height));
+  const WorldRect part{{window.low.x(), low}, {window.high.x(), low + height}};
+  return {Camera(part, place), place};
+}
+
+// Part of the panel between periodic sides: lines would hang in the air beyond.
+PixelRect inside_the_sides(const World& world, const Panel& panel) {
+  PixelRect rect = panel.clip;
+  if (world.box.sides != Sides::periodic) return rect;
+  const double left = std::round(panel.camera.to_pixel({0, 0}).x());
+  const double right = std::round(panel.camera.to_pixel({world.box.width, 0}).x());
+  rect.x = std::max(rect.x, left);
+  rect.width = std::min(panel.clip.right(), right) - rect.x;
+  return rect;
+}
+
+void draw_world(DrawList& list, const World& world, const View& view, const ColouredGrains& grains,
+                const Panel& panel, double text, double scale_force) {
+  list.clip_to(panel.clip);
+  draw_disks(list, world, view, grains, panel);
+  list.clip_to(inside_the_sides(world, panel));
+  if (view.bonds) draw_bonds(list, world, view, panel);
+  if (view.forces) draw_forces(list, world, view, panel, scale_force);
+  if (view.broken_bonds) draw_broken_bonds(list, world, view, panel);
+  list.clip_to(panel.clip);
+  draw_periodic_sides(list, world, view, panel);
+  draw_walls(list, world, view, panel, text);
+  list.clip_to_picture();
+}
+
+// A frame around the close-up, and around what it shows in the packing.
+void draw_detail_frames(DrawList& list, const Panel& packing, const Panel& detail, Colour colour) {
+  const PixelRect& place = detail.clip;
+  list.frame({place.x - 1, place.y - 1, place.width + 2, place.height + 2}, 1, colour);
+  const WorldRect& part = detail.camera.window();
+  const Vec2 top = packing.camera.to_pixel({part.low.x(), part.high.y()});
+  const Vec2 bottom = packing.camera.to_pixel({part.high.x(), part.low.y()});
+  const double y = std::max(std::round(top.y()), packing.clip.y);
+  const double end = std::min(std::round(bottom.y()), packing.clip.bottom());
+  const double left = std::round(top.x()), right = std::round(bottom.x());
+  list.frame({left, y, right - left, end - y}, 1, colour);
+}
+
+}  // namespace
+
+double text_size(const View& view) {
+  if (view.text_size) return *view.text_size;
+  return std::clamp(std::round(9 + std::min(view.width, view.height) / 120.0), 10.0, 40.0);
+}
+
+void check(const View& view) {
+  const auto out_of_range = [](int size) {
+    return size < kSmallestPicture || size > kLargestPicture;
+  };
+  if (out_of_range(view.width) || out_of_range(view.height)) {
+    throw InputError("size", "a picture of " + std::to_string(view.width) + "x" +
+                                 std::to_string(view.height) + " pixels cannot be drawn: both " +
+                                 "must lie from " + std::to_string(kSmallestPicture) + " to " +
+                                 std::to_string(kLargestPicture));
+  }
+  const auto positive = [](double x) { return x > 0 && std::isfinite(x); };
+  if (view.window && !(positive(view.window->size().x()) && positive(view.window->size().y()))) {
+    throw InputError("window", "the window of a picture must have a positive width and height");
+  }
+  if (view.range && !positive(view.range->high - view.range->low)) {
+    throw InputError("range", "the range of the colours must end above its beginning");
+  }
+  if (view.force_scale && !positive(*view.force_scale)) {
+    throw InputError("force_scale", "the force of a line of reference width must be positive");
+  }
+  if (view.text_size && !(*view.text_size >= 6 && *view.text_size <= 100)) {
+    throw InputError("text_size", "text must be from 6 to 100 pixels high");
+  }
+}
+
+Frame compose(const World& world, const View& view, const Font& font,
+              std::span<const std::string> caption) {
+  check(view);
+  const Palette& colours = palette(view.theme);
+  const double text = font.size();
+  const ColouredGrains grains = colour_grains(world, view);
+  const double scale_force = view.forces ? force_scale(world, view) : 1;
+  const std::vector<Reading> numbers =
+      view.numbers ? readings(world, view) : std::vector<Reading>();
+  KeyContent content{world, view, font, grains.scale, scale_force, caption, numbers};
+  const double widest = std::max(10.0, std::min(view.width - 2 * text, kCaptionRoom * text));
+
+  // The room of the key does not depend on the scale; what it says does.
+  const WorldRect window = window_with_margins(world, view);
+  const Margins margins = wall_margins(world, text);
+  const Layout layout = arrange({.width = view.width,
+                                 .height = view.height,
+                                 .world = window.size(),
+                                 .margins = margins,
+                                 .text_size = text,
+                                 .detail = view.detail},
+                                make_key(content, 1, widest, true));
+  Frame frame{DrawList(view.width, view.height, colours.background), layout,
+              packing_panel(layout.packing, window, margins), std::nullopt};
+  content.close_up = layout.detail.has_value();
+  if (layout.detail) frame.detail = detail_panel(world, *layout.detail, window, margins.bottom);
+
+  DrawList& list = frame.list;
+  draw_world(list, world, view, grains, frame.packing, text, scale_force);
+  if (frame.detail) {
+    draw_world(list, world, view, grains, *frame.detail, text, scale_force);
+    draw_detail_frames(list, frame.packing, *frame.detail, colours.faint_ink);
+  }
+  const Camera& shown = frame.detail ? frame.detail->camera : frame.packing.camera;
+  const Legend key = make_key(content, shown.scale(), widest, false);
+  if (layout.column) {
+    key.draw_column(list, layout.key);
+  } else {
+    key.draw_strip(list, layout.key);
+  }
+  return frame;
+}
+
+}  // namespace quicksand

@@ -1,0 +1,34 @@
+// World + View -> Image, on the processor, without a display.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "core/world/world.h"
+#include "render/base/view.h"
+#include "render/image/image.h"
+
+namespace quicksand {
+
+// Owns one drawing context. Use it from one thread; several renderers may live side by side.
+class Renderer {
+ public:
+  // Throws RenderError if this system cannot draw. Sets the environment variables that make the
+  // pixels reproducible, unless the user has set them: construct it before starting threads.
+  Renderer();
+  ~Renderer();
+  Renderer(Renderer&&) noexcept;
+  Renderer& operator=(Renderer&&) noexcept;
+
+  // The same world and view give the same bytes. `caption` lines stand at the head of the numbers
+  // (a scene's name, the present phase); their count should stay the same throughout a film.
+  // Throws InputError if the view asks for a size that cannot be drawn.
+  Image draw(const World& world, const View& view, std::span<const std::string> caption = {});
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace quicksand

@@ -1,0 +1,56 @@
+// A file is there as a whole or not at all, and takes the place of nothing but a file.
+#include "core/base/whole_file.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <cerrno>
+
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace quicksand::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(WholeFileTest, IsNotThereBeforeItIsFinished) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "a";
+  {
+    WholeFile file(path);
+    file.stream() << "half";
+  }
+  EXPECT_TRUE(fs::is_empty(folder.path()));
+  write_whole(path, "all");
+  EXPECT_EQ(contents(path), "all");
+}
+
+TEST(WholeFileTest, WritesWhereALinkLeads) {
+  const TemporaryFolder folder;
+  folder.write("target", "before");
+  fs::create_symlink("target", folder.path() / "link");
+  write_whole(folder.path() / "link", "after");
+  EXPECT_TRUE(fs::is_symlink(folder.path() / "link"));
+  EXPECT_EQ(contents(folder.path() / "target"), "after");
+}
+
+TEST(WholeFileTest, RefusesToReplaceAPipe) {
+  const TemporaryFolder folder;
+  const fs::path pipe = folder.path() / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_THROW(write_whole(pipe, "text"), InputError);
+  EXPECT_TRUE(fs::is_fifo(pipe));
+}
+
+TEST(WholeFileTest, AFullDiskIsNoBadInput) {
+  EXPECT_THROW(refuse_to_write("a", ENOSPC), DiskFull);
+  try {
+    refuse_to_write("a", EACCES);
+  } catch (const InputError& error) {
+    EXPECT_EQ(dynamic_cast<const DiskFull*>(&error), nullptr);
+  }
+}
+
+}  // namespace
+}  // namespace quicksand::test

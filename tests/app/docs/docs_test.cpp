@@ -1,0 +1,70 @@
+// The pages: what they link to is there, and the references are what the program prints.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "app/play/session_reference.h"
+#include "app/scene_json/scene_reference.h"
+#include "tests/support/files.h"
+#include "tests/support/markdown.h"
+
+namespace quicksand::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::map<fs::path, Page>& pages() {
+  static const std::map<fs::path, Page> all = [] {
+    std::map<fs::path, Page> found;
+    for (Page& page : all_pages()) found.emplace(page.file.lexically_normal(), std::move(page));
+    return found;
+  }();
+  return all;
+}
+
+// What is wrong with a link; empty if it leads somewhere, or out of the repository.
+std::string problem_of(const Piece& link) {
+  if (link.text.find("://") != std::string::npos || link.text.starts_with("mailto:")) return {};
+  const std::size_t hash = std::min(link.text.find('#'), link.text.size());
+  const fs::path target = link.text.substr(0, hash);
+  const fs::path file =
+      target.empty() ? link.file : (link.file.parent_path() / target).lexically_normal();
+  if (target.is_absolute() || !fs::exists(file)) return "there is no such file";
+  if (hash == link.text.size()) return {};
+  const auto page = pages().find(file);
+  if (page == pages().end()) return "an anchor of what is no page";
+  return page->second.anchors.contains(link.text.substr(hash + 1)) ? "" : "there is no such anchor";
+}
+
+TEST(Pages, LinkToFilesAndAnchorsThatAreThere) {
+  ASSERT_GT(pages().size(), 20U);
+  for (const auto& [file, page] : pages())
+    for (const Piece& link : page.links) {
+      const std::string problem = problem_of(link);
+      if (!problem.empty())
+        ADD_FAILURE() << link.where() << ": the link to " << link.text << ": " << problem;
+    }
+}
+
+TEST(Pages, OfTheFolderAreAllInTheIndex) {
+  const fs::path folder = kSource / "assets/doc";
+  std::set<fs::path> linked{folder / "index.md"};
+  for (const Piece& link : pages().at(folder / "index.md").links)
+    linked.insert((folder / link.text).lexically_normal());
+  for (const auto& [file, page] : pages()) {
+    const bool inside = file.string().starts_with(folder.string());
+    EXPECT_TRUE(!inside || linked.contains(file)) << file << " is not in assets/doc/index.md";
+  }
+}
+
+TEST(Pages, FitOnTheirFirstPage) { EXPECT_LE(pages().at(kSource / "README.md").lines, 200); }
+
+TEST(Pages, OfReferenceAreWhatTheProgramPrints) {
+  EXPECT_EQ(contents(kSource / "assets/doc/scene_reference.md"), scene_reference())
+      << "write it anew: build/quicksand list scene_reference > assets/doc/scene_reference.md";
+  EXPECT_EQ(contents(kSource / "assets/doc/session_reference.md"), session_reference())
+      << "write it anew: build/quicksand list session_reference > assets/doc/session_reference.md";
+}
+
+}  // namespace
+}  // namespace quicksand::test

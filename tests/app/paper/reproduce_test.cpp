@@ -1,0 +1,375 @@
+// The paper's experiments: what is found in their results, and the command with its report.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "app/experiments/experiments.h"
+#include "app/paper/paper_strength.h"
+#include "app/paper/push_speed.h"
+#include "core/base/errors.h"
+#include "tests/support/files.h"
+#include "tests/support/paper_fixture.h"
+
+namespace quicksand::test {
+namespace {
+
+class Reproduce : public PaperFixture {
+ protected:
+  Outcome reproduce(std::vector<std::string> words) const {
+    words.insert(words.begin(), "reproduce");
+    return quicksand(words);
+  }
+};
+
+// Two seeds; the density of the first changes twice, that of the second settles at once.
+TEST_F(Reproduce, AnAdiabaticSequenceIsTheMeanOfThoseThatGotThere) {
+  PaperJobs jobs(small(), folder_.path());
+  const auto samples = make_samples_experiment();
+  samples->plan(jobs);
+  const RunGroup slower = jobs.samples("adiabatic");
+  const auto deposit = [](double interval, double fraction, const Json& change) {
+    return Json{{"interval", interval},
+                {"volume_fraction", fraction},
+                {"coordination", 2},
+                {"change", change}};
+  };
+  const auto leave = [&](std::size_t run, const Json& deposits) {
+    leave_results(jobs.jobs()[run], {{"volume_fraction", 0.4},
+                                     {"coordination", 2},
+                                     {"active_bond_fraction", 1},
+                                     {"adiabatic", deposits}});
+  };
+  leave(slower.runs[0],
+        {deposit(0.01, 0.5, nullptr), deposit(0.05, 0.45, -0.1), deposit(0.25, 0.45, 0)});
+  leave(slower.runs[1], {deposit(0.01, 0.4, nullptr), deposit(0.05, 0.4, 0)});
+  Section section;
+  Findings findings;
+  samples->report(PaperResults(jobs.jobs()), folder_.path(), section, findings);
+  EXPECT_DOUBLE_EQ(findings.at("unperturbed.interval_effect").value, -0.05);
+  const Table& table = std::get<Table>(section.blocks.back());
+  ASSERT_EQ(table.rows.size(), 3U);
+  EXPECT_EQ(table.rows[2][1].text, "0.45 (1)") << "one of two";
+}
+
+// On the ground the depth is the same with and without drag; the bonds are not.
+TEST_F(Reproduce, DragIsJudgedByWhatItChangesMost) {
+  PaperJobs jobs(small(), folder_.path());
+  const auto drag = make_drag_experiment();
+  drag->plan(jobs);
+  const RunGroup usual = jobs.pushes(jobs.samples(), 1),
+                 wet = jobs.pushes(jobs.samples(), 1, "drag");
+  const auto leave = [&](const RunGroup& group, double active) {
+    for (const std::size_t run : group.runs)
+      leave_results(jobs.jobs()[run], {{"depth", 18},
+                                       {"active_bond_fraction", active},
+                                       {"remaining_bond_fraction", 0.6},
+                                       {"coordination", 2.5}});
+  };
+  leave(usual, 0.4);
+  leave(wet, 0.5);
+  Section section;
+  Findings findings;
+  drag->report(PaperResults(jobs.jobs()), folder_.path(), section, findings);
+  EXPECT_NEAR(findings.at("penetration.drag_effect").value, 0.25, 1e-12);
+  EXPECT_EQ(findings.at("penetration.drag_effect").note, "of active bonds");
+}
+
+class DensityOfSamples : public Reproduce {
+ protected:
+  // The shift that is found if the second sample has this density, and intruders come down to these depths.
+  std::optional<double> shift(double denser, const std::vector<double>& depths,
+                              const std::vector<double>& denser_depths) const {
+    PaperScale scale = small();
+    scale.realizations = 1;
+    PaperJobs jobs(scale, folder_.path());
+    const auto density = make_density_experiment();
+    density->plan(jobs);
+    const RunGroup samples[] = {jobs.samples(),
+                                jobs.samples("rolling_0.02", {{"contact.rolling_friction", 0.02}})};
+    for (std::size_t s = 0; s < 2; ++s) {
+      const Json sample = {{"volume_fraction", s == 0 ? 0.38 : denser}, {"packing_top", 20}};
+      leave_results(jobs.jobs()[samples[s].runs[0]], sample);
+      const PushCurve curve = jobs.push_curve(samples[s]);
+      for (std::size_t k = 0; k < curve.pushes.size(); ++k)
+        leave_results(jobs.jobs()[curve.pushes[k].runs[0]],
+                      {{"depth", (s == 0 ? depths : denser_depths)[k]},
+                       {"active_bond_fraction", 0.5},
+                       {"remaining_bond_fraction", 0.6},
+                       {"coordination", 2.5}},
+                      "time,step,phase,depth,intruder_velocity_y\n0,0,push,0,0\n");
+    }
+    Section section;
+    Findings findings;
+    density->report(PaperResults(jobs.jobs()), folder_.path(), section, findings);
+    const auto found = findings.find("penetration.density_shift");
+    return found == findings.end() ? std::nullopt : std::optional(found->second.value);
+  }
+};
+
+// Forces of 0.1, 0.33, 1, 3; the denser sample takes one that is 3 times as large to 5 d.
+TEST_F(DensityOfSamples, ShiftsTheForceThatIsNeededForADepth) {
+  const auto found = shift(0.43, {5, 10, 15, 20}, {0, 5, 10, 20});
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(*found, 3, 0.2);
+}
+
+TEST_F(DensityOfSamples, SaysNothingIfTheSamplesDoNotDiffer) {
+  EXPECT_FALSE(shift(0.385, {5, 10, 15, 20}, {0, 5, 10, 20}));
+}
+
+TEST_F(DensityOfSamples, SaysNothingIfAllIntrudersLieOnTheGround) {
+  EXPECT_FALSE(shift(0.43, {19.2, 19.4, 19.6, 19.8}, {19.1, 19.3, 19.5, 19.7}));
+}
+
+// Two runs with the strengths 10 + 2 depth: the line is found, and grains that no force moved are counted.
+TEST_F(Reproduce, StrengthIsPooledOverTheGrainsOfAllRuns) {
+  PaperJobs jobs(small(), folder_.path());
+  const RunGroup shears = jobs.shears(jobs.samples(), 10, 5);
+  for (std::size_t k = 0; k < 2; ++k) {
+    Json forces = Json::array();
+    for (const double depth : {1.0, 2.0, 4.0}) {
+      const double middle = 10 + 2 * depth + (k == 0 ? -1 : 1);
+      forces.push_back({{"depth", depth},
+                        {"force_low", middle - 0.5},
+                        {"force_high", middle + 0.5},
+                        {"weight_above", 5 * depth}});
+    }
+    forces.push_back({{"depth", 4.0}, {"force_low", 99}, {"force_high", nullptr}});
+    leave_results(jobs.jobs()[shears.runs[k]], {{"critical_forces", forces}});
+  }
+  const PaperResults results(jobs.jobs());
+  const PaperStrength strength = paper_strength(results, shears);
+  EXPECT_EQ(strength.grains, 6);
+  EXPECT_EQ(strength.never_moved, 2);
+  ASSERT_TRUE(strength.against_depth);
+  EXPECT_NEAR(strength.against_depth->slope, 2, 1e-12);
+  EXPECT_NEAR(strength.against_depth->intercept, 10, 1e-12);
+  EXPECT_NEAR(strength.against_weight->slope, 0.4, 1e-12);
+}
+
+// The loose sample has 100 + 10 depth; the dense one of weak bonds, which is lower, 75 at 2 d and 125 at 4 d.
+TEST_F(Reproduce, StrengthsOfTwoCohesionForcesAreComparedAtTheSameDepth) {
+  PaperScale scale = small();
+  scale.realizations = 1;
+  PaperJobs jobs(scale, folder_.path());
+  const auto shear = make_shear_experiment();
+  shear->plan(jobs);
+  const StrengthRuns runs = plan_strength(jobs);
+  EXPECT_EQ(jobs.jobs()[runs.weak.runs[0]].scenario.grain_law.cohesion_force, 100);
+  const auto leave = [&](const RunGroup& group, const std::map<double, double>& strengths) {
+    Json forces = Json::array();
+    for (const auto& [depth, strength] : strengths)
+      forces.push_back({{"depth", depth},
+                        {"force_low", strength},
+                        {"force_high", strength},
+                        {"weight_above", depth}});
+    leave_results(jobs.jobs()[group.runs[0]], {{"critical_forces", forces}});
+  };
+  leave(runs.loose, {{4, 140}, {8, 180}, {12, 220}});
+  leave(runs.weak, {{2, 75}, {4, 125}});
+  leave(runs.strong, {{4, 1400}, {8, 1800}, {12, 2200}});
+  Section section;
+  Findings findings;
+  shear->report(PaperResults(jobs.jobs()), folder_.path(), section, findings);
+  EXPECT_NEAR(findings.at("shear.unperturbed.cohesion_effect").value, 10, 1e-12);
+  std::string said;
+  for (const Block& block : section.blocks)
+    if (const auto* paragraph = std::get_if<Paragraph>(&block)) said += paragraph->text;
+  EXPECT_NE(said.find("grains, 3 d, its mean strength is 100 F_g, and the line of 10⁴ has 130 F_g"),
+            std::string::npos)
+      << said;
+}
+
+TEST(PaperStrength, IsConstantDownToWhereAStrengthLeavesTheMean) {
+  PaperStrength strength{
+      .depth = {1, 2, 3, 4}, .strength = {5, 5.1, 4.9, 7}, .error = {0.1, 0.1, 0.1, 0.1}};
+  EXPECT_EQ(strength.constant_down_to(), 3.0);
+  strength.strength = {5, 5.1, 4.9, 5};
+  EXPECT_EQ(strength.constant_down_to(), 4.0);
+  strength.strength = {5, 6, 5, 5};
+  EXPECT_EQ(strength.constant_down_to(), 1.0);
+  strength.error[2] = 0;
+  EXPECT_EQ(strength.constant_down_to(), std::nullopt);
+}
+
+// Depths are given every 0.1; the box is 10 high, and speeds are taken from 1.5 to 6.
+TEST_F(Reproduce, TheSpeedOfAPushIsTakenPastTheStartAndBeforeTheGround) {
+  PaperJobs jobs(small(), folder_.path());
+  const RunGroup push = jobs.pushes(jobs.samples(), 1);
+  const auto leave = [&](const Job& job, double to) {
+    std::string series = "time,step,phase,depth\n";
+    for (int k = 0; k <= 100; ++k) {
+      const double depth = std::min(to, k < 10 ? 0.15 * k : 1.5 + 3 * 0.1 * (k - 10));
+      series += std::to_string(0.1 * k) + ",0,push," + std::to_string(depth) + "\n";
+    }
+    leave_results(job, Json::object(), series);
+  };
+  leave(jobs.jobs()[push.runs[0]], 9);
+  leave(jobs.jobs()[push.runs[1]], 5);
+  const PaperResults results(jobs.jobs());
+  EXPECT_NEAR(ploughing_speed(*results.run(push.runs[0]), 10).value(), 3, 1e-9);
+  EXPECT_EQ(ploughing_speed(*results.run(push.runs[1]), 10), std::nullopt) << "it stopped before";
+  EXPECT_EQ(ploughing_speed(results, push, 10)->n, 1);
+}
+
+// Velocities of 30 (F - 0.04)^0.6, with forces in F_c, and searches that ended between 350 and 450 F_g.
+TEST_F(Reproduce, TheExponentOfTheVelocityTakesTheThresholdThatWasSearchedFor) {
+  PaperJobs jobs(small(), folder_.path());
+  const auto experiment = make_velocity_experiment();
+  experiment->plan(jobs);
+  for (const Job& job : jobs.jobs()) {
+    const std::size_t push = job.id.find("push_");
+    if (push == std::string::npos) {
+      leave_results(job, {{"critical_forces", {{{"force_low", 350}, {"force_high", 450}}}}});
+      continue;
+    }
+    const double speed = 30 * std::pow(std::stod(job.id.substr(push + 5)) - 0.04, 0.6);
+    std::string series = "time,step,phase,depth\n";
+    for (int k = 0; k <= 200; ++k)
+      series += std::to_string(0.1 * k / speed) + ",0,push," + std::to_string(0.1 * k) + "\n";
+    leave_results(job, Json::object(), series);
+  }
+  Section section;
+  Findings findings;
+  experiment->report(PaperResults(jobs.jobs()), folder_.path(), section, findings);
+  EXPECT_NEAR(findings.at("penetration.threshold_force").value, 0.04, 1e-12);
+  EXPECT_EQ(findings.at("penetration.threshold_force").n, 2);
+  EXPECT_NEAR(findings.at("drag_law.exponent").value, 0.6, 1e-3);
+}
+
+// The paper has 0.93 and 0.97 with a third of the cohesion force, 0.68 and 0.78 with all of it.
+TEST_F(Reproduce, NamesTheBreakRuleThatComesNearestToThePaper) {
+  PaperScale scale = small();
+  scale.time_steps = {1e-2};
+  PaperJobs jobs(scale, folder_.path());
+  const auto experiment = make_break_rule_experiment();
+  experiment->plan(jobs);
+  std::string mean_step;
+  const auto said = [&] {
+    Section section;
+    Findings findings;
+    experiment->report(PaperResults(jobs.jobs()), folder_.path(), section, findings);
+    std::string all;
+    for (const Block& block : section.blocks)
+      if (const auto* paragraph = std::get_if<Paragraph>(&block))
+        all += paragraph->text;
+      else if (const auto* table = std::get_if<Table>(&block))
+        mean_step = table->rows[0][3].text;
+    return all;
+  };
+  EXPECT_NE(said().find("No setting has results for both forces yet"), std::string::npos);
+  const auto all_leave = [&](double linearised_at_full) {
+    for (const Job& job : jobs.jobs()) {
+      const bool full = job.id.find("push_1") != std::string::npos;
+      const bool linearised = job.id.find("linearised") != std::string::npos;
+      const double active = full ? (linearised ? linearised_at_full : 0.2) : 0.93;
+      leave_results(job,
+                    {{"steps", 400},
+                     {"volume_fraction", 0.4},
+                     {"coordination", 2.1},
+                     {"depth", 10},
+                     {"intact_active_bond_fraction", nullptr},
+                     {"active_bond_fraction", active},
+                     {"remaining_bond_fraction", full ? 0.78 : 0.97}},
+                    "time,step,phase\n1,0,push\n3,400,push\n");
+    }
+  };
+  all_leave(0.9);
+  EXPECT_NE(said().find("No setting gives the four shares"), std::string::npos) << said();
+  EXPECT_NE(said().find("The linearised rule with dt = 0.01"), std::string::npos) << said();
+  EXPECT_NE(said().find("4.4 tolerances off"), std::string::npos) << said();
+  EXPECT_EQ(mean_step, "0.005");  // 400 steps in 2 sqrt(d/g), halved ones with them
+  all_leave(0.7);
+  EXPECT_NE(said().find("gives all four shares"), std::string::npos) << said();
+}
+
+TEST_F(Reproduce, PartOfTheProgrammeCanBeChosen) {
+  const Outcome all = reproduce({"penetration", "--dry-run", "--realizations", "1"});
+  const Outcome part =
+      reproduce({"--push-forces", "0.5,0.7", "penetration", "--dry-run", "--realizations", "1"});
+  EXPECT_NE(all.out.find("7 runs would go"), std::string::npos) << all.out;
+  EXPECT_NE(part.out.find("sample.push_0.5/00\nsample.push_0.7/00\n3 runs"), std::string::npos)
+      << part.out;
+  const Outcome coarse = reproduce({"--time-steps", "0.01,2", "break_rule"});
+  EXPECT_EQ(coarse.exit_code, 2);
+  EXPECT_NE(coarse.err.find("--time-steps 2: must be from"), std::string::npos) << coarse.err;
+  EXPECT_EQ(reproduce({"--grains-per-depth", "0", "shear"}).exit_code, 2);
+}
+
+TEST_F(Reproduce, AnUnknownFigureIsRefusedWithTheNearest) {
+  const Outcome outcome = reproduce({"penetrtion"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("did you mean \"penetration\""), std::string::npos) << outcome.err;
+}
+
+TEST_F(Reproduce, TheComparisonOfRulesHasNoPlainForm) {
+  const Outcome refused = reproduce({"break_rule", "--plain", "0.002", "--dry-run"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("varies the rule itself"), std::string::npos) << refused.err;
+  const Outcome other_step = reproduce({"--plain", "0.002", "--push-step", "0.01", "--dry-run"});
+  EXPECT_EQ(other_step.exit_code, 2);
+  EXPECT_NE(other_step.err.find("leave out --push-step"), std::string::npos) << other_step.err;
+  const Outcome all = reproduce({"--plain", "0.002", "--dry-run"});
+  EXPECT_EQ(all.exit_code, 0) << all.err;
+  EXPECT_EQ(all.out.find("linearised"), std::string::npos) << all.out;
+}
+
+TEST_F(Reproduce, ByNscdLeavesOutWhatIsAboutExactSteps) {
+  const Outcome all = reproduce({"--method", "nscd", "--dry-run"});
+  EXPECT_EQ(all.exit_code, 0) << all.err;
+  EXPECT_EQ(all.out.find("linearised"), std::string::npos) << all.out;
+  EXPECT_EQ(all.out.find("setting_a"), std::string::npos) << all.out;
+  const Outcome other = reproduce({"--method", "nscd", "--push-step", "0.01", "--dry-run"});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_NE(other.err.find("leave out --push-step"), std::string::npos) << other.err;
+  EXPECT_EQ(reproduce({"--method", "nsdc", "--dry-run"}).exit_code, 2);
+}
+
+TEST_F(Reproduce, ATooSmallBoxIsRefused) {
+  const Outcome outcome = reproduce({"--width", "3"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("from 12 to 1000"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Reproduce, RunsOfOtherSettingsAreNotOverwritten) {
+  const std::string scene = "paper/runs/sample/00/scene.json";
+  std::filesystem::create_directories((folder_.path() / scene).parent_path());
+  folder_.write(scene, "{}\n");
+  const std::string out = (folder_.path() / "paper").string();
+  for (const bool dry : {true, false}) {
+    std::vector<std::string> words{"piston", "--quick", "--realizations", "1", "--out", out};
+    if (dry) words.emplace_back("--dry-run");
+    const Outcome outcome = reproduce(words);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
+    EXPECT_NE(outcome.err.find("is not the scene of run sample/00"), std::string::npos)
+        << outcome.err;
+  }
+  EXPECT_EQ(contents(folder_.path() / scene), "{}\n");
+}
+
+TEST_F(Reproduce, SlowReportsOnWhatRanAndRepeatsNothing) {
+  const std::string out = (folder_.path() / "paper").string();
+  const std::vector<std::string> words{"piston",         "structure", "--quick", "--width", "12",
+                                       "--height",       "20",        "--quiet", "--out",   out,
+                                       "--realizations", "1"};
+  const Outcome first = reproduce(words);
+  ASSERT_EQ(first.exit_code, 0) << first.err;
+  EXPECT_NE(first.out.find("3 of 3 runs finished"), std::string::npos) << first.out;
+  const std::string page = contents(out + "/report.md");
+  EXPECT_NE(page.find("after the piston: volume fraction"), std::string::npos);
+  EXPECT_NE(page.find("Compaction by a piston"), std::string::npos);
+  EXPECT_NE(page.find("What counts as a contact"), std::string::npos);
+  for (const char* of : {"profile", "bond_angles", "contact_forces", "bond_tensions"})
+    EXPECT_NE(contents(out + "/plots/structure_" + of + ".csv").find("after the piston"),
+              std::string::npos)
+        << of;
+  EXPECT_EQ(page.find("pull-out force over the push force before"), std::string::npos)
+      << "of another figure";
+  const auto when = std::filesystem::last_write_time(out + "/runs/sample/00/summary.json");
+  ASSERT_EQ(reproduce(words).exit_code, 0);
+  EXPECT_EQ(std::filesystem::last_write_time(out + "/runs/sample/00/summary.json"), when);
+  EXPECT_EQ(contents(out + "/report.md"), page);
+}
+
+}  // namespace
+}  // namespace quicksand::test

@@ -1,0 +1,177 @@
+// What a run with searches leaves in its folder.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "app/json/json_text.h"
+#include "app/run_folder/search_results.h"
+#include "app/scene_json/scenario_json.h"
+#include "core/checkpoint/checkpoint.h"
+#include "core/phases/protocol.h"
+#include "core/scene/make_world.h"
+#include "core/scene/scenario.h"
+#include "tests/support/files.h"
+#include "tests/support/program.h"
+
+namespace quicksand::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Two disks side by side on the floor roll at a tenth of their weight; the intruder lies free.
+const char* const kSearchRunScene = R"({
+  "name": "searches", "seed": 2, "gravity": {},
+  "box": {"width": 20, "height": 8},
+  "contact": {"friction": 0.3, "rolling_friction": 0.1},
+  "bodies": [{"position": [3, 0.5]}, {"position": [8, 0.5]},
+             {"position": [14, 1], "diameter": 2, "density": 0.5, "role": "intruder"}],
+  "phases": [
+    {"type": "pull", "first_force": 1.5, "distance": 1, "tolerance": 0.1},
+    {"type": "shear", "depths": [0.5, 7], "first_force": 1, "distance": 1, "rest_speed": 1e-5}]
+})";
+
+const char* const kAdiabatic = R"({
+  "name": "samples", "gravity": {}, "box": {"width": 6, "height": 8},
+  "contact": {"friction": 0.3, "rolling_friction": 0.1, "cohesion_force": 100},
+  "phases": [{"type": "deposit", "grains": 20, "interval": 0.01,
+              "adiabatic": {"tolerance": 1e-9, "max_interval": 0.04}}]
+})";
+
+class SearchRun : public testing::Test {
+ protected:
+  Outcome run(const char* scene, std::vector<std::string> options = {}) const {
+    folder_.write("scene.json", scene);
+    std::vector<std::string> arguments{"run", "scene.json", "--out", "out", "--no-frames"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return run_program(arguments, folder_.path());
+  }
+  std::string text(const char* name) const { return contents(folder_.path() / "out" / name); }
+  bool has(const char* name) const { return fs::exists(folder_.path() / "out" / name); }
+
+  TemporaryFolder folder_;
+};
+
+// The force of a trial acts on a body of its own: a scene that starts from there would keep it.
+TEST_F(SearchRun, AStateWithinATrialIsNoStart) {
+  const Scenario scene = scenario_from_json(parse_json(kSearchRunScene));
+  Protocol protocol(scene, make_world(scene));
+  while (!protocol.state().search.base) protocol.advance();
+  const fs::path state = folder_.path() / "within.cbor";
+  write_checkpoint(state, {protocol.world(), protocol.state(), to_text(scene), {}});
+  const Outcome outcome =
+      run(R"({"gravity": {}, "box": {"width": 20, "height": 8}, "start_from": "within.cbor",
+              "phases": [{"type": "settle", "max_time": 1}]})");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("within a trial of a search"), std::string::npos) << outcome.err;
+}
+
+TEST_F(SearchRun, LeavesTheCriticalForcesAsTableAndInTheSummary) {
+  const Outcome outcome = run(kSearchRunScene);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string table = text("critical_forces.csv");
+  EXPECT_TRUE(
+      table.starts_with("phase,kind,body,x,y,depth,weight_above,force_low,force_held,force_high,"
+                        "trials,undecided\n0,pull,2,14.0,1.0,"))
+      << table;
+  EXPECT_EQ(std::ranges::count(table, '\n'), 4) << table;
+  EXPECT_FALSE(has("adiabatic.csv"));
+
+  const Json summary = parse_json(text("summary.json"));
+  ASSERT_EQ(summary["critical_forces"].size(), 3U);
+  const Json& pull = summary["critical_forces"][0];
+  EXPECT_LE(pull["force_low"], 2);
+  EXPECT_GE(pull["force_high"], 2);
+  const Json& strength = summary["shear_strength"];
+  ASSERT_EQ(strength.size(), 1U);
+  EXPECT_EQ(strength[0]["phase"], 1);
+  EXPECT_EQ(strength[0]["depths"][0]["grains"], 2);
+  EXPECT_NEAR(strength[0]["depths"][0]["mean"].get<double>(), 0.1, 0.1 * 0.05);
+  EXPECT_EQ(strength[0]["depths"][1]["grains"], 0) << "there is nothing at 7 d";
+  EXPECT_TRUE(strength[0]["slope"].is_null()) << "one depth is no line";
+  // The clock goes on over all trials.
+  EXPECT_NE(text("series.csv").find("trial,trial_force,"), std::string::npos);
+}
+
+// Each trial begins where the one before began: no line leads back there.
+TEST_F(SearchRun, StandsInItsReport) {
+  ASSERT_EQ(run(kSearchRunScene).exit_code, 0);
+  ASSERT_EQ(run_program({"report", "out"}, folder_.path()).exit_code, 0);
+  const std::string report = text("report.md");
+  EXPECT_NE(report.find("Critical forces"), std::string::npos);
+  EXPECT_EQ(std::ranges::count(text("critical_forces.csv"), '\n') - 1, 3);
+  EXPECT_NE(report.find("| pull | 2 | 14 | 1 |"), std::string::npos) << report;
+  EXPECT_NE(text("plots/kinetic_energy.csv").find("\n1,nan,nan,,,,,"), std::string::npos);
+}
+
+TEST_F(SearchRun, SaysWhatWasNotFoundAndFromWhatItBegan) {
+  const std::string none = "No grain was found within 0.5 d of the depth 7 d.";
+  const std::string held = "1 body moved at no force up to 2^20 times first_force.";
+  const Outcome whole = run(kSearchRunScene);
+  EXPECT_NE(whole.err.find(none), std::string::npos) << whole.err;
+  EXPECT_EQ(whole.err.find(held), std::string::npos) << whole.err;
+  EXPECT_EQ(whole.err.find("that move"), std::string::npos) << whole.err;
+  // Too weak a first force, and the intruder still in free fall.
+  std::string falling = kSearchRunScene;
+  falling.replace(falling.find("[14, 1]"), 7, "[14, 5]");
+  falling.replace(falling.find("{\"type\": \"pull\""), 15,
+                  R"({"type": "settle", "max_time": 0.1}, {"type": "pull")");
+  falling.replace(falling.find("\"first_force\": 1.5"), 18, "\"first_force\": 1e-9");
+  const Outcome weak = run(falling.c_str());
+  ASSERT_EQ(weak.exit_code, 0) << weak.err;
+  EXPECT_NE(weak.err.find(held), std::string::npos) << weak.err;
+  EXPECT_NE(weak.err.find("phase 0 ended at its max_time, before it came to rest: the trials of "
+                          "pull begin with bodies that move"),
+            std::string::npos)
+      << weak.err;
+  ASSERT_EQ(run_program({"report", "out"}, folder_.path()).exit_code, 0);
+  EXPECT_NE(text("report.md").find("1 body moved at no force up to"), std::string::npos);
+}
+
+TEST_F(SearchRun, OfADepthThatIsStillToComeNothingIsSaid) {
+  ASSERT_EQ(run(kSearchRunScene).exit_code, 0);
+  const Json summary = parse_json(text("summary.json"));
+  EXPECT_EQ(search_warnings(summary, 2).size(), 1U);
+  EXPECT_TRUE(search_warnings(summary, 1).empty());
+}
+
+TEST_F(SearchRun, LeavesTheSequenceOfAnAdiabaticDeposit) {
+  const Outcome outcome = run(kAdiabatic);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("before its volume fraction settled to 1e-09: the last change was"),
+            std::string::npos)
+      << outcome.err;
+  const std::string table = text("adiabatic.csv");
+  EXPECT_TRUE(
+      table.starts_with("phase,interval,volume_fraction,change,coordination,grains\n0,0.01,"))
+      << table;
+  EXPECT_EQ(std::ranges::count(table, '\n'), 4) << table;
+  const Json samples = parse_json(text("summary.json"))["adiabatic"];
+  ASSERT_EQ(samples.size(), 3U);
+  EXPECT_TRUE(samples[0]["change"].is_null());
+  EXPECT_EQ(samples[2]["interval"], 0.04);
+  EXPECT_EQ(samples[2]["grains"], 20);
+}
+
+TEST_F(SearchRun, RemovesTheTablesAndTheReportOfAnEarlierRun) {
+  ASSERT_EQ(run(kSearchRunScene).exit_code, 0);
+  ASSERT_EQ(run_program({"report", "out"}, folder_.path()).exit_code, 0);
+  ASSERT_TRUE(has("report.html"));
+  ASSERT_EQ(run(kAdiabatic).exit_code, 0);
+  EXPECT_FALSE(has("report.html") || has("report.md"));
+  EXPECT_FALSE(has("critical_forces.csv"));
+  EXPECT_TRUE(has("adiabatic.csv"));
+}
+
+TEST_F(SearchRun, OfAPullRefusesAStateWithoutIntruderBeforeAnythingIsComputed) {
+  ASSERT_EQ(run(kAdiabatic).exit_code, 0);
+  folder_.write("pull.json", R"({"box": {"width": 6, "height": 8}, "gravity": {},
+    "start_from": "out/state.cbor", "phases": [{"type": "pull", "first_force": 1}]})");
+  const Outcome outcome = run_program({"run", "pull.json", "--out", "pulled"}, folder_.path());
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("has no intruder, which phases[0], a pull, needs"), std::string::npos)
+      << outcome.err;
+  EXPECT_FALSE(fs::exists(folder_.path() / "pulled"));
+}
+
+}  // namespace
+}  // namespace quicksand::test

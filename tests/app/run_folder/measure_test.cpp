@@ -1,0 +1,146 @@
+// quicksand measure, as a user meets it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "app/json/json_text.h"
+#include "app/series/quantities.h"
+#include "tests/support/files.h"
+#include "tests/support/pierced_scene.h"
+#include "tests/support/program_fixture.h"
+
+namespace quicksand::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class MeasureTest : public ProgramFixture {
+ protected:
+  void run_scene(const std::vector<std::string>& more = {}) const {
+    folder_.write("pierced.json", kPiercedScene);
+    std::vector<std::string> arguments{"run", "pierced.json", "--no-frames"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    ASSERT_EQ(quicksand(arguments).exit_code, 0);
+  }
+};
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST_F(MeasureTest, SaysOfAStateWhatTheRunSaidOfItsLastSample) {
+  // Long enough for grains to fall into the channel.
+  run_scene({"--set", "phases[0].grains=60", "--set", "phases[1].max_time=2"});
+  const Outcome measured = quicksand({"measure", "out/pierced/state.cbor", "--json"});
+  ASSERT_EQ(measured.exit_code, 0) << measured.err;
+  const Json json = parse_json(measured.out);
+  const Json summary = parse_json(contents(at("out/pierced/summary.json")));
+  for (const Quantity& quantity : quantities()) {
+    const std::string name(quantity.name);
+    EXPECT_EQ(json["quantities"].contains(name), !quantity.of_steps) << name;
+    if (quantity.of_steps || name == "phase") continue;
+    EXPECT_EQ(json["quantities"][name], summary[name]) << name;
+  }
+  EXPECT_TRUE(summary["depth"].is_number());
+  EXPECT_GT(summary["channel_grains"], 0);
+  const Json& regions = json["regions"];
+  EXPECT_EQ(regions["whole"]["grains"], 60);
+  EXPECT_EQ(regions["channel"]["coordination"], summary["channel_coordination"]);
+  EXPECT_EQ(regions["kept_bonds"]["remaining_bond_fraction"], 1);
+  EXPECT_EQ(json["choices"]["intact_distance"], 6);
+  EXPECT_EQ(json["contact_counts"]["touching"], summary["coordination"]);
+  EXPECT_EQ(json["contact_counts"]["loaded"], summary["coordination_loaded"]);
+}
+
+TEST_F(MeasureTest, LeavesFilesThatAgreeWithEachOther) {
+  run_scene();
+  const Outcome measured =
+      quicksand({"measure", "out/pierced/state.cbor", "--out", "numbers", "--slice", "2"});
+  ASSERT_EQ(measured.exit_code, 0) << measured.err;
+  const Json json = parse_json(contents(at("numbers/measures.json")));
+  const auto profile = lines_of(contents(at("numbers/profile.csv")));
+  EXPECT_EQ(profile[0],
+            "low,high,volume_fraction,grains,contacts,initial_bonds,coordination,"
+            "active_bond_fraction,remaining_bond_fraction");
+  EXPECT_EQ(profile.size(), 1 + json["profile"].size());
+  EXPECT_EQ(profile[1].substr(0, 4), "0,2,");
+  std::int64_t grains = 0;
+  for (const Json& slice : json["profile"]) grains += slice["grains"].get<std::int64_t>();
+  EXPECT_EQ(grains, 40);
+  for (const std::string name :
+       {"bond_angles", "contact_orientations", "contact_forces", "bond_tensions"}) {
+    const auto rows = lines_of(contents(at("numbers/" + name + ".csv")));
+    EXPECT_EQ(rows[0], "low,high,count,density");
+    EXPECT_EQ(rows.size(), json["distributions"][name]["edges"].size()) << name;
+    EXPECT_EQ(rows.size(), 1 + json["distributions"][name]["counts"].size()) << name;
+  }
+  // The same state gives the same bytes.
+  const std::string first = contents(at("numbers/measures.json"));
+  ASSERT_EQ(quicksand({"measure", "out/pierced/state.cbor", "--out", "numbers", "--slice", "2"})
+                .exit_code,
+            0);
+  EXPECT_EQ(contents(at("numbers/measures.json")), first);
+}
+
+TEST_F(MeasureTest, ShowsTheRegionsOnlyWhereThereIsAnIntruder) {
+  run_scene();
+  const Outcome pierced = quicksand({"measure", "out/pierced/state.cbor"});
+  EXPECT_NE(pierced.out.find("channel"), std::string::npos) << pierced.out;
+  EXPECT_NE(pierced.out.find("weight_above_level"), std::string::npos) << pierced.out;
+  EXPECT_FALSE(fs::exists(at("measures.json"))) << "nothing is written unasked";
+  run_scene({"--set", R"(phases=[{"type": "deposit", "grains": 40, "interval": 0}])"});
+  const Outcome deposit = quicksand({"measure", "out/pierced/state.cbor"});
+  ASSERT_EQ(deposit.exit_code, 0) << deposit.err;
+  EXPECT_NE(deposit.out.find("whole"), std::string::npos) << deposit.out;
+  EXPECT_EQ(deposit.out.find("channel"), std::string::npos) << deposit.out;
+  EXPECT_EQ(deposit.out.find("depth"), std::string::npos) << deposit.out;
+  const auto last = lines_of(contents(at("out/pierced/series.csv"))).back();
+  EXPECT_NE(last.find(",,,,,,,,,,,,,,,"), std::string::npos) << "no intruder, no values: " << last;
+}
+
+TEST_F(MeasureTest, ChoicesChangeTheRegions) {
+  run_scene();
+  const auto grains = [&](const std::vector<std::string>& choice, const char* region) {
+    std::vector<std::string> arguments{"measure", "out/pierced/state.cbor", "--json"};
+    arguments.insert(arguments.end(), choice.begin(), choice.end());
+    return parse_json(quicksand(arguments).out)["regions"][region]["grains"].get<int>();
+  };
+  EXPECT_LT(grains({}, "channel"), grains({"--channel-margin", "2"}, "channel"));
+  EXPECT_LT(grains({}, "intact"), grains({"--intact-distance", "1"}, "intact"));
+  EXPECT_EQ(grains({"--intact-distance", "1e6"}, "intact"), 0);
+}
+
+TEST_F(MeasureTest, RefusesWhatItCannotMeasure) {
+  run_scene();
+  folder_.write("text.cbor", "not a checkpoint");
+  folder_.write("file", "");
+  const std::string state = "out/pierced/state.cbor";
+  const std::pair<std::vector<std::string>, std::string> mistakes[] = {
+      {{"measure"}, "state is required"},
+      {{"measure", "nowhere.cbor"}, "nowhere.cbor: cannot be read"},
+      {{"measure", "text.cbor"}, "text.cbor: is not a whole checkpoint"},
+      {{"measure", state, "--slices", "3"}, "did you mean \"--slice\""},
+      {{"measure", state, "--slice", "0"}, "--slice 0: must be a number from 0.1"},
+      {{"measure", state, "--slice", "nan"}, "--slice nan: must be a number from 0.1"},
+      {{"measure", state, "--channel-margin", "-1"},
+       "--channel-margin -1: must be a number from 0"},
+      {{"measure", state, "--intact-distance", "inf"}, "--intact-distance inf: must be"},
+      {{"measure", state, "--above-begins", "nan"}, "--above-begins nan: must be"},
+      {{"measure", state, "--intact-distance", "0.5"}, "begins inside the channel"},
+      {{"measure", state, "--out", "file"}, "file: is a file"},
+      {{"mesure", state}, "did you mean \"measure\""},
+  };
+  for (const auto& [arguments, answer] : mistakes) {
+    const Outcome outcome = quicksand(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << answer;
+    EXPECT_NE(outcome.err.find(answer), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+  }
+}
+
+}  // namespace
+}  // namespace quicksand::test

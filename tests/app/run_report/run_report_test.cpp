@@ -1,0 +1,171 @@
+// Reports of real runs, as the program leaves them, and what is read back from its folders.
+#include "app/run_report/run_report.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "app/run_report/run_results.h"
+#include "core/base/errors.h"
+#include "tests/support/files.h"
+#include "tests/support/program.h"
+
+namespace quicksand::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* const kRunReportScene = R"({
+  "name": "small", "description": "Twenty <grains> are pressed.", "seed": 5, "gravity": {},
+  "box": {"width": 6, "height": 8},
+  "contact": {"friction": 0.3, "rolling_friction": 0.1, "cohesion_force": 100},
+  "step": {"dt": 0.01},
+  "phases": [
+    {"type": "deposit", "grains": 20, "interval": 0.02},
+    {"type": "push", "diameter": 2, "force": 300, "max_time": 0.3, "sample_every": 0.05}]
+})";
+
+class RunReportTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_.write("small.json", kRunReportScene);
+    run({"--size", "80x64", "--out", "soft"});
+  }
+  void run_hard() const { run({"--no-frames", "--out", "hard", "--set", "phases[1].force=900"}); }
+  void run(const std::vector<std::string>& more) const {
+    std::vector<std::string> words{"run", "small.json", "--quiet"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = run_program(words, folder_.path());
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+  Outcome report(const std::vector<std::string>& arguments) const {
+    std::vector<std::string> words{"report"};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    return run_program(words, folder_.path());
+  }
+  fs::path at(const std::string& name) const { return folder_.path() / name; }
+  std::string file(const std::string& name) const { return contents(at(name)); }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(RunReportTest, OfOneRunStandsInItsFolderAndIsTheSameEachTime) {
+  const Outcome first = report({"soft"});
+  ASSERT_EQ(first.exit_code, 0) << first.err;
+  EXPECT_EQ(first.out, "soft/report.html\nsoft/report.md\n");
+  const std::string html = file("soft/report.html");
+  EXPECT_NE(html.find("Twenty &lt;grains&gt; are pressed."), std::string::npos);
+  EXPECT_NE(html.find("every step converged"), std::string::npos);
+  EXPECT_NE(html.find("cohesion F_c = 100 F_g"), std::string::npos);
+  EXPECT_NE(html.find("data:image/png;base64,"), std::string::npos);
+  EXPECT_EQ(html.find(folder_.path().string()), std::string::npos);
+  for (const char* plot : {"bonds", "coordination", "kinetic_energy", "intruder", "residual"}) {
+    EXPECT_TRUE(fs::exists(at("soft/plots/" + std::string(plot) + ".csv"))) << plot;
+  }
+  const std::string markdown = file("soft/report.md");
+  ASSERT_EQ(report({"soft"}).exit_code, 0);
+  EXPECT_EQ(file("soft/report.html"), html);
+  EXPECT_EQ(file("soft/report.md"), markdown);
+}
+
+TEST_F(RunReportTest, OfSeveralRunsShowsThemSideBySideWithWhatDiffers) {
+  run_hard();
+  const Outcome outcome = report({"soft", "hard", "--out", "both"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string markdown = file("both/report.md");
+  EXPECT_NE(markdown.find("| phases\\[1\\].force | 300.0 | 900.0 |"), std::string::npos)
+      << markdown;
+  EXPECT_EQ(markdown.find("| seed |"), std::string::npos);
+  const std::string csv = file("both/plots/bonds.csv");
+  EXPECT_NE(csv.find("\"soft\""), std::string::npos);
+  EXPECT_NE(csv.find("\"hard\""), std::string::npos);
+}
+
+TEST_F(RunReportTest, FoldersThatHoldNoFinishedRunAreRefused) {
+  fs::create_directory(at("empty"));
+  fs::copy(at("soft"), at("running"));
+  fs::remove(at("running/summary.json"));
+  const std::pair<std::string, std::string> mistakes[] = {{"nowhere", "no such folder"},
+                                                          {"small.json", "is a file"},
+                                                          {"empty", "no series.csv"},
+                                                          {"running", "has not ended"}};
+  for (const auto& [folder, answer] : mistakes) {
+    const Outcome outcome = report({folder});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find(folder + ": "), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find(answer), std::string::npos) << outcome.err;
+  }
+  EXPECT_EQ(report({}).exit_code, 2);
+}
+
+TEST_F(RunReportTest, WarnsOfWhatDidNotConverge) {
+  run({"--no-frames", "--out", "rough", "--set", "solver.method=gauss_seidel", "--set",
+       "solver.max_iterations=1", "--set", "solver.tolerance=1e-14", "--set",
+       "step.on_unconverged=continue"});
+  EXPECT_TRUE(run_warnings(RunResults(at("soft"))).empty());
+  const std::array<RunResults, 1> rough{RunResults(at("rough"))};
+  const std::vector<std::string> warnings = run_warnings(rough[0]);
+  ASSERT_FALSE(warnings.empty());
+  EXPECT_NE(warnings[0].find("steps did not converge"), std::string::npos) << warnings[0];
+  const Report page = run_report(rough);
+  const auto* first = std::get_if<Remark>(&page.sections.front().blocks.front());
+  ASSERT_NE(first, nullptr);
+  EXPECT_EQ(first->text, warnings[0]);
+}
+
+TEST_F(RunReportTest, SaysThatTheEndIsNotAtRest) {
+  EXPECT_EQ(RunResults(at("soft")).summary()["missed_rest"], true);
+  ASSERT_EQ(report({"soft"}).exit_code, 0);
+  const std::string words = "before it came to rest";
+  EXPECT_NE(file("soft/report.md").find(words), std::string::npos);
+  run({"--no-frames", "--out", "calm", "--set", "phases[1].rest_speed=100", "--set",
+       "phases[1].rest_time=0.01"});
+  EXPECT_EQ(RunResults(at("calm")).summary()["missed_rest"], false);
+  ASSERT_EQ(report({"calm"}).exit_code, 0);
+  EXPECT_EQ(file("calm/report.md").find(words), std::string::npos);
+}
+
+TEST_F(RunReportTest, ValuesAreReadBackByName) {
+  const RunResults soft(at("soft"));
+  EXPECT_EQ(soft.final_value("grains"), 20);
+  EXPECT_EQ(soft.column("time").size(), soft.phases().size());
+  EXPECT_EQ(soft.column("time").back(), soft.final_value("time"));
+  EXPECT_TRUE(std::isnan(soft.column("intruder_y").front()));
+  EXPECT_EQ(soft.frames().size(), soft.phases().size());
+  for (const char* wrong : {"grain", "phase"}) {
+    EXPECT_THROW(soft.column(wrong), InputError) << wrong;
+    EXPECT_THROW(soft.final_value(wrong), InputError) << wrong;
+  }
+  try {
+    soft.column("coordinaton");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("did you mean \"coordination\""), std::string::npos);
+  }
+}
+
+TEST_F(RunReportTest, RunsAreAveragedWithTheirStandardError) {
+  run_hard();
+  const std::array<RunResults, 2> runs{RunResults(at("soft")), RunResults(at("hard"))};
+  const double a = runs[0].final_value("intruder_y").value();
+  const double b = runs[1].final_value("intruder_y").value();
+  ASSERT_NE(a, b);
+  const Measured measured = measured_over(runs, "intruder_y");
+  EXPECT_DOUBLE_EQ(measured.value, (a + b) / 2);
+  EXPECT_NEAR(measured.standard_error.value(), std::abs(a - b) / 2, 1e-12);
+  EXPECT_EQ(measured.n, 2);
+}
+
+TEST_F(RunReportTest, ADamagedSeriesIsRefusedWithItsLine) {
+  folder_.write("soft/series.csv", "time,phase\n1,a\n2\n");
+  try {
+    const RunResults damaged(at("soft"));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(error.where().find("line 3"), std::string::npos) << error.where();
+  }
+}
+
+}  // namespace
+}  // namespace quicksand::test

@@ -1,0 +1,210 @@
+#include "core/measures/measures.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "core/scene/make_world.h"
+#include "core/scene/scenario.h"
+#include "core/world/extent.h"
+#include "tests/support/core/methods.h"
+#include "tests/support/core/scenes.h"
+#include "tests/support/core/simulation.h"
+#include "tests/support/core/tolerance.h"
+
+namespace quicksand {
+namespace {
+
+// Rows of touching disks in a periodic box; `shift` and `rise` between rows make the lattice.
+Scenario lattice(int columns, int rows, double shift, double rise) {
+  Scenario scene = empty_scene(Method::automatic);
+  scene.box = {.width = static_cast<double>(columns),
+               .height = rows * rise,
+               .sides = Sides::periodic,
+               .floor = false};
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < columns; ++x)
+      scene.disks.push_back({.position = {x + shift * (y % 2), (y + 0.5) * rise}});
+  return scene;
+}
+
+const double kTriangularRise = std::sqrt(0.75);
+
+TEST(ContactCounts, AWiderGapCountsMoreNeighboursAndASmallerShareOfBonds) {
+  Scenario scene = empty_scene(Method::automatic);
+  scene.grain_law = paper_law(10);
+  scene.initial_bonds = InitialBonds::touching;
+  for (const double x : {0.0, 1.0, 2.0005, 3.005, 9.0}) scene.disks.push_back({.position = {x, 0}});
+  const Sample sample = measure(make_world(scene));
+  EXPECT_DOUBLE_EQ(sample.coordination, 2.0 / 5);
+  EXPECT_DOUBLE_EQ(sample.within[0].coordination, 4.0 / 5);
+  EXPECT_DOUBLE_EQ(sample.within[1].coordination, 6.0 / 5);
+  EXPECT_DOUBLE_EQ(*sample.active_bond_fraction, 1);
+  EXPECT_DOUBLE_EQ(*sample.within[0].active_bond_fraction, 1.0 / 2);
+  EXPECT_DOUBLE_EQ(*sample.within[1].active_bond_fraction, 1.0 / 3);
+}
+
+// Four in a row, their bonds active, torn and torn, and one alone; the last pair is not compressed.
+TEST(ContactCounts, TellTouchingFromLoadedAndBonded) {
+  Scenario scene = empty_scene(Method::automatic);
+  scene.grain_law = paper_law(10);
+  scene.initial_bonds = InitialBonds::touching;
+  for (const double x : {0.5, 1.5, 2.5, 3.5, 9.0}) scene.disks.push_back({.position = {x, 0}});
+  World world = make_world(scene);
+  for (const int a : {1, 2}) world.bonds.find({a, a + 1})->state = BondState::broken;
+  world.contacts = {{.pair = {0, 1}}, {.pair = {1, 2}, .impulse = {1, 0, 0}}, {.pair = {2, 3}}};
+  const ContactCounts counts = contact_counts(world, neighbours(world));
+  EXPECT_DOUBLE_EQ(counts.touching, 6 / 5.0);
+  EXPECT_DOUBLE_EQ(counts.loaded, 4 / 5.0);
+  EXPECT_DOUBLE_EQ(counts.bonded, 2 / 5.0);
+  EXPECT_DOUBLE_EQ(counts.without, 1 / 5.0);
+  EXPECT_EQ(contact_counts(World{}, {}).touching, 0) << "no grains, no mean";
+}
+
+TEST(VolumeFraction, OfASquareLatticeIsAQuarterOfPi) {
+  const World world = make_world(lattice(6, 6, 0, 1));
+  EXPECT_NEAR(volume_fraction(world, 0, 6), std::numbers::pi / 4, tolerance::rounding());
+  EXPECT_NEAR(volume_fraction(world, 1, 3), std::numbers::pi / 4, tolerance::rounding());
+  EXPECT_NEAR(volume_fraction(world, 1.5, 3.5), std::numbers::pi / 4, tolerance::rounding());
+}
+
+TEST(VolumeFraction, OfATriangularLatticeIsTheDensestOne) {
+  const World world = make_world(lattice(6, 12, 0.5, kTriangularRise));
+  const double low = 3 * kTriangularRise, high = 9 * kTriangularRise;
+  EXPECT_NEAR(volume_fraction(world, low, high), std::numbers::pi / std::sqrt(12),
+              tolerance::rounding());
+}
+
+TEST(VolumeFraction, CutsDisksExactly) {
+  World world = make_world(lattice(4, 1, 0, 1));
+  const double h = 0.2;  // segment of height h of four disks of radius 1/2
+  const double segment = 0.25 * std::acos(1 - h / 0.5) - (0.5 - h) * std::sqrt(h - h * h);
+  EXPECT_NEAR(volume_fraction(world, 0, h), 4 * segment / (4 * h), tolerance::rounding());
+  EXPECT_NEAR(volume_fraction(world, 0, 0.5), std::numbers::pi / 4, tolerance::rounding());
+  EXPECT_EQ(volume_fraction(world, 2, 3), 0);
+  EXPECT_EQ(volume_fraction(world, 1, 1), 0) << "an empty slice";
+}
+
+TEST(VolumeFraction, ProfileAddsUpToTheTotal) {
+  const World world = make_world(falling_cluster(Method::automatic, 30, 3, {}));
+  World boxed = world;
+  boxed.box.width = 8;
+  for (int bins : {1, 7, 64}) {
+    const std::vector<double> profile = volume_fraction_profile(boxed, 9, bins);
+    ASSERT_EQ(profile.size(), static_cast<std::size_t>(bins));
+    EXPECT_NEAR(std::accumulate(profile.begin(), profile.end(), 0.0) / bins,
+                volume_fraction(boxed, 0, 9), tolerance::rounding());
+  }
+  double area = 0;
+  for (double r : boxed.disks.radius) area += std::numbers::pi * r * r;
+  EXPECT_NEAR(volume_fraction(boxed, -10, 20) * 8 * 30, area, tolerance::rounding(100));
+}
+
+TEST(Coordination, OfTheTwoLattices) {
+  // Inner disks have 4 and 6 neighbours, those of the first and last row 3 and 4.
+  const Sample square = measure(make_world(lattice(6, 6, 0, 1)));
+  EXPECT_NEAR(square.coordination, (4 * 4 + 2 * 3) / 6.0, tolerance::rounding());
+  EXPECT_EQ(square.contacts, 6 * 6 + 6 * 5);
+  const Sample triangular = measure(make_world(lattice(6, 8, 0.5, kTriangularRise)));
+  EXPECT_NEAR(triangular.coordination, (6 * 6 + 2 * 4) / 8.0, tolerance::rounding());
+}
+
+TEST(Coordination, CountsWallsAsNeighboursAndIntrudersNotAsGrains) {
+  Scenario scene = column(Method::automatic, 2);
+  scene.disks.push_back({.position = {0, 3.5}, .radius = 1.5, .role = Role::intruder});
+  const Sample sample = measure(make_world(scene));
+  EXPECT_EQ(sample.grains, 2);
+  EXPECT_EQ(sample.coordination, 2);
+  EXPECT_EQ(sample.packing_top, 2);
+  EXPECT_TRUE(sample.has_intruder);
+  EXPECT_EQ(sample.intruder_position, Vec2(0, 3.5));
+}
+
+// At rest the contacts carry its weight and what pushes it, whether bonds pull or not.
+TEST(Resistance, OfAnIntruderAtRestIsItsWeightAndThePush) {
+  for (const ContactLaw& law : {ContactLaw{}, paper_law(10)}) {
+    Scenario scene = column(Method::automatic, 2, law);
+    scene.disks.push_back(
+        {.position = {0, 3.5}, .radius = 1.5, .density = 0.5, .role = Role::intruder});
+    scene.disk_forces = {{0, 0, 0}, {0, 0, 0}, {0, -7, 0}};
+    scene.initial_bonds = InitialBonds::touching;
+    Simulation run(scene);
+    EXPECT_EQ(measure(run.world).resistance, 0) << "no step yet";
+    run.advance(3);
+    EXPECT_NEAR(measure(run.world).resistance, 0.5 * 9 + 7, tolerance::solved(10));
+  }
+}
+
+TEST(BondFractions, FollowTheBonds) {
+  Scenario scene = column(Method::automatic, 4, paper_law(10));
+  scene.initial_bonds = InitialBonds::touching;
+  World world = make_world(scene);
+  EXPECT_EQ(measure(world).active_bond_fraction, 1);
+  EXPECT_EQ(measure(world).remaining_bond_fraction, 1);
+  world.bonds.find({1, 2})->state = BondState::broken;
+  EXPECT_EQ(measure(world).active_bond_fraction, 0.75);
+  EXPECT_EQ(measure(world).remaining_bond_fraction, 0.75);
+  const Neighbours n = neighbours(world);
+  EXPECT_EQ(n.active, (std::vector<int>{2, 1, 1, 1}));
+  EXPECT_EQ(n.broken, (std::vector<int>{0, 1, 1, 0}));
+  EXPECT_EQ(n.initial, (std::vector<int>{2, 2, 2, 1}));
+  EXPECT_EQ(n.initial_active, (std::vector<int>{2, 1, 1, 1}));
+  EXPECT_EQ(n.touching, (std::vector<int>{2, 2, 2, 1}));
+}
+
+TEST(Energies, AreTheTextbookOnes) {
+  Scenario scene = empty_scene(Method::automatic);
+  scene.gravity = Vec2(0, -1);
+  scene.disks = {{.position = {0, 5}, .radius = 1, .velocity = {3, 4}, .spin = 2},
+                 {.position = {0, 9}, .velocity = {9, 9}, .fixed = true}};
+  const Energies e = energies(make_world(scene));
+  EXPECT_EQ(e.kinetic, 4 * 25 / 2.0);
+  EXPECT_EQ(e.rotational, 2 * 4 / 2.0);
+  EXPECT_EQ(e.potential, 4 * 5);
+}
+
+TEST(ContactPressure, IsTheCompressiveForceOverTheCircumference) {
+  Simulation run(column(Method::automatic, 3));
+  EXPECT_EQ(contact_pressure(run.world), std::vector<double>(3, 0)) << "before any step";
+  run.advance(3);
+  const std::vector<double> pressure = contact_pressure(run.world);
+  EXPECT_NEAR(pressure[0], (3 + 2) / std::numbers::pi, tolerance::solved());
+  EXPECT_NEAR(pressure[1], (2 + 1) / std::numbers::pi, tolerance::solved());
+  EXPECT_NEAR(pressure[2], 1 / std::numbers::pi, tolerance::solved());
+}
+
+TEST(ContactPressure, IsZeroUnderTension) {
+  Simulation run(hanging_chain(Method::automatic, 3, 10));
+  run.advance(3);
+  for (double p : contact_pressure(run.world)) EXPECT_NEAR(p, 0, tolerance::solved());
+  EXPECT_EQ(neighbours(run.world).loaded, (std::vector<int>{1, 2, 2, 1})) << "bonds count";
+}
+
+// The contacts are of the last step, but a bond that broke in it holds no more.
+TEST(LoadedNeighbours, DoNotCountABondThatJustBroke) {
+  Simulation run(pulled_pair(Method::automatic, 20, 10));
+  while (run.bonds_broken == 0 && run.world.step < 1000) run.advance();
+  ASSERT_EQ(run.bonds_broken, 1);
+  EXPECT_EQ(neighbours(run.world).loaded, (std::vector<int>{0, 0}));
+}
+
+TEST(PackingTop, MayBeBelowZero) {
+  World world;
+  world.disks.add({.position = {0, -20}});
+  world.disks.add({.position = {3, -18}});
+  EXPECT_EQ(packing_top(world), -17.5);
+}
+
+TEST(Measures, OfAnEmptyWorldAreZeroOrAbsent) {
+  const Sample sample = measure(make_world(empty_scene(Method::automatic)));
+  EXPECT_EQ(sample.grains, 0);
+  EXPECT_EQ(sample.coordination, 0);
+  EXPECT_EQ(sample.volume_fraction, 0);
+  EXPECT_FALSE(sample.active_bond_fraction.has_value()) << "there are no contacts";
+  EXPECT_FALSE(sample.remaining_bond_fraction.has_value()) << "there are no bonds";
+}
+
+}  // namespace
+}  // namespace quicksand

@@ -1,0 +1,157 @@
+
+#include "core/scene/scenario.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/errors.h"
+#include "core/scene/validate.h"
+#include "tests/support/bounded_memory.h"
+#include "tests/support/core/methods.h"
+#include "tests/support/core/scenes.h"
+
+namespace quicksand {
+namespace {
+
+// Where and what of the error, or "valid".
+std::string verdict(const Scenario& scene) {
+  try {
+    validate(scene);
+  } catch (const InputError& error) {
+    return error.where() + " " + error.what();
+  }
+  return "valid";
+}
+
+bool starts_with(const std::string& text, const char* start) { return text.rfind(start, 0) == 0; }
+
+TEST(Validation, AcceptsBodiesThatJustTouch) {
+  EXPECT_EQ(verdict(column(Method::automatic, 5, paper_law(10))), "valid");
+  EXPECT_EQ(verdict(small_collapse(Method::automatic)), "valid");
+  EXPECT_EQ(verdict(empty_scene(Method::automatic)), "valid");
+}
+
+TEST(Validation, RefusesOverlappingBodiesAndSaysByHowMuch) {
+  Scenario scene = column(Method::automatic, 3);
+  scene.disks[2].position.y() -= 0.25;
+  const std::string text = verdict(scene);
+  EXPECT_TRUE(starts_with(text, "bodies[1] overlaps bodies[2] by 0.25")) << text;
+  scene.disks[2].position.y() += 0.25 - 1e-10;  // rounding
+  EXPECT_EQ(verdict(scene), "valid");
+}
+
+// Their pairs would take 2 GB.
+TEST(Validation, RefusesManyBodiesInOnePlaceInLittleMemory) {
+  Scenario scene = empty_scene(Method::automatic);
+  scene.disks.assign(20000, {.position = {3, 3}});
+  const test::BoundedMemory bound(500'000'000);
+  EXPECT_THROW(validate(scene), InputError);
+}
+
+TEST(Validation, RefusesOverlapThroughThePeriodicSides) {
+  Scenario scene = empty_scene(Method::automatic);
+  scene.box = {.width = 5, .height = 5, .sides = Sides::periodic, .floor = false};
+  scene.disks = {{.position = {0.2, 1}}, {.position = {4.5, 1}}};
+  EXPECT_NE(verdict(scene), "valid");
+}
+
+TEST(Validation, RefusesBodiesBeyondAWall) {
+  Scenario scene = column(Method::automatic, 1);
+  for (double y : {0.4, -50.0}) {
+    scene.disks[0].position.y() = y;
+    EXPECT_TRUE(starts_with(verdict(scene), "bodies[0] overlaps wall 0")) << y;
+  }
+  Scenario sides = empty_scene(Method::automatic);
+  sides.box = {.width = 5, .height = 5, .sides = Sides::walls, .floor = false};
+  sides.disks = {{.position = {7, 1}}};
+  EXPECT_NE(verdict(sides), "valid");
+}
+
+TEST(Validation, RefusesAPeriodicBoxThatABodyCouldTouchTwice) {
+  Scenario scene = small_collapse(Method::automatic);
+  scene.box.width = 8.9;  // three intruder diameters are 9
+  EXPECT_TRUE(starts_with(verdict(scene), "box.width is 8.9 d")) << verdict(scene);
+  scene.box.width = 9;
+  EXPECT_EQ(verdict(scene), "valid");
+}
+
+TEST(Validation, RefusesADepositThatCannotBe) {
+  Scenario scene = small_collapse(Method::automatic);
+  scene.box.floor = false;
+  EXPECT_TRUE(starts_with(verdict(scene), "phases[0] a deposit needs a floor")) << verdict(scene);
+  scene = small_collapse(Method::automatic);
+  scene.gravity.reset();
+  EXPECT_TRUE(starts_with(verdict(scene), "phases[0] a deposit needs gravity")) << verdict(scene);
+  scene = small_collapse(Method::automatic);
+  scene.phases[0].kind = DepositPhase{};
+  EXPECT_TRUE(starts_with(verdict(scene), "phases[0] a deposit needs a number")) << verdict(scene);
+  scene = small_collapse(Method::automatic);
+  scene.box.sides = Sides::open;
+  EXPECT_NE(verdict(scene), "valid");
+}
+
+TEST(Validation, RefusesAnIntruderInsideASideWall) {
+  Scenario scene = small_collapse(Method::automatic);
+  scene.box.sides = Sides::walls;
+  scene.phases[2].kind = PushPhase{.diameter = 3, .force = 1, .x = 1.0};
+  EXPECT_TRUE(starts_with(verdict(scene), "phases[2]")) << verdict(scene);
+  scene.phases[2].kind = PushPhase{.diameter = 3, .force = 1, .x = 1.5};
+  EXPECT_EQ(verdict(scene), "valid");
+}
+
+// A wall with mass moves along x or y only; see walls.h.
+TEST(Validation, RefusesAPistonThatIsTilted) {
+  Scenario scene = empty_scene(Method::automatic);
+  scene.walls.push_back({.point = {0, 9}, .normal = Vec2(0.1, -1).normalized(), .mass = 1});
+  EXPECT_TRUE(starts_with(verdict(scene), "walls[0]")) << verdict(scene);
+  scene.walls[0].mass = 0;
+  EXPECT_EQ(verdict(scene), "valid");
+}
+
+// It is one wall, and not one in each image of the box.
+TEST(Validation, RefusesAWallThatIsNotTheSameInAllImages) {
+  Scenario scene = empty_scene(Method::automatic);
+  scene.box = {.width = 10, .height = 5, .sides = Sides::periodic, .floor = true};
+  scene.walls = {{.point = {0, 4}, .normal = {0, -1}}};
+  EXPECT_EQ(verdict(scene), "valid");
+  scene.walls[0].normal = {1, 0};
+  EXPECT_TRUE(starts_with(verdict(scene), "walls[0].normal")) << verdict(scene);
+  scene.box.sides = Sides::walls;
+  EXPECT_EQ(verdict(scene), "valid");
+}
+
+TEST(Validation, RefusesWallsInTheWayOfWhatComesFromAbove) {
+  for (const Phase& phase : {Phase{DepositPhase{.grains = 3}}, Phase{PushPhase{}}}) {
+    Scenario scene = small_collapse(Method::automatic);
+    scene.phases = {{DepositPhase{.grains = 3}}, {PistonPhase{}}, phase};
+    EXPECT_EQ(verdict(scene), "valid");
+    std::get<PistonPhase>(scene.phases[1].kind).remove = false;
+    EXPECT_TRUE(starts_with(verdict(scene), "phases[2]")) << verdict(scene);
+    scene.phases = {phase};
+    scene.box.sides = Sides::walls;
+    scene.walls = {{.point = {5, 0}, .normal = {1, 0}}};
+    EXPECT_TRUE(starts_with(verdict(scene), "phases[0]")) << verdict(scene);
+    scene.walls = {{.point = {0, 1}}};
+    EXPECT_EQ(verdict(scene), "valid") << "a second floor";
+  }
+}
+
+TEST(ModelTerms, ListOnlyWhatTheSceneNames) {
+  Scenario scene = empty_scene(Method::automatic);
+  EXPECT_EQ(model_terms(scene), (std::vector<std::string>{"volume exclusion"}));
+  scene = small_collapse(Method::automatic);
+  EXPECT_EQ(model_terms(scene),
+            (std::vector<std::string>{"volume exclusion", "gravity", "friction", "rolling friction",
+                                      "cohesion", "periodic sides", "walls"}));
+}
+
+TEST(Phases, HaveNames) {
+  const Scenario scene = small_collapse(Method::automatic);
+  EXPECT_EQ(phase_name(scene.phases[0]), "deposit");
+  EXPECT_EQ(phase_name(scene.phases[1]), "settle");
+  EXPECT_EQ(phase_name(scene.phases[2]), "push");
+  EXPECT_EQ(phase_name({HealPhase{}}), "heal");
+  EXPECT_EQ(phase_name({PistonPhase{}}), "piston");
+}
+
+}  // namespace
+}  // namespace quicksand

@@ -1,0 +1,68 @@
+// Counts the allocations of whole steps. Alone in its process, because it replaces operator new.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <new>
+
+#include "core/problem/solver_settings.h"
+#include "tests/support/core/methods.h"
+#include "tests/support/core/scenes.h"
+#include "tests/support/core/simulation.h"
+
+namespace {
+long allocations = 0;
+}
+
+// Not inlined, or the compiler warns of memory from malloc that is deleted.
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace quicksand {
+namespace {
+
+QUICKSAND_PER_SOLVER(Allocation);
+
+long allocations_of(Simulation& run, int steps) {
+  const long before = allocations;
+  run.advance(steps);
+  return allocations - before;
+}
+
+// Gauss-Seidel, which is there for comparison, keeps no memory and takes one array a solution.
+long allowed(Method method, int steps) { return method == Method::gauss_seidel ? steps : 0; }
+
+TEST_P(Allocation, ARestingPackingAllocatesNothingAfterTheFirstSteps) {
+  Scenario scene = column(GetParam(), 10, paper_law(100));
+  scene.solver.tolerance = 1e-6;
+  Simulation run(scene);
+  run.advance(10);
+  EXPECT_LE(allocations_of(run, 100), allowed(GetParam(), 100));
+}
+
+TEST(NscdAllocation, AStepAllocatesNothingAfterTheFirstSteps) {
+  Scenario scene = column(Method::automatic, 10, paper_law(100));
+  scene.step = nscd_step();
+  Simulation run(scene);
+  run.advance(10);
+  EXPECT_EQ(allocations_of(run, 100), 0);
+}
+
+// Grains that roll away: neighbours are searched and contacts ordered anew only now and then.
+TEST_P(Allocation, AMovingClusterAllocatesOnlyWhenItsListsAreMadeAnew) {
+  Scenario scene = falling_cluster(GetParam(), 16, 1, paper_law());
+  scene.solver.tolerance = 1e-6;
+  Simulation run(scene);
+  run.run_for(6);
+  int steps_that_allocate = 0;
+  for (int k = 0; k < 100; ++k)
+    steps_that_allocate += allocations_of(run, 1) > allowed(GetParam(), 1) ? 1 : 0;
+  EXPECT_LE(steps_that_allocate, 15);
+}
+
+}  // namespace
+}  // namespace quicksand

@@ -1,0 +1,115 @@
+// The energy of an unforced system never grows, and what is worked from outside is counted.
+#include "core/step/energy_balance.h"
+
+#include <gtest/gtest.h>
+
+#include "core/measures/measures.h"
+#include "core/phases/protocol.h"
+#include "core/scene/make_world.h"
+#include "core/scene/scenario.h"
+#include "tests/support/core/methods.h"
+#include "tests/support/core/scenes.h"
+
+namespace quicksand {
+namespace {
+
+QUICKSAND_PER_SOLVER(Energy);
+
+TEST_P(Energy, OfAnUnforcedSystemNeverGrows) {
+  Scenario scene = small_collapse(GetParam());
+  scene.gravity.reset();
+  // Thirty grains fly at each other and stick, bonds break and hold.
+  scene.phases = {{DepositPhase{.grains = 30, .interval = 0.02, .drop_velocity = 3}},
+                  {SettlePhase{.max_time = 1, .until_rest = false}}};
+  Protocol protocol(scene, make_world(scene));
+  while (protocol.phase() && std::holds_alternative<DepositPhase>(protocol.phase()->kind))
+    protocol.advance();
+  const ProtocolState before = protocol.state();
+  const auto moving = [&] {
+    const Energies e = energies(protocol.world());
+    return e.kinetic + e.rotational;
+  };
+  const double begin = moving();
+  while (protocol.advance() == Progress::running) {
+  }
+  const ProtocolState& after = protocol.state();
+  EXPECT_EQ(after.external_work, before.external_work);
+  EXPECT_LT(moving(), begin);
+  EXPECT_NEAR(after.energy_gained - before.energy_gained, 0, 1e-3 * begin);
+  EXPECT_NEAR(after.energy_dissipated - before.energy_dissipated, begin - moving(), 1e-2 * begin);
+}
+
+TEST_P(Energy, OfAFreeFallIsTheWorkOfGravity) {
+  Scenario scene;
+  scene.gravity = Vec2(0, -1);
+  scene.box = {.width = 0, .height = 10, .sides = Sides::open, .floor = false};
+  scene.solver.method = GetParam();
+  scene.disks = {{.position = {0, 5}}};
+  scene.phases = {{SettlePhase{.max_time = 1, .until_rest = false}}};
+  Protocol protocol(scene, make_world(scene));
+  while (protocol.advance() == Progress::running) {
+  }
+  const double fallen = 5 - protocol.world().disks.position[0].y();
+  EXPECT_NEAR(protocol.state().external_work, fallen, 1e-12);
+  // Implicit Euler takes dt^2/2 of it a step.
+  EXPECT_NEAR(protocol.state().energy_dissipated, 100 * 1e-4 / 2, 1e-12);
+  EXPECT_EQ(protocol.state().energy_gained, 0);
+}
+
+// What pushes a disk along as prescribed works on it: from rest to the wall's velocity in one step.
+TEST_P(Energy, IncludesTheWorkOfPrescribedMotion) {
+  Scenario scene;
+  scene.box = {.width = 0, .height = 10, .sides = Sides::open, .floor = false};
+  scene.solver.method = GetParam();
+  scene.disks = {{.position = {0, 0.5}}};
+  scene.walls = {{.point = {0, 0}, .normal = {0, 1}, .velocity = {0, 2}}};
+  scene.phases = {{SettlePhase{.max_time = 0.1, .until_rest = false}}};
+  Protocol protocol(scene, make_world(scene));
+  while (protocol.advance() == Progress::running) {
+  }
+  EXPECT_NEAR(protocol.state().external_work, 4, 1e-4);
+  EXPECT_NEAR(protocol.state().energy_dissipated, 2, 1e-4);
+  EXPECT_NEAR(protocol.state().energy_gained, 0, 1e-4);
+}
+
+// A belt, which has a mass across itself, drags a disk along: its drive works against the friction.
+TEST_P(Energy, IncludesTheWorkOfAWallThatGlidesAlongItself) {
+  double dissipated[2];
+  for (const bool heavy : {false, true}) {
+    Scenario scene;
+    scene.box = {.width = 0, .height = 10, .sides = Sides::open, .floor = false};
+    scene.solver.method = GetParam();
+    scene.gravity = Vec2(0, -1);
+    scene.grain_law.friction = 0.3;
+    scene.disks = {{.position = {0, 0.5}}};
+    // Carried by a force that balances both weights.
+    scene.walls = {{.velocity = {2, 0}, .mass = heavy ? 3.0 : 0, .force = heavy ? 4.0 : 0}};
+    scene.phases = {{SettlePhase{.max_time = 0.5, .until_rest = false}}};
+    Protocol protocol(scene, make_world(scene));
+    while (protocol.advance() == Progress::running) {
+    }
+    EXPECT_NEAR(protocol.state().external_work, 0.3 * 2 * 0.5, 1e-9) << heavy;
+    EXPECT_NEAR(protocol.state().energy_gained, 0, 1e-9) << heavy;
+    dissipated[heavy ? 1 : 0] = protocol.state().energy_dissipated;
+  }
+  EXPECT_NEAR(dissipated[0], dissipated[1], 1e-9);
+}
+
+// Overlaps that are pushed apart give energy: that is what `energy_gained` is there to show.
+TEST_P(Energy, ThatOverlapsBringIsSeen) {
+  Scenario scene;
+  scene.box = {.width = 0, .height = 10, .sides = Sides::open, .floor = false};
+  scene.solver.method = GetParam();
+  scene.disks = {{.position = {0, 0}}, {.position = {1, 0}}};
+  scene.phases = {{SettlePhase{.max_time = 0.1, .until_rest = false}}};
+  World world = make_world(scene);
+  world.disks.position[1].x() -= 0.01;
+  Protocol protocol(scene, world);
+  while (protocol.advance() == Progress::running) {
+  }
+  EXPECT_GT(protocol.state().energy_gained, 0.1);
+  EXPECT_NEAR(protocol.state().worst_overlap, 0.01, 1e-12);
+}
+
+}  // namespace
+}  // namespace quicksand
