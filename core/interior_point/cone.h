@@ -17,6 +17,7 @@
 
 #include "core/base/types.h"
 #include "core/linear/block_lu.h"
+#include "core/problem/projection.h"
 
 namespace quicksand {
 
@@ -35,7 +36,7 @@ struct BoundedForce {
   double stiffness = 0, coupling = 0, aim = 0;  // dx = stiffness (aim - du - coupling dN)
 
   void start(double force, double n, double speed, double least_n, double least_speed) {
-    x = std::clamp(force, -limit * n, limit * n);
+    x = project_bounded(force, limit * n);
     const double least_x = limit * least_n;
     low = std::max(limit * n + x, start_beside(speed, least_speed, least_x));
     high = std::max(limit * n - x, start_beside(-speed, least_speed, least_x));
@@ -151,8 +152,7 @@ struct ContactCone {
   // The nearest admissible impulse: none at an open contact, friction within its bounds.
   Vec3 admissible_impulse(double delassus) const {
     if (n * delassus < s) return {0, 0, 0};
-    return {n, std::clamp(slide.x, -slide.limit * n, slide.limit * n),
-            std::clamp(roll.x, -roll.limit * n, roll.limit * n)};
+    return {n, project_bounded(slide.x, slide.limit * n), project_bounded(roll.x, roll.limit * n)};
   }
 
   // Raises the smaller factor of every product below `least`.

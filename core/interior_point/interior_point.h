@@ -53,7 +53,7 @@ class InteriorPoint {
   };
 
   void start(const ContactProblem& problem, double shift, const ContactState& state);
-  double admissible_product(const ContactProblem& problem, double admissible) const;
+  double admissible_product(const ContactProblem& problem, const SolverSettings& settings) const;
   void linearise(const ContactProblem& problem);
   // Heads for products tau; returns the step that reaches the boundary.
   double find_direction(const ContactProblem& problem, double tau, bool correct);
@@ -63,9 +63,12 @@ class InteriorPoint {
   double find_step(const ContactProblem& problem, double product, double least_product);
   bool finish(const ContactProblem& problem, const SolverSettings& settings, ContactState& state,
               SolveReport& report);
+  struct Path;
+  void iterate(Path& path);
+  bool accept(Path& path);
+  bool rescue(Path& path);
   // Whether at most so many sweeps of relaxation of relaxed_ were accepted; then it is the solution.
-  bool try_relaxation(const ContactProblem& problem, const SolverSettings& settings, int sweeps,
-                      ContactState& state, SolveReport& report);
+  bool try_relaxation(Path& path, int sweeps);
   double mean_product(double alpha) const;  // after a step of alpha along the direction
 
   ContactMatrix matrix_;

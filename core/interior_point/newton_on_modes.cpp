@@ -15,21 +15,21 @@ constexpr double kSettled = 1e-2;
 
 }  // namespace
 
-// One component of friction, bounded by limit N.
-void NewtonOnModes::read_bounded(double p, double u, double w, double limit, double q_n, double p_n,
-                                 int component, Mode& mode, Vec3& change, Mat3& stiffness) {
-  if (w <= 0) return;
-  const double q = p - u / w;
-  if (std::abs(q) <= limit * q_n) {
-    mode = Mode::held;
-    change[component] = -u / (kModesProximal * w);
-    stiffness(component, component) = 1 / (kModesProximal * w);
-    return;
+Status NewtonOnModes::read_bounded(std::size_t contact, int component, double limit, const Vec3& p,
+                                   const Vec3& q, const Vec3& u, const Vec3& w) {
+  if (w[component] <= 0) return Status::open;
+  Vec3& change = change_[contact];
+  Mat3& stiffness = stiffness_[contact];
+  const Status status = status_of_bounded(q[component], limit * q.x());
+  if (status == Status::held) {
+    change[component] = -u[component] / (kModesProximal * w[component]);
+    stiffness(component, component) = 1 / (kModesProximal * w[component]);
+  } else {
+    const double slope = status == Status::at_upper_bound ? limit : -limit;
+    change[component] = slope * (p.x() + change.x()) - p[component];
+    stiffness(component, 0) = slope * stiffness(0, 0);
   }
-  mode = q > 0 ? Mode::at_upper_bound : Mode::at_lower_bound;
-  const double slope = q > 0 ? limit : -limit;
-  change[component] = slope * (p_n + change.x()) - p;
-  stiffness(component, 0) = slope * stiffness(0, 0);
+  return status;
 }
 
 bool NewtonOnModes::read_modes(const ContactProblem& problem, const ContactState& state) {
@@ -47,17 +47,13 @@ bool NewtonOnModes::read_modes(const ContactProblem& problem, const ContactState
     Modes modes;
     stiffness_[c].setZero();
     change_[c] = -p;
-    const double q_n = p.x() - u.x() / w.x();
-    if (q_n > 0) {
-      modes.normal = Mode::held;
+    const Vec3 q = p - u.cwiseQuotient(w);
+    modes.normal = status_of_normal(q.x());
+    if (modes.normal == Status::held) {
       change_[c] = {-u.x() / (kModesProximal * w.x()), 0, 0};
       stiffness_[c](0, 0) = 1 / (kModesProximal * w.x());
-      if (problem.components >= 2)
-        read_bounded(p.y(), u.y(), w.y(), row.friction, q_n, p.x(), 1, modes.slide, change_[c],
-                     stiffness_[c]);
-      if (problem.components >= 3)
-        read_bounded(p.z(), u.z(), w.z(), row.rolling, q_n, p.x(), 2, modes.roll, change_[c],
-                     stiffness_[c]);
+      if (problem.components >= 2) modes.slide = read_bounded(c, 1, row.friction, p, q, u, w);
+      if (problem.components >= 3) modes.roll = read_bounded(c, 2, row.rolling, p, q, u, w);
     }
     same = same && modes == modes_[c];
     modes_[c] = modes;

@@ -13,11 +13,11 @@
 // the solution of the linear equations, which costs one more factorisation, or none while modes stay.
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <vector>
 
 #include "core/interior_point/contact_matrix.h"
-#include "core/problem/contact_problem.h"
+#include "core/problem/projection.h"
 #include "core/problem/solver_settings.h"
 
 namespace quicksand {
@@ -30,16 +30,16 @@ class NewtonOnModes {
                     int max_iterations, ContactMatrix& matrix, ContactState& state);
 
  private:
-  enum class Mode : std::uint8_t { free, held, at_upper_bound, at_lower_bound };
   struct Modes {
-    Mode normal = Mode::free, slide = Mode::free, roll = Mode::free;
+    Status normal = Status::open, slide = Status::open, roll = Status::open;
     bool operator==(const Modes&) const = default;
   };
 
   // Modes, and the impulses' change at dv = 0. Returns whether the modes are those of before.
   bool read_modes(const ContactProblem& problem, const ContactState& state);
-  static void read_bounded(double p, double u, double w, double limit, double q_n, double p_n,
-                           int component, Mode& mode, Vec3& change, Mat3& stiffness);
+  // One component of a closed contact: friction or rolling friction, bounded by `limit` N.
+  Status read_bounded(std::size_t contact, int component, double limit, const Vec3& p,
+                      const Vec3& q, const Vec3& u, const Vec3& w);
 
   std::vector<Modes> modes_;     // (nc)
   std::vector<Mat3> stiffness_;  // (nc)

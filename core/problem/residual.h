@@ -1,17 +1,14 @@
 // The one judge of every solver.
 //
-// For each contact, with W the diagonal of its own Delassus block and u = H v + offset,
-//   r_n = |N   - max(0, N - u_n/W_n)|
-//   r_t = |R_t - clamp(R_t - u_t/W_t, -mu N, mu N)|
-//   r_r = |T   - clamp(T   - w/W_r,   -mu_r N, mu_r N)| / r,  r the mean arm,
-// which all vanish exactly at a solution (natural map, [Acary 2018]).
+// Of each contact the largest component of its natural map counts (projection.h), that of T over the mean arm; all
+// vanish exactly at a solution.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/problem/contact_problem.h"
-#include "core/problem/delassus.h"
+#include "core/problem/projection.h"
 
 namespace quicksand {
 
@@ -25,18 +22,8 @@ struct Residual {
 // its inverse_delassus. [impulse]
 inline double contact_residual(const ContactProblem& problem, const ContactRow& row,
                                const Vec3& step, const Vec3& p, const Vec3& u) {
-  double r = std::abs(p.x() - std::max(0.0, p.x() - u.x() * step.x()));
-  const double n = std::max(0.0, p.x());
-  if (problem.components >= 2) {
-    const double bound = row.friction * n;
-    r = std::max(r, std::abs(p.y() - std::clamp(p.y() - u.y() * step.y(), -bound, bound)));
-  }
-  if (problem.components >= 3) {
-    const double bound = row.rolling * n;
-    r = std::max(r,
-                 std::abs(p.z() - std::clamp(p.z() - u.z() * step.z(), -bound, bound)) / row.arm);
-  }
-  return r;
+  const Vec3 off = natural_map(row, problem.components, p, p - u.cwiseProduct(step));
+  return std::max({std::abs(off.x()), std::abs(off.y()), std::abs(off.z()) / row.arm});
 }
 
 // Judges the impulses. The velocities are set to those that the impulses give, so that no solver can

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/problem/delassus.h"
+#include "core/problem/projection.h"
 #include "core/problem/residual.h"
 
 namespace quicksand {
@@ -26,12 +28,6 @@ constexpr double kWorth = 25;
 
 bool whole(const Vec3& im) { return im.isZero(0) || (im.minCoeff() > 0 && im.x() == im.y()); }
 
-Vec3 into_cone(const ContactRow& row, const Vec3& p) {
-  const double n = std::max(0.0, p.x());
-  return {n, std::clamp(p.y(), -row.friction * n, row.friction * n),
-          std::clamp(p.z(), -row.rolling * n, row.rolling * n)};
-}
-
 bool inside_cone(const ContactRow& row, const Vec3& p, double margin) {
   const auto inside = [&](double x, double bound) {
     return std::abs(x) <= (1 - kShareInside) * bound - margin;
@@ -48,7 +44,7 @@ bool LocalSolver::assign_roles(const ContactProblem& problem, double admissible,
   for (std::size_t c = 0; c < role_.size(); ++c) {
     const ContactRow& row = problem.contacts[c];
     Vec3& p = state.impulse[c];
-    p = into_cone(row, p);
+    p = project(row, p);
     role_[c] = Role::active;
     if (p.x() == 0) {
       const Vec3 u = relative_velocity(row, state.velocity[row.a], state.velocity[row.b]);
@@ -175,7 +171,7 @@ int LocalSolver::activate_violated(const ContactProblem& problem, double admissi
     }
     if (!clusters_.in_tree(c)) return -1;
     // What the contact keeps, should the next tree leave it out.
-    state.impulse[c] = into_cone(row, state.impulse[c]);
+    state.impulse[c] = project(row, state.impulse[c]);
     violation_[c] = v;
     worst_at_[row.a] = std::max(worst_at_[row.a], v);
     worst_at_[row.b] = std::max(worst_at_[row.b], v);

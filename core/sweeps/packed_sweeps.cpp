@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/problem/projection.h"
 #include "core/problem/residual.h"
 
 namespace quicksand {
@@ -87,13 +88,11 @@ void PackedSweeps::load(const ContactProblem& problem, const std::vector<Vec3>& 
   const double u_t = nx * uy - ny * ux + (k.arm_b * b.spin - k.arm_a * a.spin);
   const double w = b.spin - a.spin;
 
-  const double normal = std::max(0.0, row.normal - u_n * k.inv_n);
-  const double slip = k.friction * normal;
-  const double tangent = std::min(std::max(row.tangent - u_t * k.inv_t, -slip), slip);
+  const double normal = project_normal(row.normal - u_n * k.inv_n);
+  const double tangent = project_bounded(row.tangent - u_t * k.inv_t, k.friction * normal);
   const double dn = normal - row.normal, dt = tangent - row.tangent;
-  const double roll = k.rolling * normal;
   const double turned = w + k.spin_of_tangent * dt;
-  const double rolling = std::min(std::max(row.rolling - turned * k.inv_r, -roll), roll);
+  const double rolling = project_bounded(row.rolling - turned * k.inv_r, k.rolling * normal);
   const double dr = rolling - row.rolling;
   row.normal = normal;
   row.tangent = tangent;

@@ -1,11 +1,11 @@
 // One contact solved against the present velocities of its two bodies, the step of Gauss-Seidel methods.
 #pragma once
 
-#include <algorithm>
 #include <vector>
 
 #include "core/problem/contact_problem.h"
 #include "core/problem/delassus.h"
+#include "core/problem/projection.h"
 
 namespace quicksand {
 
@@ -33,7 +33,7 @@ void relax_contact(const ContactProblem& problem, std::size_t c, const Vec3& inv
   const Vec2 t = perpendicular(n);
   double u_n = row.offset.x() + n.dot(vb.head<2>() - va.head<2>());
   if constexpr (Components >= 2) u_n += row.spin_b.x() * vb.z() - row.spin_a.x() * va.z();
-  const double new_n = std::max(0.0, p.x() - u_n * inv.x());
+  const double new_n = project_normal(p.x() - u_n * inv.x());
   const double dn = new_n - p.x();
   p.x() = new_n;
   va.head<2>() -= dn * ima.head<2>().cwiseProduct(n);
@@ -44,8 +44,7 @@ void relax_contact(const ContactProblem& problem, std::size_t c, const Vec3& inv
     vb.z() += dn * row.spin_b.x() * imb.z();
     const double u_t = row.offset.y() + t.dot(vb.head<2>() - va.head<2>()) +
                        row.spin_b.y() * vb.z() - row.spin_a.y() * va.z();
-    const double bound = row.friction * new_n;
-    const double new_t = std::clamp(p.y() - u_t * inv.y(), -bound, bound);
+    const double new_t = project_bounded(p.y() - u_t * inv.y(), row.friction * new_n);
     const double d = new_t - p.y();
     p.y() = new_t;
     va.head<2>() -= d * ima.head<2>().cwiseProduct(t);
@@ -54,9 +53,8 @@ void relax_contact(const ContactProblem& problem, std::size_t c, const Vec3& inv
     vb.z() += d * row.spin_b.y() * imb.z();
   }
   if constexpr (Components >= 3) {
-    const double bound = row.rolling * new_n;
-    const double new_r =
-        std::clamp(p.z() - (row.offset.z() + vb.z() - va.z()) * inv.z(), -bound, bound);
+    const double w = row.offset.z() + vb.z() - va.z();
+    const double new_r = project_bounded(p.z() - w * inv.z(), row.rolling * new_n);
     const double d = new_r - p.z();
     p.z() = new_r;
     va.z() -= d * ima.z();
