@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/json/fields.h"
+#include "core/bodies/contact_law.h"
 #include "core/scene/phases.h"
 
 namespace quicksand {

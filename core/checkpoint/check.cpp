@@ -127,8 +127,10 @@ const char* impossible(const Checkpoint& checkpoint) {
   if (protocol.search.base)
     if (const char* problem = impossible(*protocol.search.base)) return problem;
   if (protocol.phase < 0 ||
-      !finite(protocol.phase_start, protocol.next_drop, protocol.rest_since, protocol.trial_start))
+      !finite(protocol.phase_start, protocol.rest_since, protocol.trial_start))
     return "the protocol stands nowhere";
+  for (const auto& [name, number] : protocol.memory)
+    if (!finite(number)) return "what the phase remembers is not a number";
   const SweepErrors& errors = protocol.sweep_errors;
   if (!possible(errors.residual) || !possible(errors.bond_gap) || !possible(errors.penetration))
     return "no such distribution of errors";

@@ -24,7 +24,7 @@ using Reader = CheckpointReader;
 static_assert(std::endian::native == std::endian::little, "arrays are stored little-endian");
 
 constexpr const char* kFormat = "quicksand checkpoint";
-constexpr int kVersion = 5, kOldestVersion = 4;
+constexpr int kVersion = 6, kOldestVersion = 4;
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{4} << 30U;  // [bytes]
 // Memory that reading takes: the bytes are there as they are, as JSON and as a world.
 constexpr double kBytesPerByte = 4;
@@ -116,9 +116,7 @@ void describe_protocol(Archive& archive, State& state) {
   archive.value("phase", state.phase);
   archive.value("entered", state.entered);
   archive.value("phase_start", state.phase_start);
-  archive.value("next_drop", state.next_drop);
-  archive.value("dropped", state.dropped);
-  archive.value("full", state.full);
+  archive.added("memory", state.memory);
   archive.value("rest_since", state.rest_since);
   archive.value("unconverged_steps", state.unconverged_steps);
   archive.value("halved_steps", state.halved_steps);
@@ -139,6 +137,14 @@ void describe_protocol(Archive& archive, State& state) {
   describe_errors("sweep_residual", state.sweep_errors.residual);
   describe_errors("sweep_bond_gap", state.sweep_errors.bond_gap);
   describe_errors("sweep_penetration", state.sweep_errors.penetration);
+}
+
+// Before phases had a memory of their own, that of a deposit was part of the protocol's.
+constexpr int kFirstWithMemory = 6;
+void read_deposit(const Json& protocol, ProtocolState& state) {
+  state.memory = {{"next_drop", protocol.at("next_drop").get<double>()},
+                  {"dropped", protocol.at("dropped").get<double>()},
+                  {"full", protocol.at("full").get<bool>() ? 1.0 : 0.0}};
 }
 
 void write_world(Writer& w, const World& world) {
@@ -321,6 +327,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
     checkpoint.world = world_from(json.at("world"));
     Reader reader(json.at("protocol"));
     describe_protocol(reader, checkpoint.protocol);
+    if (version < kFirstWithMemory) read_deposit(json.at("protocol"), checkpoint.protocol);
     Reader searches(json.at("search"));
     read_search(searches, checkpoint.protocol);
     Reader(json).array("samples", checkpoint.samples);

@@ -10,6 +10,11 @@ namespace quicksand {
 
 enum class SearchKind : std::uint8_t { none, pull, shear, adiabatic, push };
 
+// Whether it is a critical force.
+constexpr bool is_of_force(SearchKind kind) {
+  return kind == SearchKind::pull || kind == SearchKind::shear || kind == SearchKind::push;
+}
+
 // The smallest force that takes a body out, moves it, or makes it enter.
 struct CriticalForce {
   int phase = 0;  // index

@@ -1,21 +1,38 @@
 // The phase "heal": broken or missing bonds are restored at the contacts that are there. Bonds that
 // wait heal like radioactive nuclei decay, each by itself at the rate 1/healing_time.
 #include <cmath>
+#include <vector>
 
-#include "core/phases/protocol.h"
+#include "core/phases/running_phase.h"
 
 namespace quicksand {
 
-void Protocol::enter(const HealPhase& phase) {
-  const double chance = phase.waited ? -std::expm1(-*phase.waited / *phase.healing_time) : 1;
-  std::vector<Pair> healed;
-  for (const Pair& pair : bondable_pairs(world_)) {
-    const Bond* bond = world_.bonds.find(pair);
-    const bool candidate =
-        bond ? bond->state == BondState::broken : phase.which == HealPhase::Which::touching;
-    if (candidate && (!phase.waited || world_.random.uniform() < chance)) healed.push_back(pair);
+namespace {
+
+class Heal final : public RunningPhaseOf<HealPhase> {
+ public:
+  using RunningPhaseOf::RunningPhaseOf;
+
+  void begin(Stage& stage) override {
+    const auto& [which, waited, healing_time] = settings();
+    const double chance = waited ? -std::expm1(-*waited / *healing_time) : 1;
+    World& world = stage.world;
+    std::vector<Pair> healed;
+    for (const Pair& pair : bondable_pairs(world)) {
+      const Bond* bond = world.bonds.find(pair);
+      const bool candidate =
+          bond ? bond->state == BondState::broken : which == HealPhase::Which::touching;
+      if (candidate && (!waited || world.random.uniform() < chance)) healed.push_back(pair);
+    }
+    world.bonds.heal(healed);
   }
-  world_.bonds.heal(healed);
+  bool finished(Stage&) override { return true; }
+};
+
+}  // namespace
+
+std::unique_ptr<RunningPhase> running(const HealPhase& settings) {
+  return std::make_unique<Heal>(settings);
 }
 
 }  // namespace quicksand

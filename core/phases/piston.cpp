@@ -4,7 +4,7 @@
 #include <numbers>
 #include <optional>
 
-#include "core/phases/protocol.h"
+#include "core/phases/running_phase.h"
 
 namespace quicksand {
 
@@ -28,39 +28,47 @@ double filled_below(const World& world) {
   return room > 0 ? area / room : std::numeric_limits<double>::infinity();
 }
 
+// The piston is the last wall as long as its phase lasts.
+class Piston final : public RunningPhaseOf<PistonPhase> {
+ public:
+  using RunningPhaseOf::RunningPhaseOf;
+
+  void begin(Stage& stage) override {
+    World& world = stage.world;
+    stage.form_bonds(settings().bonding, settings().bonds);
+    if (world.bonds.initial == 0) world.bonds.mark_initial();
+    world.walls.push_back({.point = {0, highest_point(world.disks)},
+                           .normal = {0, -1},
+                           .mass = settings().mass,
+                           .role = WallRole::piston});
+  }
+
+  void before_step(Stage& stage) override {
+    const double ramp = settings().ramp_time, force = settings().force;
+    const bool full = ramp == 0 || stage.lasted(ramp);
+    stage.world.walls.back().force = full ? force : force * stage.since_start() / ramp;
+  }
+
+  bool finished(Stage& stage) override {
+    if (stage.lasted(settings().max_time)) return true;
+    const std::optional<double>& filled = settings().volume_fraction;
+    if (filled && filled_below(stage.world) >= *filled) return true;
+    if (!stage.lasted(settings().ramp_time)) return false;  // rest counts from the end of the ramp
+    if (settings().until == RestOf::all)
+      return stage.at_rest(settings().rest_speed, settings().rest_time);
+    const double speed = stage.world.walls.back().velocity.norm();
+    return stage.rested(speed <= settings().rest_speed, settings().rest_time);
+  }
+
+  void end(Stage& stage) override {
+    if (settings().remove) remove_last_wall(stage.world);
+  }
+};
+
 }  // namespace
 
-void Protocol::enter(const PistonPhase& phase) {
-  form_bonds(phase.bonding, phase.bonds);
-  if (world_.bonds.initial == 0) world_.bonds.mark_initial();
-  world_.walls.push_back({.point = {0, highest_point(world_.disks)},
-                          .normal = {0, -1},
-                          .mass = phase.mass,
-                          .role = WallRole::piston});
-}
-
-// The piston is the last wall as long as its phase lasts.
-void Protocol::before_step(const PistonPhase& phase) {
-  const double since = world_.time - state_.phase_start;
-  const bool full = phase.ramp_time == 0 || lasted(phase.ramp_time);
-  world_.walls.back().force = full ? phase.force : phase.force * since / phase.ramp_time;
-}
-
-bool Protocol::is_over(const PistonPhase& phase) {
-  if (lasted(phase.max_time)) return true;
-  if (phase.volume_fraction && filled_below(world_) >= *phase.volume_fraction) return true;
-  if (!lasted(phase.ramp_time)) return false;  // rest counts from the end of the ramp
-  const double speed = world_.walls.back().velocity.norm();
-  return phase.until == RestOf::driven ? rested(speed <= phase.rest_speed, phase.rest_time)
-                                       : at_rest(phase.rest_speed, phase.rest_time);
-}
-
-double Protocol::progress(const PistonPhase& phase) const {
-  return (world_.time - state_.phase_start) / phase.max_time;
-}
-
-void Protocol::leave(const PistonPhase& phase) {
-  if (phase.remove) remove_last_wall(world_);
+std::unique_ptr<RunningPhase> running(const PistonPhase& settings) {
+  return std::make_unique<Piston>(settings);
 }
 
 }  // namespace quicksand

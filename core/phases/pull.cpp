@@ -1,37 +1,55 @@
 // The phase "pull": the smallest upward force that takes the intruder out.
-#include "core/measures/critical_force.h"
-#include "core/measures/measures.h"
-#include "core/phases/protocol.h"
+#include "core/phases/running_phase.h"
 #include "core/world/extent.h"
 
 namespace quicksand {
 
-void Protocol::enter(const PullPhase& phase) {
-  form_bonds(false);
-  begin_search(SearchKind::pull);
-  Search& search = state_.search;
-  search.bracket.first = phase.trials.first_force;
-  const int intruder = world_.intruder();
-  if (intruder < 0) return;
-  const double height = world_.disks.position[intruder].y();
-  search.targets = {{.body = intruder,
-                     .depth = packing_top(world_) - height,
-                     .weight_above = weight_above(world_, height)}};
+namespace {
+
+class Pull final : public RunningPhaseOf<PullPhase> {
+ public:
+  using RunningPhaseOf::RunningPhaseOf;
+
+  SearchKind searches_for() const override { return SearchKind::pull; }
+
+  void begin(Stage& stage) override {
+    stage.form_bonds(false);
+    begin_search(stage, SearchKind::pull);
+    Search& search = stage.state.search;
+    search.bracket.first = settings().trials.first_force;
+    const World& world = stage.world;
+    const int intruder = world.intruder();
+    if (intruder < 0) return;
+    const double height = world.disks.position[intruder].y();
+    search.targets = {{.body = intruder,
+                       .depth = packing_top(world) - height,
+                       .weight_above = weight_above(world, height)}};
+  }
+
+  void before_step(Stage& stage) override { begin_force_trial(stage, {0, 1}); }
+
+  bool finished(Stage& stage) override {
+    const Search& search = stage.state.search;
+    const SearchTrials& trials = settings().trials;
+    if (!search.trial_runs) return search_is_over(stage, trials, false);
+    const int intruder = search.targets.front().body;
+    const double height = stage.world.disks.position[intruder].y();
+    const Disks& before = search.base->disks;
+    const bool out = settings().distance
+                         ? height >= before.position[intruder].y() + *settings().distance
+                         : height - before.radius[intruder] > packing_top(*search.base);
+    return search_is_over(stage, trials, out, trials.until);
+  }
+
+  double progress(const Stage& stage) const override {
+    return search_progress(stage, settings().trials);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<RunningPhase> running(const PullPhase& settings) {
+  return std::make_unique<Pull>(settings);
 }
-
-void Protocol::before_step(const PullPhase&) { begin_force_trial({0, 1}); }
-
-bool Protocol::is_over(const PullPhase& phase) {
-  const Search& search = state_.search;
-  if (!search.trial_runs) return search_is_over(phase.trials, false);
-  const int intruder = search.targets.front().body;
-  const double height = world_.disks.position[intruder].y();
-  const Disks& before = search.base->disks;
-  const bool out = phase.distance ? height >= before.position[intruder].y() + *phase.distance
-                                  : height - before.radius[intruder] > packing_top(*search.base);
-  return search_is_over(phase.trials, out, phase.trials.until);
-}
-
-double Protocol::progress(const PullPhase& phase) const { return search_progress(phase.trials); }
 
 }  // namespace quicksand

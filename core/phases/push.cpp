@@ -1,59 +1,95 @@
 // The phase "push": an intruder is pushed into the packing, or the smallest force is sought with which it enters.
-#include "core/measures/critical_force.h"
-#include "core/measures/measures.h"
-#include "core/phases/protocol.h"
+#include "core/phases/running_phase.h"
 #include "core/world/ballistic.h"
 #include "core/world/extent.h"
 
 namespace quicksand {
 
+SearchTrials threshold_trials(const PushPhase& push) {
+  return {.first_force = push.force,
+          .tolerance = push.threshold.value_or(Threshold{}).tolerance,
+          .rest_speed = push.rest_speed,
+          .rest_time = push.rest_time,
+          .max_time = push.max_time};
+}
+
+namespace {
+
 // The intruder is the last disk as long as its phase lasts.
-void Protocol::enter(const PushPhase& phase) {
-  form_bonds(phase.bonding, phase.bonds);
-  world_.bonds.mark_initial();
-  const double radius = phase.diameter / 2;
-  const double x = phase.x.value_or(world_.box.width / 2);
-  const std::optional<Landing> landing = LandingSite(world_).land(x, radius);
-  const Vec2 centre = landing ? landing->centre : Vec2(x, radius);
-  const double top = packing_top(world_);
-  const int intruder = world_.disks.add(
-      {.position = centre, .radius = radius, .density = phase.density, .role = Role::intruder});
-  if (!phase.threshold) {
-    world_.disks.applied[intruder] = {0, -phase.force, 0};
-    return;
+class Push final : public RunningPhaseOf<PushPhase> {
+ public:
+  using RunningPhaseOf::RunningPhaseOf;
+
+  SearchKind searches_for() const override {
+    return settings().threshold ? SearchKind::push : SearchKind::none;
   }
-  begin_search(SearchKind::push);
-  state_.search.bracket.first = phase.force;
-  state_.search.targets = {{.body = intruder,
-                            .depth = top - centre.y(),
-                            .weight_above = weight_above(world_, centre.y())}};
-}
 
-void Protocol::before_step(const PushPhase&) {
-  if (seeks_threshold()) begin_force_trial({0, -1});
-}
-
-bool Protocol::is_over(const PushPhase& phase) {
-  const int intruder = world_.disks.size() - 1;
-  if (!seeks_threshold()) {
-    const bool rest = rests_of(phase.until, intruder, phase.rest_speed, phase.rest_time);
-    return rest || lasted(phase.max_time);
+  void begin(Stage& stage) override {
+    World& world = stage.world;
+    stage.form_bonds(settings().bonding, settings().bonds);
+    world.bonds.mark_initial();
+    const double radius = settings().diameter / 2;
+    const double x = settings().x.value_or(world.box.width / 2);
+    const std::optional<Landing> landing = LandingSite(world).land(x, radius);
+    const Vec2 centre = landing ? landing->centre : Vec2(x, radius);
+    const double top = packing_top(world);
+    const int intruder = world.disks.add({.position = centre,
+                                          .radius = radius,
+                                          .density = settings().density,
+                                          .role = Role::intruder});
+    if (!settings().threshold) return renew_force(stage);
+    begin_search(stage, SearchKind::push);
+    stage.state.search.bracket.first = settings().force;
+    stage.state.search.targets = {{.body = intruder,
+                                   .depth = top - centre.y(),
+                                   .weight_above = weight_above(world, centre.y())}};
   }
-  const Search& search = state_.search;
-  const double way =
-      search.base->disks.position[intruder].y() - world_.disks.position[intruder].y();
-  const bool entered =
-      search.trial_runs && way >= phase.threshold->distance.value_or(phase.diameter);
-  return search_is_over(threshold_trials(phase), entered, phase.until);
-}
 
-double Protocol::progress(const PushPhase& phase) const {
-  if (seeks_threshold()) return search_progress(threshold_trials(phase));
-  return (world_.time - state_.phase_start) / phase.max_time;
-}
+  void before_step(Stage& stage) override {
+    if (settings().threshold) begin_force_trial(stage, {0, -1});
+  }
 
-void Protocol::leave(const PushPhase& phase) {
-  if (phase.release) world_.disks.applied.back() = {0, 0, 0};
+  bool finished(Stage& stage) override {
+    const int intruder = stage.world.disks.size() - 1;
+    const RestOf until = settings().until;
+    if (!settings().threshold) {
+      const bool rest =
+          stage.rests_of(until, intruder, settings().rest_speed, settings().rest_time);
+      return rest || stage.lasted(settings().max_time);
+    }
+    const Search& search = stage.state.search;
+    const double way =
+        search.base->disks.position[intruder].y() - stage.world.disks.position[intruder].y();
+    const bool entered =
+        search.trial_runs && way >= settings().threshold->distance.value_or(settings().diameter);
+    return search_is_over(stage, threshold_trials(settings()), entered, until);
+  }
+
+  double progress(const Stage& stage) const override {
+    return settings().threshold ? search_progress(stage, threshold_trials(settings()))
+                                : RunningPhaseOf::progress(stage);
+  }
+
+  void end(Stage& stage) override {
+    if (settings().release) stage.world.disks.applied.back() = {0, 0, 0};
+  }
+
+  void settings_changed(Stage& stage, const Phase& before) override {
+    RunningPhaseOf::settings_changed(stage, before);
+    const auto* pushed = std::get_if<PushPhase>(&before.kind);
+    if (!pushed || pushed->force != settings().force) renew_force(stage);
+  }
+
+  // A search sets its force in the next trial.
+  void renew_force(Stage& stage) override {
+    if (!settings().threshold) stage.world.disks.applied.back() = {0, -settings().force, 0};
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<RunningPhase> running(const PushPhase& settings) {
+  return std::make_unique<Push>(settings);
 }
 
 }  // namespace quicksand

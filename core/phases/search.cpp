@@ -3,107 +3,95 @@
 
 #include <cmath>
 
-#include "core/measures/critical_force.h"
-#include "core/phases/protocol.h"
-#include "core/world/extent.h"
+#include "core/phases/running_phase.h"
 
 namespace quicksand {
 
-SearchKind search_kind(const Phase& phase) {
-  if (std::holds_alternative<PullPhase>(phase.kind)) return SearchKind::pull;
-  if (std::holds_alternative<ShearPhase>(phase.kind)) return SearchKind::shear;
-  const auto* push = std::get_if<PushPhase>(&phase.kind);
-  if (push && push->threshold) return SearchKind::push;
-  const auto* deposit = std::get_if<DepositPhase>(&phase.kind);
-  return deposit && deposit->adiabatic ? SearchKind::adiabatic : SearchKind::none;
+SearchKind search_kind(const Phase& phase) { return running(phase)->searches_for(); }
+
+void begin_search(Stage& stage, SearchKind kind) {
+  stage.state.search = {};
+  stage.state.search.kind = kind;
+  stage.state.search.base = std::make_shared<const World>(stage.world);
 }
 
-SearchTrials threshold_trials(const PushPhase& push) {
-  return {.first_force = push.force,
-          .tolerance = push.threshold.value_or(Threshold{}).tolerance,
-          .rest_speed = push.rest_speed,
-          .rest_time = push.rest_time,
-          .max_time = push.max_time};
+void return_to_base(Stage& stage) {
+  const double time = stage.world.time;
+  const std::int64_t step = stage.world.step;
+  stage.world = *stage.state.search.base;
+  stage.world.time = time;
+  stage.world.step = step;
 }
 
-void Protocol::begin_search(SearchKind kind) {
-  state_.search = {};
-  state_.search.kind = kind;
-  state_.search.base = std::make_shared<const World>(world_);
+void begin_trial(Stage& stage) {
+  return_to_base(stage);
+  stage.state.search.trial_runs = true;
+  stage.state.trial_start = stage.world.time;
+  stage.state.rest_since = -1;
 }
 
-void Protocol::return_to_base() {
-  const double time = world_.time;
-  const std::int64_t step = world_.step;
-  world_ = *state_.search.base;
-  world_.time = time;
-  world_.step = step;
-}
-
-void Protocol::begin_trial() {
-  return_to_base();
-  state_.search.trial_runs = true;
-  state_.trial_start = world_.time;
-  state_.rest_since = -1;
-}
-
-void Protocol::begin_force_trial(const Vec2& direction) {
-  Search& search = state_.search;
+void begin_force_trial(Stage& stage, const Vec2& direction) {
+  Search& search = stage.state.search;
   if (search.trial_runs || search.targets.empty()) return;
-  begin_trial();
+  begin_trial(stage);
   ++search.trial;
   search.force = search.bracket.next();
   const Vec2 force = search.force * direction;
-  world_.disks.applied[search.targets.front().body] = {force.x(), force.y(), 0};
+  stage.world.disks.applied[search.targets.front().body] = {force.x(), force.y(), 0};
 }
 
-bool Protocol::search_is_over(const SearchTrials& trials, bool moved, RestOf until) {
-  Search& search = state_.search;
-  if (search.trial_runs && world_.time > state_.trial_start) {
-    const bool rests =
-        until == RestOf::all
-            ? at_rest(trials.rest_speed, trials.rest_time)
-            // A body at rest may still be given way by what breaks around it.
-            : rested(report_.bonds_broken == 0 &&
-                         world_.disks.velocity[search.targets.front().body].head<2>().norm() <=
-                             trials.rest_speed,
-                     trials.rest_time);
-    if (moved || rests || lasted(trials.max_time)) {
-      search.trial_runs = false;
-      if (!moved && !rests) ++search.undecided;
-      search.bracket.record(moved, rests);
-      if (search.bracket.done(trials.tolerance)) finish_target();
-    }
-  }
-  if (!search.targets.empty()) return false;
-  return_to_base();
-  return true;
-}
+namespace {
 
-void Protocol::finish_target() {
-  Search& search = state_.search;
+void finish_target(ProtocolState& state) {
+  Search& search = state.search;
   const World& base = *search.base;
   const SearchTarget& target = search.targets.front();
   const Vec2& centre = base.disks.position[target.body];
-  state_.critical_forces.push_back({.phase = state_.phase,
-                                    .kind = search.kind,
-                                    .body = target.body,
-                                    .position = {base.wrapped_x(centre.x()), centre.y()},
-                                    .depth = target.depth,
-                                    .weight_above = target.weight_above,
-                                    .force_low = search.bracket.low,
-                                    .force_held = search.bracket.held,
-                                    .force_high = search.bracket.high,
-                                    .trials = search.bracket.trials,
-                                    .undecided = search.undecided});
+  state.critical_forces.push_back({.phase = state.phase,
+                                   .kind = search.kind,
+                                   .body = target.body,
+                                   .position = {base.wrapped_x(centre.x()), centre.y()},
+                                   .depth = target.depth,
+                                   .weight_above = target.weight_above,
+                                   .force_low = search.bracket.low,
+                                   .force_held = search.bracket.held,
+                                   .force_high = search.bracket.high,
+                                   .trials = search.bracket.trials,
+                                   .undecided = search.undecided});
   search.targets.erase(search.targets.begin());
   ++search.finished;
   search.bracket = {.first = search.bracket.first};
   search.undecided = 0;
 }
 
-double Protocol::search_progress(const SearchTrials& trials) const {
-  const Search& search = state_.search;
+}  // namespace
+
+bool search_is_over(Stage& stage, const SearchTrials& trials, bool moved, RestOf until) {
+  Search& search = stage.state.search;
+  if (search.trial_runs && stage.world.time > stage.state.trial_start) {
+    const bool rests =
+        until == RestOf::all
+            ? stage.at_rest(trials.rest_speed, trials.rest_time)
+            // A body at rest may still be given way by what breaks around it.
+            : stage.rested(
+                  stage.last_step.bonds_broken == 0 &&
+                      stage.world.disks.velocity[search.targets.front().body].head<2>().norm() <=
+                          trials.rest_speed,
+                  trials.rest_time);
+    if (moved || rests || stage.lasted(trials.max_time)) {
+      search.trial_runs = false;
+      if (!moved && !rests) ++search.undecided;
+      search.bracket.record(moved, rests);
+      if (search.bracket.done(trials.tolerance)) finish_target(stage.state);
+    }
+  }
+  if (!search.targets.empty()) return false;
+  return_to_base(stage);
+  return true;
+}
+
+double search_progress(const Stage& stage, const SearchTrials& trials) {
+  const Search& search = stage.state.search;
   const double targets = search.finished + static_cast<double>(search.targets.size());
   if (targets == 0) return 1;
   // To find an interval [F, 2F], then to halve it.

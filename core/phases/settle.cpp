@@ -1,16 +1,25 @@
 // The phase "settle": nothing is added.
-#include "core/phases/protocol.h"
+#include "core/phases/running_phase.h"
 
 namespace quicksand {
 
-void Protocol::enter(const SettlePhase& phase) { form_bonds(phase.bonding, phase.bonds); }
+namespace {
 
-bool Protocol::is_over(const SettlePhase& phase) {
-  return lasted(phase.max_time) || (phase.until_rest && at_rest(phase.rest_speed, phase.rest_time));
-}
+class Settle final : public RunningPhaseOf<SettlePhase> {
+ public:
+  using RunningPhaseOf::RunningPhaseOf;
 
-double Protocol::progress(const SettlePhase& phase) const {
-  return (world_.time - state_.phase_start) / phase.max_time;
+  void begin(Stage& stage) override { stage.form_bonds(settings().bonding, settings().bonds); }
+  bool finished(Stage& stage) override {
+    return stage.lasted(settings().max_time) ||
+           (settings().until_rest && stage.at_rest(settings().rest_speed, settings().rest_time));
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<RunningPhase> running(const SettlePhase& settings) {
+  return std::make_unique<Settle>(settings);
 }
 
 }  // namespace quicksand

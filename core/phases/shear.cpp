@@ -4,7 +4,7 @@
 
 #include "core/measures/critical_force.h"
 #include "core/measures/measures.h"
-#include "core/phases/protocol.h"
+#include "core/phases/running_phase.h"
 #include "core/world/extent.h"
 
 namespace quicksand {
@@ -34,35 +34,51 @@ void draw(std::vector<int>& items, std::size_t most, Random& random) {
   if (items.size() > most) items.resize(most);
 }
 
+class Shear final : public RunningPhaseOf<ShearPhase> {
+ public:
+  using RunningPhaseOf::RunningPhaseOf;
+
+  SearchKind searches_for() const override { return SearchKind::shear; }
+
+  void begin(Stage& stage) override {
+    World& world = stage.world;
+    stage.form_bonds(false);
+    std::vector<SearchTarget> targets;
+    const double top = packing_top(world);
+    for (const double depth : settings().depths) {
+      std::vector<int> grains = grains_at(world, top - depth);
+      draw(grains, static_cast<std::size_t>(settings().grains_per_depth), world.random);
+      for (const int grain : grains)
+        targets.push_back(
+            {.body = grain, .depth = depth, .weight_above = weight_above(world, top - depth)});
+    }
+    begin_search(stage, SearchKind::shear);
+    stage.state.search.targets = std::move(targets);
+    stage.state.search.bracket.first = settings().trials.first_force;
+  }
+
+  void before_step(Stage& stage) override { begin_force_trial(stage, {1, 0}); }
+
+  bool finished(Stage& stage) override {
+    const Search& search = stage.state.search;
+    const SearchTrials& trials = settings().trials;
+    if (!search.trial_runs) return search_is_over(stage, trials, false);
+    // Positions are not wrapped at periodic sides.
+    const int grain = search.targets.front().body;
+    const double moved =
+        stage.world.disks.position[grain].x() - search.base->disks.position[grain].x();
+    return search_is_over(stage, trials, moved >= settings().distance, trials.until);
+  }
+
+  double progress(const Stage& stage) const override {
+    return search_progress(stage, settings().trials);
+  }
+};
+
 }  // namespace
 
-void Protocol::enter(const ShearPhase& phase) {
-  form_bonds(false);
-  std::vector<SearchTarget> targets;
-  const double top = packing_top(world_);
-  for (const double depth : phase.depths) {
-    std::vector<int> grains = grains_at(world_, top - depth);
-    draw(grains, static_cast<std::size_t>(phase.grains_per_depth), world_.random);
-    for (const int grain : grains)
-      targets.push_back(
-          {.body = grain, .depth = depth, .weight_above = weight_above(world_, top - depth)});
-  }
-  begin_search(SearchKind::shear);
-  state_.search.targets = std::move(targets);
-  state_.search.bracket.first = phase.trials.first_force;
+std::unique_ptr<RunningPhase> running(const ShearPhase& settings) {
+  return std::make_unique<Shear>(settings);
 }
-
-void Protocol::before_step(const ShearPhase&) { begin_force_trial({1, 0}); }
-
-bool Protocol::is_over(const ShearPhase& phase) {
-  const Search& search = state_.search;
-  if (!search.trial_runs) return search_is_over(phase.trials, false);
-  // Positions are not wrapped at periodic sides.
-  const int grain = search.targets.front().body;
-  const double moved = world_.disks.position[grain].x() - search.base->disks.position[grain].x();
-  return search_is_over(phase.trials, moved >= phase.distance, phase.trials.until);
-}
-
-double Protocol::progress(const ShearPhase& phase) const { return search_progress(phase.trials); }
 
 }  // namespace quicksand

@@ -5,6 +5,7 @@
 
 #include "core/problem/solver_settings.h"
 #include "core/step/energy_balance.h"
+#include "core/step/step_settings.h"
 #include "core/sweeps/nscd.h"
 #include "core/world/world.h"
 

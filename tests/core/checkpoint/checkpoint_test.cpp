@@ -116,7 +116,7 @@ TEST_F(CheckpointFile, HoldsTheWholeWorld) {
   EXPECT_EQ(read.world.bonds.formed, original_.world.bonds.formed);
   EXPECT_EQ(read.world.walls.size(), original_.world.walls.size());
   EXPECT_EQ(read.world.walls[0].role, original_.world.walls[0].role);
-  EXPECT_EQ(read.protocol.next_drop, original_.protocol.next_drop);
+  EXPECT_EQ(read.protocol.memory, original_.protocol.memory);
   EXPECT_EQ(read.protocol.phase, original_.protocol.phase);
   EXPECT_EQ(read.scene, original_.scene);
 }
@@ -242,7 +242,7 @@ TEST_F(CheckpointFile, OfAnImpossibleWorldIsRefused) {
       [](Checkpoint& c) { c.world.way.surface = std::nan(""); },
       [](Checkpoint& c) { c.world.drag = Drag{.linear = -1}; },
       [](Checkpoint& c) { c.protocol.phase = -1; },
-      [](Checkpoint& c) { c.protocol.next_drop = std::nan(""); },
+      [](Checkpoint& c) { c.protocol.memory["next_drop"] = std::nan(""); },
   };
   for (std::size_t k = 0; k < spoil.size(); ++k) {
     Checkpoint spoiled = original_;

@@ -39,7 +39,7 @@ TEST_P(RunOfPhases, DepositEndsByNumber) {
   EXPECT_EQ(run.last, Progress::finished);
   const World& world = run.protocol.world();
   EXPECT_EQ(world.disks.size(), 12);
-  EXPECT_EQ(run.protocol.state().dropped, 12);
+  EXPECT_EQ(run.protocol.state().memory.at("dropped"), 12);
   // One grain every interval, the first at once, and the last has its interval too.
   EXPECT_NEAR(world.time, 12 * 0.02, tolerance::rounding());
   EXPECT_GE(world.bonds.formed, 12) << "every grain sticks where it lands";
@@ -55,7 +55,7 @@ TEST_P(RunOfPhases, DepositKeepsItsRateWhenTheStepDoesNotDivideTheInterval) {
 TEST_P(RunOfPhases, DepositEndsByHeightAndStaysBelowIt) {
   const Finished run(with_phases(GetParam(), {{DepositPhase{.height = 4, .interval = 0.02}}}));
   const World& world = run.protocol.world();
-  EXPECT_TRUE(run.protocol.state().full);
+  EXPECT_EQ(run.protocol.state().memory.at("full"), 1);
   EXPECT_GT(world.disks.size(), 10);
   EXPECT_LE(packing_top(world), 4 + 1e-3) << "settled grains only sink";
   EXPECT_GT(packing_top(world), 3);

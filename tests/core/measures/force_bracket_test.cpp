@@ -1,4 +1,4 @@
-#include "core/phases/force_bracket.h"
+#include "core/measures/force_bracket.h"
 
 #include <gtest/gtest.h>
 

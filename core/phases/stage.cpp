@@ -1,0 +1,46 @@
+#include "core/phases/stage.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quicksand {
+
+// Times are sums of steps: a moment that is due within rounding is due.
+bool Stage::due(double moment) const { return world.time >= moment - 1e-9 * std::max(1.0, moment); }
+
+void Stage::form_bonds(bool bonding, BondingTouch touch) {
+  world.bonding = bonding;
+  world.rebonding = bonding && touch == BondingTouch::every;
+}
+
+bool Stage::lasted(double duration) const { return due(state.trial_start + duration); }
+
+bool Stage::at_rest(double speed, double duration) {
+  const auto slow = [&](const auto& v) {
+    return v.template head<2>().squaredNorm() <= speed * speed;
+  };
+  const Disks& disks = world.disks;
+  bool all_slow = true;
+  for (int i = 0; i < disks.size(); ++i)
+    all_slow = all_slow && (disks.fixed(i) || slow(disks.velocity[i]));
+  return rested(all_slow && std::ranges::all_of(world.walls,
+                                                [&](const Wall& wall) {
+                                                  return wall.mass == 0 || slow(wall.velocity);
+                                                }),
+                duration);
+}
+
+bool Stage::rests_of(RestOf until, int disk, double speed, double duration) {
+  if (until == RestOf::all) return at_rest(speed, duration);
+  return rested(world.disks.velocity[disk].head<2>().norm() <= speed, duration);
+}
+
+bool Stage::rested(bool slow, double duration) {
+  if (!slow) state.rest_since = -1;
+  // Nothing has moved yet before the first step of a phase or trial.
+  else if (state.rest_since < 0 && world.time > state.trial_start)
+    state.rest_since = world.time;
+  return state.rest_since >= 0 && due(state.rest_since + duration);
+}
+
+}  // namespace quicksand

@@ -1,0 +1,32 @@
+// What a phase under way acts on: the world, where the protocol stands, and the step just made; with the questions that
+// most phases ask.
+#pragma once
+
+#include "core/phases/protocol_state.h"
+#include "core/scene/phases.h"
+#include "core/step/step.h"
+#include "core/world/world.h"
+
+namespace quicksand {
+
+struct Stage {
+  World& world;
+  ProtocolState& state;
+  const StepReport& last_step;
+
+  // Whether touches form bonds from now on, and which.
+  void form_bonds(bool bonding, BondingTouch touch = BondingTouch::first);
+  bool due(double moment) const;       // whether the world's time has reached it
+  bool lasted(double duration) const;  // whether the present phase has, or its trial
+  double since_start() const { return world.time - state.phase_start; }  // [sqrt(d/g)]
+
+  // The following are to be asked after each step.
+  // Whether all bodies, and walls with mass, have been slower than `speed` for `duration`.
+  bool at_rest(double speed, double duration);
+  // The same of all, or of this disk alone.
+  bool rests_of(RestOf until, int disk, double speed, double duration);
+  // Whether what is `slow` now has been so for `duration`.
+  bool rested(bool slow, double duration);
+};
+
+}  // namespace quicksand
