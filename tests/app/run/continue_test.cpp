@@ -6,6 +6,8 @@
 #include "app/run/run_scene.h"
 #include "app/scene_json/scenario_json.h"
 #include "core/base/errors.h"
+#include "core/checkpoint/checkpoint.h"
+#include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
@@ -85,6 +87,20 @@ TEST_F(ContinueTest, ItDrawsNoFramesWhereTheOnesBeforeAreMissing) {
     EXPECT_NE(std::string(error.what()).find("--no-frames"), std::string::npos) << error.what();
   }
   EXPECT_EQ(contents(in("deposit").summary()), before);
+}
+
+// tests/golden/deposit_format_5.cbor holds this scene after 40 steps, as format 5 had it.
+TEST(OlderState, InTheMiddleOfADepositGoesOnAsTheUnbrokenRun) {
+  const Checkpoint state = read_checkpoint(kSource / "tests/golden/deposit_format_5.cbor");
+  const Scenario scene = scenario_from_json(parse_json(state.scene));
+  Protocol unbroken(scene, make_world(scene));
+  Protocol resumed(scene, state.world, state.protocol);
+  ASSERT_EQ(unbroken.world().step, 0);
+  while (unbroken.world().step < state.world.step) unbroken.advance();
+  ASSERT_EQ(world_hash(unbroken.world()), world_hash(resumed.world()));
+  ASSERT_EQ(unbroken.state().memory, resumed.state().memory);
+  while (unbroken.advance() != Progress::finished) EXPECT_NE(resumed.advance(), Progress::failed);
+  EXPECT_EQ(world_hash(unbroken.world()), world_hash(resumed.world()));
 }
 
 }  // namespace
