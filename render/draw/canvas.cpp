@@ -6,7 +6,7 @@
 #include <string>
 
 #include "render/base/render_error.h"
-#include "render/draw/shaders.h"
+#include "render/gl/shaders.h"
 
 namespace quicksand {
 namespace {
@@ -26,7 +26,7 @@ Image to_rgb(const std::uint8_t* rgba, int width, int height) {
 
 }  // namespace
 
-Canvas::Canvas() : gl_(GlTable::load(&Offscreen::function)) {
+Canvas::Canvas() : gl_(GlTable::load(offscreen_)) {
   gl_.Enable(GL_BLEND);
   gl_.Enable(GL_SCISSOR_TEST);
   gl_.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);

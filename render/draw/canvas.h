@@ -7,8 +7,8 @@
 
 #include "render/base/camera.h"
 #include "render/base/colour.h"
-#include "render/draw/gl_table.h"
-#include "render/draw/offscreen.h"
+#include "render/gl/gl_table.h"
+#include "render/gl/offscreen.h"
 #include "render/image/image.h"
 
 namespace quicksand {

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "render/draw/shaders.h"
+#include "render/gl/shaders.h"
 
 namespace quicksand {
 namespace {

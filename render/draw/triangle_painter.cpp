@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "render/draw/shaders.h"
+#include "render/gl/shaders.h"
 
 namespace quicksand {
 namespace {

@@ -149,9 +149,10 @@ TEST(Includes, ThePanelLibraryStaysInThePanel) {
   expect_only({"imgui"}, {"app/gui/", "app/panel/", "app/widgets/"});
 }
 
-TEST(Includes, OsmesaAndGlStayInTheirFiles) {
-  expect_only({"GL/osmesa"}, {"render/draw/offscreen"});
-  expect_only({"GL/", "GLES"}, {"render/draw/offscreen", "render/draw/gl_table"});
+TEST(Includes, ContextsAndGlStayInTheirFiles) {
+  expect_only({"GL/osmesa"}, {"render/gl/osmesa_context"});
+  expect_only({"EGL/"}, {"render/gl/egl_context"});
+  expect_only({"GL/", "GLES"}, {"render/gl/"});
 }
 
 TEST(Includes, PictureLibrariesStayInRenderAndItsTests) {

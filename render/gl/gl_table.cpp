@@ -1,4 +1,4 @@
-#include "render/draw/gl_table.h"
+#include "render/gl/gl_table.h"
 
 #include <string>
 
@@ -8,8 +8,8 @@ namespace quicksand {
 namespace {
 
 template <typename Function>
-void load_one(GlTable::Loader loader, const char* name, Function& function) {
-  function = reinterpret_cast<Function>(loader(name));
+void load_one(const Offscreen& context, const char* name, Function& function) {
+  function = reinterpret_cast<Function>(context.function(name));
   if (function == nullptr) {
     throw RenderError(std::string("the OpenGL of this system lacks ") + name +
                       "; install the package libosmesa6");
@@ -18,9 +18,9 @@ void load_one(GlTable::Loader loader, const char* name, Function& function) {
 
 }  // namespace
 
-GlTable GlTable::load(Loader loader) {
+GlTable GlTable::load(const Offscreen& context) {
   GlTable table;
-#define QUICKSAND_GL_LOAD(name, type) load_one(loader, "gl" #name, table.name);
+#define QUICKSAND_GL_LOAD(name, type) load_one(context, "gl" #name, table.name);
   QUICKSAND_GL_FUNCTIONS(QUICKSAND_GL_LOAD)
 #undef QUICKSAND_GL_LOAD
   return table;

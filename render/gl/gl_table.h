@@ -4,6 +4,8 @@
 
 #include <GL/glcorearb.h>
 
+#include "render/gl/offscreen.h"
+
 namespace quicksand {
 
 // name, in the spelling of the GL without its prefix; the type follows from it
@@ -52,9 +54,8 @@ struct GlTable {
   QUICKSAND_GL_FUNCTIONS(QUICKSAND_GL_MEMBER)
 #undef QUICKSAND_GL_MEMBER
 
-  using Loader = void (*(*)(const char*))();
   // Throws RenderError, naming the function, if one is missing.
-  static GlTable load(Loader loader);
+  static GlTable load(const Offscreen& context);
 };
 
 }  // namespace quicksand

@@ -1,0 +1,50 @@
+// A drawing context without display or graphics card: OpenGL 3.3 core on Mesa's software rasteriser, through OSMesa or,
+// where that is missing or QUICKSAND_OFFSCREEN is "egl", through EGL without a surface.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+namespace quicksand {
+
+using GlFunction = void (*)();
+
+// What each of the two gives.
+class GlContext {
+ public:
+  GlContext() = default;
+  virtual ~GlContext() = default;
+  GlContext(const GlContext&) = delete;
+  GlContext& operator=(const GlContext&) = delete;
+
+  virtual bool is_current() const = 0;
+  // Makes this the context of the calling thread, drawing on a surface of that size [px].
+  virtual void make_current(int width, int height) = 0;
+  // Address of a GL function, null if there is none.
+  virtual GlFunction function(const char* name) const = 0;
+  // What was drawn, after glFinish: RGBA, rows from the top (height, width, 4).
+  virtual const std::uint8_t* pixels() = 0;
+};
+
+// Throw RenderError where they cannot make one.
+std::unique_ptr<GlContext> osmesa_context();
+std::unique_ptr<GlContext> egl_context();
+
+class Offscreen {
+ public:
+  // Sets, before making the context, the environment variables that make pixels reproducible, unless the
+  // user has set them. Throws RenderError.
+  Offscreen();
+
+  void make_current(int width, int height);
+  // The same, of the size that it has.
+  void make_current() { make_current(width_, height_); }
+  GlFunction function(const char* name) const { return context_->function(name); }
+  const std::uint8_t* pixels() { return context_->pixels(); }
+
+ private:
+  std::unique_ptr<GlContext> context_;
+  int width_ = 0, height_ = 0;
+};
+
+}  // namespace quicksand

@@ -1,0 +1,55 @@
+#include "render/gl/offscreen.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "render/base/render_error.h"
+
+namespace quicksand {
+namespace {
+
+// Sets the variable until the end of the block.
+class Chosen {
+ public:
+  explicit Chosen(const char* context) : before_(std::getenv(kVariable)) {
+    if (before_ != nullptr) kept_ = before_;
+    setenv(kVariable, context, 1);
+  }
+  ~Chosen() { before_ != nullptr ? setenv(kVariable, kept_.c_str(), 1) : unsetenv(kVariable); }
+  Chosen(const Chosen&) = delete;
+  Chosen& operator=(const Chosen&) = delete;
+
+ private:
+  static constexpr const char* kVariable = "QUICKSAND_OFFSCREEN";
+  const char* before_;
+  std::string kept_;
+};
+
+TEST(Offscreen, AContextThatThereIsNotIsRefusedWithThoseThatThereAre) {
+  const Chosen context("vulkan");
+  try {
+    const Offscreen offscreen;
+    FAIL() << "it was taken";
+  } catch (const RenderError& error) {
+    EXPECT_STREQ(error.what(), "QUICKSAND_OFFSCREEN is \"vulkan\"; it can be osmesa or egl");
+  }
+}
+
+TEST(Offscreen, HasASurfaceOfEachSizeThatIsAskedFor) {
+  for (const char* name : {"osmesa", "egl"}) {
+    const Chosen context(name);
+    Offscreen offscreen;
+    for (const int size : {1, 300, 7}) {
+      offscreen.make_current(size, 2 * size);
+      EXPECT_NE(offscreen.pixels(), nullptr) << name;
+    }
+    EXPECT_EQ(offscreen.function("glNoSuchFunctionOfOurs") == nullptr,
+              std::string(name) == "osmesa")
+        << "EGL gives an address for any name";
+  }
+}
+
+}  // namespace
+}  // namespace quicksand
