@@ -10,9 +10,9 @@ if [ "${1:-}" = window ]; then
   install_packages window
   # An earlier configuration may have found no SDL.
   [ -f "$root/build/quicksand_window.so" ] || rm -f "$root/build/build.ninja"
-  build_in "$root/build" quicksand_window -DCMAKE_BUILD_TYPE=Release
+  build_in release quicksand_window
 fi
-build_in "$root/build" quicksand -DCMAKE_BUILD_TYPE=Release
+build_in release quicksand
 
 if [ $# -eq 0 ]; then
   set -- run "$root/assets/scenes/collapse.json"

@@ -20,21 +20,49 @@ install_packages() {
     fi
     as_root=(sudo)
   fi
-  echo "installing" $missing >&2
-  "${as_root[@]}" apt-get update -qq >&2
+  local log
+  log=$(mktemp "${TMPDIR:-/tmp}/quicksand-install-XXXXXX.log")
+  "${as_root[@]}" apt-get update -qq >"$log" 2>&1 || package_failure "$log" || return
+  echo "Installing" $missing >&2
+  "${as_root[@]}" apt-get install --assume-no --no-install-recommends $missing 2>/dev/null |
+    grep -E '^(Need to get|After this operation)' >&2 || true
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-    apt-get install -y -qq --no-install-recommends $missing >&2
+    apt-get install -y -qq --no-install-recommends $missing >>"$log" 2>&1 ||
+    package_failure "$log" || return
+  rm -f "$log"
 }
 
-# build_in FOLDER TARGET [cmake options]: configures once, then builds what has changed. Several sources are
-# compiled as one, in half the time from nothing. A build of one's own (`cmake -B`) compiles each alone.
+# package_failure LOG: tells the end of what the package manager said, and where the rest is.
+package_failure() {
+  echo "The packages could not be installed; the last lines of $1:" >&2
+  tail -5 "$1" >&2
+  return 1
+}
+
+# build_in PRESET TARGET [cmake options]: configures once by a preset of CMakePresets.json, then builds what has
+# changed; $build is the folder.
 build_in() {
-  local folder="$1" target="$2"
+  local preset="$1" target="$2" log
   shift 2
-  if [ ! -f "$folder/build.ninja" ]; then
-    cmake -S "$root" -B "$folder" -G Ninja -DCMAKE_UNITY_BUILD=ON "$@" >&2
+  build="$root/build"
+  [ "$preset" = release ] || build="$root/build-$preset"
+  log="$build/build.log"
+  mkdir -p "$build"
+  if [ ! -f "$build/build.ninja" ]; then
+    (cd "$root" && cmake --preset "$preset" "$@") >"$log" 2>&1 || build_failure "$log" || return
   fi
-  # Says nothing where nothing has to be done.
-  ninja -C "$folder" "$target" |
-    { grep --line-buffered -vE 'Entering directory|Re-checking globbed|no work to do' || true; } >&2
+  # On a terminal ninja keeps to one line, which is wiped off in the end; elsewhere the log has what was done.
+  if [ -t 2 ]; then
+    NINJA_STATUS='building quicksand: %f of %t, %e s  ' ninja -C "$build" "$target" >&2 || return
+  else
+    ninja -C "$build" -n "$target" | grep -q 'no work to do' || echo "Building quicksand ($preset)" >&2
+    ninja -C "$build" "$target" >"$log" 2>&1 || build_failure "$log" || return
+  fi
+}
+
+# build_failure LOG: what went wrong, without what went well.
+build_failure() {
+  grep -vE '^\[[0-9]+/[0-9]+\]' "$1" | head -60 >&2
+  echo "The build failed; all of it is in $1" >&2
+  return 1
 }

@@ -5,5 +5,5 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 source "$root/app/setup.sh"
 
 install_packages
-build_in "$root/build" all -DCMAKE_BUILD_TYPE=Release
+build_in release all
 ctest --test-dir "$root/build" --output-on-failure -j "$(nproc)" "$@"

@@ -140,10 +140,10 @@ void Gui::Impl::take_keys(PanelFrame& frame) {
   if (ImGui::GetIO().WantTextInput) return;
   const Session& session = frame.session;
   const bool can_run = session.loaded() && !session.finished() && !session.failed();
-  if (can_run && ImGui::IsKeyPressed(static_cast<int>(Key::space), false)) {
+  if (can_run && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Space), false)) {
     frame.command(session.running ? "pause" : "start");
   }
-  if (!ImGui::IsKeyPressed(static_cast<int>(Key::escape), false)) return;
+  if (!ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) return;
   if (context.context->OpenPopupStack.empty()) {
     notes.error.clear();
   } else {

@@ -66,6 +66,7 @@ Fonts load_fonts(float scale) {
   Fonts fonts;
   ImFontConfig config;
   config.FontDataOwnedByAtlas = false;
+  config.OversampleH = 3;  // whatever the default of this ImGui
   const auto add = [&](const std::vector<unsigned char>& file, float size) {
     // ImGui reads only, although it does not say so.
     return ImGui::GetIO().Fonts->AddFontFromMemoryTTF(const_cast<unsigned char*>(file.data()),

@@ -20,7 +20,7 @@ class GlContext {
   virtual bool is_current() const = 0;
   // Makes this the context of the calling thread, drawing on a surface of that size [px].
   virtual void make_current(int width, int height) = 0;
-  // Address of a GL function, null if there is none.
+  // Address of a GL function; null if there is none, where the context knows.
   virtual GlFunction function(const char* name) const = 0;
   // What was drawn, after glFinish: RGBA, rows from the top (height, width, 4).
   virtual const std::uint8_t* pixels() = 0;

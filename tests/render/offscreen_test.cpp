@@ -45,9 +45,7 @@ TEST(Offscreen, HasASurfaceOfEachSizeThatIsAskedFor) {
       offscreen.make_current(size, 2 * size);
       EXPECT_NE(offscreen.pixels(), nullptr) << name;
     }
-    EXPECT_EQ(offscreen.function("glNoSuchFunctionOfOurs") == nullptr,
-              std::string(name) == "osmesa")
-        << "EGL gives an address for any name";
+    EXPECT_NE(offscreen.function("glClear"), nullptr) << name;
   }
 }
 

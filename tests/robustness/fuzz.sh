@@ -13,9 +13,8 @@ readers=("$@")
 [ ${#readers[@]} -gt 0 ] || readers=(scene campaign session line options checkpoint)
 
 command -v clang++ >/dev/null || install_packages ci
-build_in "$root/build-fuzz" fuzzers -DQUICKSAND_FUZZ=ON -DCMAKE_CXX_COMPILER=clang++ \
-  -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1"
-binaries="$root/build-fuzz/tests/robustness"
+build_in fuzz fuzzers
+binaries="$build/tests/robustness"
 out="$root/out/fuzz"
 rm -rf "$out/findings"
 mkdir -p "$out"
