@@ -49,7 +49,7 @@ void Course::count(const ProtocolState& before) {
   Row& pending = samples_.pending;
   pending.residual = std::max(pending.residual, solve.residual.natural);
   pending.gap_error = std::max(pending.gap_error, solve.residual.gap);
-  pending.velocity_change = std::max(pending.velocity_change, solve.velocity_change);
+  pending.velocity_change = std::max(pending.velocity_change, solve.velocity_change.value_or(0));
   pending.iterations += now.iterations - before.iterations;
   pending.factorisations += now.factorisations - before.factorisations;
   pending.trial = now.search.trial;

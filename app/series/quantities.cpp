@@ -102,7 +102,8 @@ const Quantity kQuantities[] = {
      "worst gap error of a loaded contact since the last sample, over its tolerance",
      [](const Row& r) -> Value { return r.gap_error; }, true},
     {"velocity_change", "1",
-     "worst change of velocity in a last iteration since the last sample, over the mean velocity",
+     "worst change of velocity in a last iteration since the last sample, over the mean velocity, "
+     "where it is known",
      [](const Row& r) -> Value { return r.velocity_change; }, true},
     {"iterations", "1", "iterations of the solver since the last sample",
      [](const Row& r) -> Value { return r.iterations; }, true},

@@ -24,7 +24,7 @@ bool positive(double x) { return std::isfinite(x) && x > 0; }
 
 bool possible(const ContactLaw& law) {
   return not_negative(law.friction.value_or(0)) && not_negative(law.rolling_friction.value_or(0)) &&
-         not_negative(law.cohesion_force.value_or(0)) && not_negative(law.cohesion_range);
+         not_negative(law.cohesion_force.value_or(0)) && positive(law.cohesion_range);
 }
 
 bool possible(const Disks& d) {

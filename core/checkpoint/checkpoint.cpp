@@ -339,6 +339,8 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
     throw;
   } catch (const NotEnoughMemory&) {
     throw;  // it is whole all the same, and must not be taken for damaged
+  } catch (const std::bad_alloc&) {
+    throw NotEnoughMemory(path.string() + ": there is not enough memory to read it");
   } catch (const std::exception& problem) {
     throw InputError(path.string(),
                      std::string("is not a whole checkpoint of quicksand: ") + problem.what());

@@ -19,9 +19,14 @@ using T = PathTuning;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+// What is not known has not settled.
+double speed_of_change(const SolveReport& report) {
+  return report.velocity_change.value_or(kInfinity);
+}
+
 // Whether velocities have settled so far that relaxation, which leaves long waves, may end a solution.
 bool have_settled(const SolveReport& report, const SolverSettings& settings) {
-  return report.velocity_change <= T::settled_share * settings.velocity_tolerance;
+  return speed_of_change(report) <= T::settled_share * settings.velocity_tolerance;
 }
 
 // H velocity at a contact.
@@ -204,20 +209,19 @@ double InteriorPoint::find_step(const ContactProblem& problem, double product,
 
 bool InteriorPoint::finish(const ContactProblem& problem, const SolverSettings& settings,
                            ContactState& state, SolveReport& report) {
-  const bool settled = report.velocity_change <= settings.velocity_tolerance;
+  const bool settled = speed_of_change(report) <= settings.velocity_tolerance;
   const SolveReport end =
       newton_.solve(problem, settings, settled ? T::finishing : T::searching, matrix_, state);
   report.residual = end.residual;
-  report.velocity_change = std::min(report.velocity_change, end.velocity_change);
+  report.velocity_change = std::min(speed_of_change(report), speed_of_change(end));
   report.factorisations += end.factorisations;
-  return report.velocity_change <= settings.velocity_tolerance;
+  return *report.velocity_change <= settings.velocity_tolerance;
 }
 
 SolveReport InteriorPoint::relax(const ContactProblem& problem, const SolverSettings& settings,
                                  ContactState& state) {
   SolveReport report = solve_relaxation(problem, settings, state);
   if (!report.converged) return report;
-  report.velocity_change = kInfinity;
   matrix_.attach(problem);
   finish(problem, settings, state, report);
   return report;
@@ -278,7 +282,7 @@ bool InteriorPoint::accept(Path& path) {
   SolveReport& report = path.report;
   if (!report.converged) return false;
   const bool last =
-      report.velocity_change <= path.settings.velocity_tolerance || ++path.settling > T::settling;
+      speed_of_change(report) <= path.settings.velocity_tolerance || ++path.settling > T::settling;
   const bool finishes =
       (last || path.settling == 1) && finish(path.problem, path.settings, path.state, report);
   return last || finishes;
@@ -294,7 +298,7 @@ bool InteriorPoint::rescue(Path& path) {
     relaxed_.impulse = path.state.impulse;
     if (try_relaxation(path, T::few_sweeps)) return true;
   }
-  if (report.velocity_change <= path.settings.velocity_tolerance &&
+  if (speed_of_change(report) <= path.settings.velocity_tolerance &&
       path.jam.met(distance, path.best, report.factorisations)) {
     relaxed_.impulse = best_;
     if (try_relaxation(path, T::try_sweeps)) return true;
@@ -315,7 +319,6 @@ SolveReport InteriorPoint::solve(const ContactProblem& problem, const SolverSett
   path.best = settings.distance(report.residual);
   if (path.best <= SolverSettings::kAsItIs) return report;
   matrix_.attach(problem);
-  report.velocity_change = kInfinity;
   if (report.converged && finish(problem, settings, state, report)) return report;
   start(problem, shift, state);
   path.best = settings.distance(report.residual);
@@ -330,6 +333,7 @@ SolveReport InteriorPoint::solve(const ContactProblem& problem, const SolverSett
     if (rescue(path)) return report;
   }
   state.impulse = best_;
+  report.velocity_change.reset();  // that of the last iterate is of another state
   path.judge();
   return report;
 }

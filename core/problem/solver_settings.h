@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 
 #include "core/problem/residual.h"
 
@@ -40,9 +41,9 @@ struct SolveReport {
   Rung rung = Rung::start;
   Residual residual;
   // Fastest change of velocity at a contact in the last iteration of Newton's method, over the scale. As
-  // it converges quadratically, the error left is far smaller. 0 where nothing was iterated, and not
-  // known of Gauss-Seidel and of relaxation, which leave it.
-  double velocity_change = 0;
+  // it converges quadratically, the error left is far smaller. Empty where it is not known of the state: of a start
+  // that is taken as it is, of Gauss-Seidel and of relaxation.
+  std::optional<double> velocity_change;
   std::int64_t iterations = 0;
   std::int64_t factorisations = 0;
 

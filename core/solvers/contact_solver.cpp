@@ -59,6 +59,7 @@ SolveReport climb(const ContactProblem& problem, const SolverSettings& settings,
   methods.inherited = state.impulse;
   methods.best = state;
   Residual least = report.residual;
+  std::optional<double> change_of_best = report.velocity_change;
   // Settings for a part of the work; all parts together keep to the scene's.
   const auto sweeps_left = [&](std::int64_t most) {
     SolverSettings part = settings;
@@ -82,10 +83,12 @@ SolveReport climb(const ContactProblem& problem, const SolverSettings& settings,
     } while (settings.patient && settings.distance(report.residual) < kPatientGain * before);
     if (settings.distance(report.residual) > settings.distance(least)) continue;
     least = report.residual;
+    change_of_best = report.velocity_change;
     methods.best = state;
   }
   state = methods.best;
   report.residual = least;
+  report.velocity_change = change_of_best;
   return report;
 }
 

@@ -136,7 +136,7 @@ bool LocalSolver::solve_components(const ContactProblem& problem, const SolverSe
     const SolveReport solved = interior_point_.solve(part_, affordable, 1, part_state_);
     budget_ -= static_cast<double>(solved.factorisations) * size;
     report.add(solved);
-    velocity_change_ = std::max(velocity_change_, solved.velocity_change);
+    velocity_change_ = std::max(velocity_change_, solved.velocity_change.value_or(0));
     for (std::size_t k = first; k < last; ++k)
       impulse[by_component_[k]] = part_state_.impulse[k - first];
     for (std::size_t k = 0; k < part_cluster_.size(); ++k) {
@@ -221,6 +221,7 @@ SolveReport LocalSolver::solve(const ContactProblem& problem, const SolverSettin
   report.residual = residual(problem, state);
   if (settings.distance(start) < settings.distance(report.residual)) {
     state.impulse = start_impulse_;
+    report.velocity_change.reset();
     report.residual = residual(problem, state);
   }
   report.converged = settings.accepts(report.residual);

@@ -236,6 +236,7 @@ TEST_F(CheckpointFile, OfAnImpossibleWorldIsRefused) {
       [](Checkpoint& c) { c.world.contacts[0].cohesion = std::nan(""); },
       [](Checkpoint& c) { c.world.impulse_dt = -1; },
       [](Checkpoint& c) { c.world.grain_law.cohesion_range = std::nan(""); },
+      [](Checkpoint& c) { c.world.grain_law.cohesion_range = 0; },
       [](Checkpoint& c) { c.world.grain_law.friction = -1; },
       [](Checkpoint& c) { c.world.gravity = Vec2(0, std::nan("")); },
       [](Checkpoint& c) { c.world.way.places = {Vec2(0, std::nan(""))}; },

@@ -26,7 +26,7 @@ TEST(NewtonOnModes, GetsTheImpulsesOfASlidingDiskFromARoughGuess) {
   const SolveReport report = finish(problem, state);
   EXPECT_TRUE(report.converged);
   EXPECT_NEAR((state.impulse[0] - Vec3(2, 0.6, -0.3)).norm(), 0, tolerance::rounding());
-  EXPECT_NEAR(report.velocity_change, 0, tolerance::rounding());
+  EXPECT_NEAR(report.velocity_change.value(), 0, tolerance::rounding());
 }
 
 TEST(NewtonOnModes, LetsGoOfADiskThatFliesOff) {
