@@ -15,6 +15,20 @@ bool last_item_disabled() {
   return (ImGui::GetCurrentContext()->LastItemData.InFlags & ImGuiItemFlags_Disabled) != 0;
 }
 
+// Where a tooltip of this size does not hide what it is about: right of the mouse, or below, or above it. Versions of
+// ImGui differ in their own choice.
+ImVec2 beside_the_mouse(const ImVec2& size) {
+  const float kCursor = 24, kEdge = 3;  // [px]
+  const ImVec2 mouse = ImGui::GetMousePos(), room = ImGui::GetIO().DisplaySize;
+  const auto inside = [kEdge](float at, float extent, float end) {
+    return std::max(kEdge, std::min(at, end - kEdge - extent));
+  };
+  if (mouse.x + kCursor + size.x <= room.x - kEdge)
+    return {mouse.x + kCursor, inside(mouse.y, size.y, room.y)};
+  const bool below = mouse.y + kCursor + size.y <= room.y - kEdge;
+  return {inside(mouse.x, size.x, room.x), below ? mouse.y + kCursor : mouse.y - 8 - size.y};
+}
+
 // Sets a colour until the end of the block.
 class Tint {
  public:
@@ -53,11 +67,16 @@ void Widgets::record(const std::string& name, Widget::Kind kind, std::string val
 
 void Widgets::tooltip(const std::string& text) const {
   if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(px(10), px(7)));
+  const std::string shown_text = capitalised(text);
+  const ImVec2 padding(px(10), px(7));
+  const float width = px(300);  // at which lines are wrapped, padding included
+  const ImVec2 size = ImGui::CalcTextSize(shown_text.c_str(), nullptr, false, width - padding.x);
+  ImGui::SetNextWindowPos(beside_the_mouse({size.x + 2 * padding.x, size.y + 2 * padding.y}));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0F);  // also of a disabled widget
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(px(300));
-  ImGui::TextUnformatted(capitalised(text).c_str());
+  ImGui::PushTextWrapPos(width);
+  ImGui::TextUnformatted(shown_text.c_str());
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
   ImGui::PopStyleVar(2);
