@@ -15,6 +15,8 @@ fi
 build_in release quicksand
 
 if [ $# -eq 0 ]; then
-  set -- run "$root/assets/scenes/collapse.json"
+  set -- run "$root/assets/scenes/collapse.json" --overwrite
 fi
+# The name under which the program tells how to go on.
+export QUICKSAND_COMMAND=$0
 exec "$root/build/quicksand" "$@"

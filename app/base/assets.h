@@ -7,6 +7,9 @@
 
 namespace quicksand {
 
+// The scene that app/run.sh and the window show when none is named.
+constexpr const char* kDemoScene = "collapse";
+
 // $QUICKSAND_ASSETS, else ../assets beside the program (a build in its source tree), else
 // ../share/quicksand/assets (an installed program), else the source tree it was built from.
 std::filesystem::path assets_folder();

@@ -1,5 +1,7 @@
 #include "app/base/shell_text.h"
 
+#include <cstdlib>
+
 namespace quicksand {
 
 std::string shell_text(const std::filesystem::path& path) {
@@ -10,6 +12,11 @@ std::string shell_text(const std::filesystem::path& path) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return result + "'";
+}
+
+std::string program_name() {
+  const char* name = std::getenv("QUICKSAND_COMMAND");
+  return name != nullptr && *name != '\0' ? shell_text(name) : "quicksand";
 }
 
 }  // namespace quicksand

@@ -16,7 +16,7 @@ constexpr int kManyHalvings = 16;
 
 // Goes on with other settings than those that failed.
 std::string continue_command(const RunFolder& folder, const RunOptions& options) {
-  return "quicksand run " + shell_text(folder.scene()) + " --continue " +
+  return program_name() + " run " + shell_text(folder.scene()) + " --continue " +
          shell_text(folder.state()) + " --out " + shell_text(folder.path) +
          (options.every ? " --every " + number_text(*options.every) : "") +
          (options.checkpoint_every != RunOptions{}.checkpoint_every
@@ -27,13 +27,28 @@ std::string continue_command(const RunFolder& folder, const RunOptions& options)
          (options.frames ? picture_words(options.view) : " --no-frames");
 }
 
+// What to look at next.
+void tell_next(const RunFolder& folder) {
+  const std::string program = program_name();
+  std::error_code ignored;
+  for (const auto& film : {folder.film(), folder.animation()})
+    if (std::filesystem::exists(film, ignored)) {
+      std::printf("  film, for a browser:  %s\n", film.c_str());
+      break;
+    }
+  std::printf("  report:               %s report %s\n", program.c_str(),
+              shell_text(folder.path).c_str());
+  std::printf("  panel:                %s window %s\n", program.c_str(),
+              shell_text(folder.scene()).c_str());
+}
+
 int tell_failure(const RunResult& result, const RunOptions& options) {
   const std::string folder = result.folder.path.string();
   if (result.end.unwritable) {
     std::fprintf(stderr,
                  "quicksand: the run ended early: %s\n  what was written is in %s\n"
-                 "  when it can be written again, go on with: quicksand resume %s\n",
-                 result.end.failure.c_str(), folder.c_str(),
+                 "  when it can be written again, go on with: %s resume %s\n",
+                 result.end.failure.c_str(), folder.c_str(), program_name().c_str(),
                  shell_text(result.folder.path).c_str());
     return kRunFailed;
   }
@@ -71,12 +86,13 @@ int tell_outcome(const RunResult& result, const RunOptions& options) {
     case RunEnd::How::finished:
       std::printf("%lld steps in %.1f s; results are in %s\n", steps, result.end.wall_seconds,
                   folder.c_str());
+      if (!options.quiet) tell_next(result.folder);
       return tell_distrust(result.distrust);
     case RunEnd::How::interrupted:
       std::printf(
           "interrupted after %lld steps; results so far are in %s\n"
-          "  continue with: quicksand resume %s\n",
-          steps, folder.c_str(), shell_text(result.folder.path).c_str());
+          "  continue with: %s resume %s\n",
+          steps, folder.c_str(), program_name().c_str(), shell_text(result.folder.path).c_str());
       return kInterrupted;
     case RunEnd::How::failed:
       return tell_failure(result, options);

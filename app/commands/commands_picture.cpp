@@ -193,8 +193,10 @@ struct Record {
 
   void describe(Fields& f) {
     f.flag({"on", "false: ends the recording", Presence::required}, on);
-    f.text({"folder", "in the output folder; receives frames, series.csv and, with ffmpeg, a film"},
-           folder);
+    f.text(
+        {"folder",
+         "in the output folder; receives frames, series.csv, film.png and, with ffmpeg, film.mp4"},
+        folder);
     f.word({"what", "the view alone, or the panel with the view beside it"}, kWhat, what);
     f.number({"every", "time between frames; that of the scene if absent"},
              above(0, 1e9, "sqrt(d/g)"), every);

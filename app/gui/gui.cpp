@@ -248,6 +248,7 @@ std::vector<Json> Gui::frame(const Session& session, const GuiInput& input, int 
     commands.clear();
   }
   m.lay_out(frame, input);
+  if (!commands.empty()) m.notes.hint.clear();
   return commands;
 }
 
@@ -291,6 +292,8 @@ std::optional<Camera> Gui::view_camera() const {
 }
 
 void Gui::show_error(std::string message) { impl_->notes.error = std::move(message); }
+
+void Gui::show_hint(std::string text) { impl_->notes.hint = std::move(text); }
 
 void Gui::set_rate(std::optional<double> steps_per_second, std::optional<double> eta_seconds) {
   impl_->notes.steps_per_second = steps_per_second;

@@ -49,6 +49,8 @@ class Gui {
 
   // A banner that stays until the user dismisses it.
   void show_error(std::string message);
+  // What to press, over the picture until the panel gives its first command.
+  void show_hint(std::string text);
   // For the status line; what is not known is not shown.
   void set_rate(std::optional<double> steps_per_second, std::optional<double> eta_seconds);
   // Whether frames are recorded.

@@ -1,6 +1,7 @@
 // The picture of the packing, with the mouse upon it: pick a grain, pull at it, zoom.
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/panel/panel_frame.h"
@@ -87,6 +88,23 @@ void take_mouse(PanelFrame& frame, const ViewPicture& picture, Grip& grip, const
   }
 }
 
+// Words on a ground of their own, in the middle of the picture's lower edge.
+void draw_hint(const PanelFrame& frame, const ImVec2& low, const ImVec2& high) {
+  const Widgets& w = frame.widgets;
+  const char* text = frame.notes.hint.c_str();
+  const float pad = w.px(10), least = w.px(60);
+  const float width = std::max(least, std::min(w.px(420), high.x - low.x - 4 * pad));
+  const ImVec2 size = ImGui::CalcTextSize(text, nullptr, false, width);
+  const ImVec2 corner(std::floor((low.x + high.x - size.x) / 2),
+                      std::floor(high.y - size.y - w.px(72)));
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled({corner.x - pad, corner.y - pad},
+                      {corner.x + size.x + pad, corner.y + size.y + pad}, w.colours().accent,
+                      w.px(4));
+  list->AddText(ImGui::GetFont(), ImGui::GetFontSize(), corner, w.colours().field, text, nullptr,
+                width);
+}
+
 }  // namespace
 
 void show_view(PanelFrame& frame, ViewPicture& picture, Grip& grip, const PixelRect& rect) {
@@ -114,6 +132,7 @@ void show_view(PanelFrame& frame, ViewPicture& picture, Grip& grip, const PixelR
     const Camera& camera = picture.camera_at(grip.start);
     draw_arrow(frame, at(rect, pixel_of(world, camera, grip.body)), ImGui::GetIO().MousePos);
   }
+  if (!frame.notes.hint.empty()) draw_hint(frame, low, high);
 }
 
 }  // namespace quicksand::gui

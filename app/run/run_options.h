@@ -18,6 +18,7 @@ struct RunOptions {
   std::optional<std::filesystem::path> continued_from;  // state.cbor
   bool frames = true;
   bool quiet = false;
+  bool keep_earlier = false;     // of another run in the folder; true: refuses it
   bool lock = true;              // the folder; false: the caller has it locked
   double checkpoint_every = 60;  // wall time between checkpoints; 0: one a step [s]
   std::optional<StrictBounds> strict;
@@ -30,7 +31,7 @@ struct RunOptions {
 constexpr double kLongestSampleTime = 1e12;
 constexpr double kLongestCheckpointTime = 1e6;
 
-// Writes and reads what is kept; `out`, `continued_from`, `quiet`, `lock` and `watch` belong to the call.
+// Writes and reads what is kept; `out`, `continued_from`, `quiet`, `keep_earlier`, `lock` and `watch` belong to the call.
 // Throw InputError.
 void write_options(const std::filesystem::path& file, RunOptions options);
 RunOptions read_options(const std::filesystem::path& file);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/base/interrupt.h"
+#include "app/base/shell_text.h"
 #include "app/json/json_reader.h"
 #include "app/run/continuation.h"
 #include "app/run/progress_line.h"
@@ -95,7 +96,9 @@ class Run {
       if (film_ && higher_than_the_picture())
         result.notes.push_back("the packing is higher than box.height, " +
                                number_text(scenario_.box.height) + " d, where the pictures end");
-      if (const std::string film = finish_film(); !film.empty()) result.notes.push_back(film);
+      if (film_)
+        if (std::string problem = film_->finish(); !problem.empty())
+          result.notes.push_back(std::move(problem));
     } catch (const InputError& error) {
       fail(result.end, error);
     }
@@ -177,12 +180,6 @@ class Run {
     return box.width > 0 && box.height > 0 && packing_top(course_.world()) > box.height + 1;
   }
 
-  std::string finish_film() {
-    if (!film_) return {};
-    const VideoReport video = film_->finish();
-    return video.message;
-  }
-
   InterruptWatch watch_;
   const Scenario& scenario_;
   const RunOptions& options_;
@@ -236,6 +233,13 @@ RunResult run_scene(const Scenario& scenario, const RunOptions& options) {
   make_writable(folder);
   std::optional<FolderLock> lock;
   if (options.lock) lock.emplace(lock_run(folder.path));
+  if (options.keep_earlier && !earlier && holds_run(folder)) {
+    const std::string name = shell_text(folder.path);
+    throw InputError(folder.path.string(),
+                     "holds a run already; go on with it by `" + program_name() + " resume " +
+                         name +
+                         "`, replace it with --overwrite, or choose another folder with --out");
+  }
   if (earlier && options.frames) require_frames(folder, earlier->rows);
   if (earlier)
     forget_end(folder);

@@ -10,6 +10,11 @@ namespace quicksand {
 
 namespace fs = std::filesystem;
 
+bool holds_run(const RunFolder& folder) {
+  std::error_code ignored;
+  return fs::exists(folder.scene(), ignored) && fs::exists(folder.options(), ignored);
+}
+
 void make_writable(const RunFolder& folder) {
   std::error_code error;
   if (fs::exists(folder.path, error) && !fs::is_directory(folder.path, error)) {
@@ -37,8 +42,8 @@ void forget_end(const RunFolder& folder) {
 void remove_earlier_results(const RunFolder& folder) {
   std::error_code ignored;
   for (const fs::path& file :
-       {folder.state(), folder.summary(), folder.film(), folder.critical_forces(),
-        folder.adiabatic(), folder.report_page(), folder.report_text()}) {
+       {folder.state(), folder.summary(), folder.film(), folder.animation(),
+        folder.critical_forces(), folder.adiabatic(), folder.report_page(), folder.report_text()}) {
     fs::remove(file, ignored);
   }
   std::vector<fs::path> frames;

@@ -12,6 +12,7 @@ struct RunFolder {
   std::filesystem::path scene() const { return path / "scene.json"; }
   std::filesystem::path frames() const { return path / "frames"; }
   std::filesystem::path film() const { return path / "film.mp4"; }
+  std::filesystem::path animation() const { return path / "film.png"; }
   std::filesystem::path series() const { return path / "series.csv"; }
   std::filesystem::path critical_forces() const { return path / "critical_forces.csv"; }
   std::filesystem::path adiabatic() const { return path / "adiabatic.csv"; }
@@ -21,13 +22,16 @@ struct RunFolder {
   std::filesystem::path report_text() const { return path / "report.md"; }
 };
 
+// Whether a run has begun here, which can be resumed.
+bool holds_run(const RunFolder& folder);
+
 // Makes the folder and tries to write in it, so that nothing is computed in vain. Throws InputError.
 void make_writable(const RunFolder& folder);
 
 // Removes what says that a run has ended, which now goes on.
 void forget_end(const RunFolder& folder);
 
-// Removes the files of an earlier run that this run may not write again: its film, summary, state,
+// Removes the files of an earlier run that this run may not write again: its films, summary, state,
 // tables of searches, report and frames. Other files are left alone.
 void remove_earlier_results(const RunFolder& folder);
 

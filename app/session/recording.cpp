@@ -1,6 +1,6 @@
 #include "app/session/recording.h"
 
-#include "render/image/video.h"
+#include "app/view/film.h"
 
 namespace quicksand {
 
@@ -28,10 +28,10 @@ void Recording::add(const Row& row) {
 
 Json Recording::finish() {
   sequence_.finish();
-  write_video(folder_.frames(), folder_.film());
+  join_frames(folder_);
   return {{"folder", folder_.path.string()},
           {"frames", sequence_.next()},
-          {"film", std::filesystem::exists(folder_.film())}};
+          {"film", std::filesystem::exists(folder_.animation())}};
 }
 
 }  // namespace quicksand

@@ -19,7 +19,7 @@ class Recording {
 
   // A row of series.csv and a frame.
   void add(const Row& row);
-  // Waits for the frames, joins them if there is ffmpeg, and tells what there is. Throws InputError.
+  // Waits for the frames, joins them to films, and tells what there is. Throws InputError.
   Json finish();
 
  private:

@@ -5,6 +5,8 @@
 
 #include "core/base/whole_file.h"
 #include "core/scene/scenario.h"
+#include "render/image/animation.h"
+#include "render/image/video.h"
 
 namespace quicksand {
 
@@ -14,6 +16,14 @@ View view_of(const Scenario& scenario, View view) {
   view.method =
       scenario.step.nscd ? "NSCD, " + std::to_string(scenario.step.nscd->sweeps) + " sweeps" : "";
   return view;
+}
+
+std::string join_frames(const RunFolder& folder) {
+  using enum VideoReport::Outcome;
+  for (const VideoReport& report : {write_animation(folder.frames(), folder.animation()),
+                                    write_video(folder.frames(), folder.film())})
+    if (report.outcome == failed) return report.message;
+  return {};
 }
 
 Film::Film(const RunFolder& folder, const Scenario& scenario, const View& view, std::int64_t first)
@@ -35,9 +45,9 @@ void Film::secure() {
   bring_to_disk(folder_.frames());
 }
 
-VideoReport Film::finish() {
+std::string Film::finish() {
   sequence_.finish();
-  return write_video(folder_.frames(), folder_.film());
+  return join_frames(folder_);
 }
 
 }  // namespace quicksand

@@ -8,7 +8,6 @@
 #include "core/scene/scenario.h"
 #include "core/world/world.h"
 #include "render/image/sequence.h"
-#include "render/image/video.h"
 #include "render/picture/renderer.h"
 
 namespace quicksand {
@@ -16,6 +15,10 @@ namespace quicksand {
 // The view of a scene's whole box, or of its bodies where the box has no size, with SI units where the
 // scene gives physical values.
 View view_of(const Scenario& scenario, View view);
+
+// Joins the frames of a folder: an animation that a browser plays, and a film where there is ffmpeg. Returns what
+// went wrong, in a sentence, or nothing.
+std::string join_frames(const RunFolder& folder);
 
 class Film {
  public:
@@ -26,8 +29,8 @@ class Film {
   void add(const World& world, const std::string& phase);
   // Waits until the frames so far are on the disk. Throws InputError if one could not be written.
   void secure();
-  // Waits for the frames, and joins them if there is ffmpeg. Returns what became of it.
-  VideoReport finish();
+  // Waits for the frames and joins them. Returns what is missing, in a sentence, or nothing.
+  std::string finish();
 
   std::int64_t frames() const { return sequence_.next(); }
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "app/base/assets.h"
 #include "app/base/exit_code.h"
 #include "app/base/interrupt.h"
 #include "app/commands/command_table.h"
@@ -86,13 +87,21 @@ class Window {
   }
 
  private:
+  static constexpr const char* kHint =
+      "Press space to run and to pause. Drag a grain to pull at it, turn the wheel to zoom.";
   static constexpr int kLively = 4;
   static constexpr int kIdle = 100;  // [ms]
   static constexpr std::chrono::seconds kJournalPeriod{2};
 
   // What the command line names: it becomes the first command, or the first commands.
   void begin() {
-    if (options_.file.empty()) return;
+    do_first();
+    // A recording shows what a session does, nothing for the hand.
+    if (!console_.recording) console_.panel().show_hint(kHint);
+  }
+
+  void do_first() {
+    if (options_.file.empty()) return do_now({{"command", "load"}, {"scene", kDemoScene}});
     const bool is_file = options_.file.find_first_of("/.") != std::string::npos;
     if (is_file && parse_json(read_scene_text(options_.file)).contains("commands")) {
       do_now({{"command", "include"}, {"file", fs::absolute(options_.file).string()}});

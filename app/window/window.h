@@ -7,7 +7,7 @@
 namespace quicksand {
 
 struct WindowOptions {
-  std::string file;  // a scene, by name or path, or a session that is played first; may be empty
+  std::string file;  // a scene, by name or path, or a session that is played first; empty: the demo
   std::filesystem::path out;     // empty: out/window
   std::filesystem::path record;  // receives what was done, as a session file; empty: none
   double scale = 1;

@@ -17,26 +17,10 @@ namespace quicksand {
 namespace {
 
 constexpr int kQuickest = 1;  // level of compression
-constexpr std::array<std::uint8_t, 8> kSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
 
 struct FreeCompressor {
   void operator()(libdeflate_compressor* c) const { libdeflate_free_compressor(c); }
 };
-
-std::array<std::uint8_t, 4> big_endian(std::uint32_t value) {
-  return {static_cast<std::uint8_t>(value >> 24U), static_cast<std::uint8_t>(value >> 16U),
-          static_cast<std::uint8_t>(value >> 8U), static_cast<std::uint8_t>(value)};
-}
-
-template <typename Bytes>
-void append(std::vector<std::uint8_t>& out, const Bytes& bytes) {
-  for (const auto byte : bytes) out.push_back(static_cast<std::uint8_t>(byte));
-}
-
-// Ends a chunk: its checksum covers name and data, which begin at `name_at`.
-void append_checksum(std::vector<std::uint8_t>& out, std::size_t name_at) {
-  append(out, big_endian(libdeflate_crc32(0, &out[name_at], out.size() - name_at)));
-}
 
 // Each row after a zero: no filter.
 std::vector<std::uint8_t> unfiltered_rows(const Image& image) {
@@ -51,44 +35,36 @@ std::vector<std::uint8_t> unfiltered_rows(const Image& image) {
 
 }  // namespace
 
-std::vector<std::uint8_t> encode_png(const Image& image) {
+std::vector<std::uint8_t> png_chunk(std::string_view name, std::span<const std::uint8_t> data) {
+  const std::span name_bytes(reinterpret_cast<const std::uint8_t*>(name.data()), name.size());
+  std::uint32_t checksum = libdeflate_crc32(0, name_bytes.data(), name_bytes.size());
+  if (!data.empty()) checksum = libdeflate_crc32(checksum, data.data(), data.size());
+  PngBytes chunk;
+  chunk.number(static_cast<std::uint32_t>(data.size())).bytes(name_bytes);
+  chunk.bytes(data).number(checksum);
+  return {chunk.all().begin(), chunk.all().end()};
+}
+
+std::vector<std::uint8_t> packed(std::span<const std::uint8_t> rows, int level) {
   const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(
-      libdeflate_alloc_compressor(kQuickest));
+      libdeflate_alloc_compressor(level));
   if (!compressor) throw std::bad_alloc();
-  const std::vector<std::uint8_t> rows = unfiltered_rows(image);
-  const std::size_t bound = libdeflate_zlib_compress_bound(compressor.get(), rows.size());
-
-  std::vector<std::uint8_t> out;
-  out.reserve(bound + 100);
-  append(out, kSignature);
-
-  append(out, big_endian(13));
-  std::size_t name_at = out.size();
-  append(out, std::string_view("IHDR"));
-  append(out, big_endian(static_cast<std::uint32_t>(image.width)));
-  append(out, big_endian(static_cast<std::uint32_t>(image.height)));
-  constexpr std::array<std::uint8_t, 5> kRgb8{8, 2, 0, 0, 0};  // bits, RGB, standard methods
-  append(out, kRgb8);
-  append_checksum(out, name_at);
-
-  const std::size_t size_at = out.size();
-  append(out, big_endian(0));
-  name_at = out.size();
-  append(out, std::string_view("IDAT"));
-  const std::size_t data_at = out.size();
-  out.resize(data_at + bound);
-  const std::size_t packed =
-      libdeflate_zlib_compress(compressor.get(), rows.data(), rows.size(), &out[data_at], bound);
-  out.resize(data_at + packed);
-  const auto size = big_endian(static_cast<std::uint32_t>(packed));
-  std::copy(size.begin(), size.end(), out.begin() + static_cast<std::ptrdiff_t>(size_at));
-  append_checksum(out, name_at);
-
-  append(out, big_endian(0));
-  name_at = out.size();
-  append(out, std::string_view("IEND"));
-  append_checksum(out, name_at);
+  std::vector<std::uint8_t> out(libdeflate_zlib_compress_bound(compressor.get(), rows.size()));
+  out.resize(
+      libdeflate_zlib_compress(compressor.get(), rows.data(), rows.size(), out.data(), out.size()));
   return out;
+}
+
+std::vector<std::uint8_t> encode_png(const Image& image) {
+  constexpr std::array<std::uint8_t, 5> kRgb8{8, 2, 0, 0, 0};  // bits, RGB, standard methods
+  PngBytes head;
+  head.number(static_cast<std::uint32_t>(image.width));
+  head.number(static_cast<std::uint32_t>(image.height)).bytes(kRgb8);
+  PngBytes out;
+  out.bytes(kPngSignature).bytes(png_chunk("IHDR", head.all()));
+  out.bytes(png_chunk("IDAT", packed(unfiltered_rows(image), kQuickest)));
+  out.bytes(png_chunk("IEND", {}));
+  return {out.all().begin(), out.all().end()};
 }
 
 void write_png(const std::filesystem::path& place, const Image& image) {
@@ -115,13 +91,13 @@ bool is_whole_png(const std::filesystem::path& path) {
   constexpr std::array<char, 12> kEnd{0,   0,   0,      0,      'I',    'E',
                                       'N', 'D', '\xAE', '\x42', '\x60', '\x82'};
   std::ifstream file(path, std::ios::binary);
-  std::array<char, kSignature.size()> begin{};
+  std::array<char, kPngSignature.size()> begin{};
   std::array<char, kEnd.size()> end{};
   file.read(begin.data(), begin.size());
   file.seekg(-static_cast<std::streamoff>(end.size()), std::ios::end);
   file.read(end.data(), end.size());
   const auto same = [](char a, auto b) { return a == static_cast<char>(b); };
-  return file && std::equal(begin.begin(), begin.end(), kSignature.begin(), same) && end == kEnd;
+  return file && std::equal(begin.begin(), begin.end(), kPngSignature.begin(), same) && end == kEnd;
 }
 
 }  // namespace quicksand

@@ -1,6 +1,7 @@
 // What the panel's widgets command, and what the panel shows of the session.
 #include "app/commands/command_table.h"
 #include "core/base/errors.h"
+#include "render/image/png_reader.h"
 #include "tests/gui/gui_fixture.h"
 
 namespace quicksand::test {
@@ -219,6 +220,26 @@ TEST_F(PanelTest, TheBannerStaysUntilItIsDismissed) {
   gui().show_error("Nor can this.");
   r.press(Key::escape);
   EXPECT_EQ(widget("Dismiss error"), nullptr);
+}
+
+TEST_F(PanelTest, TheHintGoesWithTheFirstCommand) {
+  load();
+  Robot& r = robot();
+  const Image without = gui().paint();
+  gui().show_hint("Press space.");
+  r.wait(10);
+  EXPECT_NE(gui().paint(), without);
+  perform({{"command", "snapshot"}, {"file", "view.png"}, {"width", 300}, {"height", 200}});
+  gui().show_hint({});
+  perform({{"command", "snapshot"}, {"file", "plain.png"}, {"width", 300}, {"height", 200}});
+  EXPECT_EQ(read_png(folder_.path() / "view.png"), read_png(folder_.path() / "plain.png"));
+  gui().show_hint("Press space.");
+  r.press(Key::space);
+  r.press(Key::space);
+  const Image after = gui().paint();
+  gui().show_hint({});
+  r.wait(1);
+  EXPECT_EQ(gui().paint(), after);
 }
 
 TEST_F(PanelTest, KeysDoNotRunTheSceneWhileOneIsTyping) {

@@ -2,7 +2,7 @@
 # A hand in a real window, on a screen of its own: window_by_hand.sh PROGRAM RUN_X RUN_Y STEP_X STEP_Y TIMES
 # clicks Run, lets it run, pauses with the space key, clicks Step twice, drags a grain and turns the wheel,
 # waiting between these TIMES as long as a quick hand would.
-# Leaves by_hand.json in the present folder. Exit code 77: Xvfb or xdotool is not installed.
+# The window opens without a scene's name. Leaves by_hand.json in the present folder. Exit code 77: Xvfb or xdotool is not installed.
 set -uo pipefail
 program=$1 run_x=$2 run_y=$3 step_x=$4 step_y=$5 times=$6
 pause() { sleep "$(awk "BEGIN { print $1 * $times }")"; }
@@ -22,7 +22,7 @@ unset WAYLAND_DISPLAY
 # others. What is ours, the session and the panel, other tests check for leaks.
 export ASAN_OPTIONS="${ASAN_OPTIONS:+$ASAN_OPTIONS:}detect_leaks=0"
 
-"$program" window collapse --record by_hand.json --out window --size 1000x700 2>window.log &
+"$program" window --record by_hand.json --out window --size 1000x700 2>window.log &
 window=$!
 id=
 for _ in $(seq 100); do

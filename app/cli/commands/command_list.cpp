@@ -93,22 +93,35 @@ void list_completion(const CLI::App& program) {
 
 struct Listing {
   const char* name;
+  const char* help;
   void (*print)(const CLI::App& program);
 };
-constexpr auto kListings = std::to_array<Listing>({{"scenes", list_scenes},
-                                                   {"colours", list_colours},
-                                                   {"quantities", list_quantities},
-                                                   {"columns", list_columns},
-                                                   {"schema", list_schema},
-                                                   {"campaign_schema", list_campaign_schema},
-                                                   {"commands", list_commands},
-                                                   {"session_schema", list_session_schema},
-                                                   {"scene_reference", list_scene_reference},
-                                                   {"session_reference", list_session_reference},
-                                                   {"man", list_man},
-                                                   {"completion", list_completion}});
+constexpr auto kListings = std::to_array<Listing>(
+    {{"scenes", "scenes that come along", list_scenes},
+     {"colours", "what grains can be coloured by", list_colours},
+     {"quantities", "columns of series.csv, which sessions can ask for", list_quantities},
+     {"columns", "columns of exported tables", list_columns},
+     {"commands", "commands of sessions, with their arguments", list_commands},
+     {"schema", "JSON schema of scenes", list_schema},
+     {"campaign_schema", "JSON schema of campaigns", list_campaign_schema},
+     {"session_schema", "JSON schema of sessions", list_session_schema},
+     {"scene_reference", "every key of a scene, as Markdown", list_scene_reference},
+     {"session_reference", "every command of sessions, as Markdown", list_session_reference},
+     {"man", "the manual page", list_man},
+     {"completion", "completion of options for bash", list_completion}});
+
+std::string listing_names() {
+  std::string names;
+  for (const Listing& known : kListings)
+    names += (names.empty() ? "" : ", ") + std::string(known.name);
+  return names;
+}
 
 int list(const std::string& what, const CLI::App& program) {
+  if (what.empty()) {
+    for (const Listing& known : kListings) std::printf("%-18s %s\n", known.name, known.help);
+    return kFine;
+  }
   const auto known = std::ranges::find(kListings, what, &Listing::name);
   if (known == kListings.end()) {
     std::vector<std::string> names;
@@ -122,20 +135,13 @@ int list(const std::string& what, const CLI::App& program) {
 }  // namespace
 
 Command add_list(CLI::App& program) {
-  CLI::App* command =
-      program.add_subcommand("list",
-                             "list scenes, colours, quantities, session commands, "
-                             "columns of exports, schemas and references of files or "
-                             "the manual page");
+  CLI::App* command = program.add_subcommand(
+      "list",
+      "list what there is to choose from: scenes, colours, quantities, commands, references");
   const auto what = std::make_shared<std::string>();
-  command
-      ->add_option("what", *what,
-                   "scenes, colours, quantities, commands, columns, schema, campaign_schema, "
-                   "session_schema, "
-                   "scene_reference, session_reference, man or completion")
-      ->type_name("WHAT")
-      ->required();
-  command->footer("Example:\n  quicksand list quantities");
+  command->add_option("what", *what, listing_names() + "; without it: all of them, in a line each")
+      ->type_name("WHAT");
+  command->footer("Example:\n  quicksand list\n  quicksand list quantities");
   return {command, [what, &program] { return list(*what, program); }};
 }
 

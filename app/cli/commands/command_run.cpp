@@ -23,7 +23,7 @@ struct RunArguments {
   StrictOptions strict;
   std::optional<double> every;
   std::optional<std::string> continued_from;
-  bool no_frames = false;
+  bool no_frames = false, overwrite = false;
   std::int64_t threads = 0;
 };
 
@@ -41,6 +41,7 @@ int run(RunArguments& options) {
   options.run.view = view_from(options.picture);
   options.run.every = options.every;
   options.run.frames = !options.no_frames;
+  options.run.keep_earlier = !options.overwrite;
   options.run.strict = strict_from(options.strict);
   if (options.continued_from) options.run.continued_from = *options.continued_from;
   const Scenario scenario = read_scene(options.scene);
@@ -58,6 +59,7 @@ Command add_run(CLI::App& program) {
   add_scene_options(*command, options->scene);
   command->add_option("--out", options->run.out, "folder of the results [out/<scene name>]")
       ->type_name("DIR");
+  command->add_flag("--overwrite", options->overwrite, "replace the run that the folder holds");
   command
       ->add_option("--every", options->every,
                    "time between samples and frames [sqrt(d/g)], instead of the scene's")
@@ -78,8 +80,10 @@ Command add_run(CLI::App& program) {
   add_strict_options(*command, options->strict);
   add_picture_options(*command, options->picture);
   command->footer(
-      "DIR receives scene.json, run.json, frames/, film.mp4 (if ffmpeg is there), series.csv,\n"
-      "summary.json and state.cbor. Ctrl-C ends a run after the present step with complete "
+      "DIR receives scene.json, run.json, frames/, film.png (animated, for a browser), film.mp4 "
+      "(with\n"
+      "ffmpeg), series.csv, summary.json and state.cbor. Ctrl-C ends a run after the present step "
+      "with complete "
       "results;\n`quicksand resume DIR` goes on, after a kill or a power cut, too.\n\n"
       "Example:\n"
       "  quicksand run assets/scenes/collapse.json --out out/strong "

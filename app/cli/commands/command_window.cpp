@@ -14,7 +14,9 @@ Command add_window(CLI::App& program) {
   const auto size = std::make_shared<std::string>("1280x720");
   command
       ->add_option("file", options->file,
-                   "scene, by name or path, or a session that is played before the window opens")
+                   "scene, by name or path, or a session that is played before the window opens; "
+                   "the demo if "
+                   "absent")
       ->type_name("SCENE|SESSION");
   command
       ->add_option("--record", options->record,

@@ -96,6 +96,8 @@ TEST_F(ProgramTest, ARunLeavesEverythingThatItPromises) {
   const Outcome run = quicksand({"run", "small.json", "--no-frames"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_NE(run.out.find("results are in out/small"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("quicksand report out/small"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("quicksand window out/small/scene.json"), std::string::npos) << run.out;
   const std::string series = contents(at("out/small/series.csv"));
   EXPECT_EQ(series.substr(0, series.find('\n')), series_header());
   const Json summary = parse_json(contents(at("out/small/summary.json")));
@@ -121,10 +123,37 @@ TEST_F(ProgramTest, ARunLeavesEverythingThatItPromises) {
   EXPECT_EQ(parse_json(contents(at("again/summary.json")))["world_hash"], summary["world_hash"]);
 }
 
+TEST_F(ProgramTest, ARunIsReplacedOnlyIfAsked) {
+  write_scene();
+  ASSERT_EQ(quicksand({"run", "small.json", "--no-frames"}).exit_code, 0);
+  const std::string summary = contents(at("out/small/summary.json"));
+  const Outcome again = quicksand({"run", "small.json", "--no-frames"});
+  EXPECT_EQ(again.exit_code, 2);
+  for (const char* way : {"quicksand resume out/small", "--overwrite", "--out"})
+    EXPECT_NE(again.err.find(way), std::string::npos) << again.err;
+  EXPECT_EQ(contents(at("out/small/summary.json")), summary);
+  EXPECT_EQ(quicksand({"run", "small.json", "--no-frames", "--overwrite"}).exit_code, 0);
+}
+
+TEST_F(ProgramTest, ARunLeavesAFilmAndSaysWhere) {
+  write_scene();
+  const Outcome run = quicksand({"run", "small.json", "--size", "160x120"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(fs::exists(at("out/small/film.png")));
+  EXPECT_NE(run.out.find("out/small/film."), std::string::npos) << run.out;
+}
+
+TEST_F(ProgramTest, ListAloneNamesAllThatCanBeListed) {
+  const Outcome outcome = quicksand({"list"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  for (const char* what : {"scenes ", "colours ", "session_reference ", "completion "})
+    EXPECT_NE(outcome.out.find(what), std::string::npos) << outcome.out;
+}
+
 TEST_F(ProgramTest, ARunSaysSoIfItsLastPhaseEndedBeforeItCameToRest) {
   write_scene();
   const auto said = [&](const std::string& rest_speed) {
-    return quicksand({"run", "small.json", "--no-frames", "--set",
+    return quicksand({"run", "small.json", "--no-frames", "--overwrite", "--set",
                       "phases[2].rest_speed=" + rest_speed, "--set", "phases[2].rest_time=0.1"})
         .err;
   };
@@ -204,8 +233,8 @@ TEST_F(ProgramTest, ARunThatGoesOnTakesTheForceOfItsScene) {
     {"command": "save", "file": "half.cbor"}]})");
   ASSERT_EQ(quicksand({"session", "half.json"}).exit_code, 0);
   const auto go_on = [&](const std::string& change) {
-    return quicksand(
-        {"run", "push.json", "--no-frames", "--continue", "out/half/half.cbor", "--set", change});
+    return quicksand({"run", "push.json", "--no-frames", "--overwrite", "--continue",
+                      "out/half/half.cbor", "--set", change});
   };
   const auto force = [&] {
     return read_checkpoint(at("out/push/state.cbor")).world.disks.applied.back().y();
@@ -231,14 +260,17 @@ TEST_F(ProgramTest, ASceneMayStartFromTheStateOfAnother) {
     "phases": [{"type": "settle", "until_rest": false, "max_time": 0.1}]})");
   ASSERT_EQ(quicksand({"run", "next.json", "--no-frames"}).exit_code, 0);
   EXPECT_EQ(parse_json(contents(at("out/next/summary.json")))["grains"], 20);
-  const Outcome narrow = quicksand({"run", "next.json", "--no-frames", "--set", "box.width=7"});
+  const Outcome narrow =
+      quicksand({"run", "next.json", "--no-frames", "--overwrite", "--set", "box.width=7"});
   EXPECT_EQ(narrow.exit_code, 2);
   EXPECT_NE(narrow.err.find("another width (6 d)"), std::string::npos) << narrow.err;
 
   const std::string piston =
       R"([{"type": "piston", "mass": 5, "force": 10, "max_time": 1.1, "remove": false}])";
-  ASSERT_EQ(quicksand({"run", "next.json", "--no-frames", "--set", "phases=" + piston}).exit_code,
-            0);
+  ASSERT_EQ(
+      quicksand({"run", "next.json", "--no-frames", "--overwrite", "--set", "phases=" + piston})
+          .exit_code,
+      0);
   const Outcome pushed = quicksand({"run", "next.json", "--no-frames", "--out", "out/pushed",
                                     "--set", "start_from=\"out/next/state.cbor\"", "--set",
                                     R"(phases=[{"type": "push", "diameter": 1.5, "force": 1}])"});

@@ -224,7 +224,7 @@ TEST_F(ResumeTest, StrictRunsThatCannotBeBelievedExitWithOne) {
                                           "step.on_unconverged=continue"};
   EXPECT_EQ(quicksand(careless).exit_code, 0);
   std::vector<std::string> strict = careless;
-  strict.emplace_back("--strict");
+  strict.insert(strict.end(), {"--strict", "--overwrite"});
   const Outcome run = quicksand(strict);
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_NE(run.err.find("steps did not converge"), std::string::npos) << run.err;

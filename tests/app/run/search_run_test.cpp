@@ -41,7 +41,8 @@ class SearchRun : public testing::Test {
  protected:
   Outcome run(const char* scene, std::vector<std::string> options = {}) const {
     folder_.write("scene.json", scene);
-    std::vector<std::string> arguments{"run", "scene.json", "--out", "out", "--no-frames"};
+    std::vector<std::string> arguments{"run", "scene.json",  "--out",
+                                       "out", "--no-frames", "--overwrite"};
     arguments.insert(arguments.end(), options.begin(), options.end());
     return run_program(arguments, folder_.path());
   }

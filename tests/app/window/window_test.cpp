@@ -58,6 +58,7 @@ TEST_F(WindowTest, WhatIsDoneByHandReplaysToTheSameWorld) {
     if (steps == 2) break;
   }
   EXPECT_EQ(steps, 2) << recorded.dump(1);
+  EXPECT_EQ(commands[0], (Json{{"command", "load"}, {"scene", "collapse"}})) << "the demo";
   EXPECT_EQ(commands[1]["command"], "run") << "what the run button started";
   EXPECT_GT(commands[1]["steps"], 1);  // how many is a matter of the machine
   EXPECT_TRUE(std::any_of(commands.begin(), commands.end(), [](const Json& c) {
