@@ -7,8 +7,8 @@
 #include "app/series/series.h"
 #include "core/base/errors.h"
 #include "core/checkpoint/checkpoint.h"
+#include "render/film/sequence.h"
 #include "render/image/png.h"
-#include "render/image/sequence.h"
 
 namespace quicksand {
 

@@ -7,8 +7,8 @@
 #include "app/json/json_text.h"
 #include "app/run_folder/run_folder.h"
 #include "app/series/series.h"
+#include "render/film/sequence.h"
 #include "render/image/image.h"
-#include "render/image/sequence.h"
 
 namespace quicksand {
 

@@ -5,8 +5,8 @@
 
 #include "core/base/whole_file.h"
 #include "core/scene/scenario.h"
-#include "render/image/animation.h"
-#include "render/image/video.h"
+#include "render/film/animation.h"
+#include "render/film/video.h"
 
 namespace quicksand {
 

@@ -7,7 +7,7 @@
 #include "app/run_folder/run_folder.h"
 #include "core/scene/scenario.h"
 #include "core/world/world.h"
-#include "render/image/sequence.h"
+#include "render/film/sequence.h"
 #include "render/picture/renderer.h"
 
 namespace quicksand {

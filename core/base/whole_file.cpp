@@ -28,7 +28,7 @@ void refuse_to_write(const fs::path& path, int error) {
   throw InputError(path.string(), problem);
 }
 
-WholeFile::WholeFile(fs::path path) : path_(file_named(path)), part_(path_) {
+WholeFile::WholeFile(const fs::path& path) : path_(file_named(path)), part_(path_) {
   part_ += ".part";
   file_.open(part_, std::ios::binary | std::ios::trunc);
   if (!file_) refuse_to_write(path_, errno);

@@ -26,7 +26,7 @@ std::filesystem::path file_named(const std::filesystem::path& path);
 class WholeFile {
  public:
   // Throws InputError if it cannot be written.
-  explicit WholeFile(std::filesystem::path path);
+  explicit WholeFile(const std::filesystem::path& path);
   // Removes what was written if finish() was not reached.
   ~WholeFile();
   WholeFile(const WholeFile&) = delete;

@@ -26,7 +26,7 @@ double speed_of_change(const SolveReport& report) {
 
 // Whether velocities have settled so far that relaxation, which leaves long waves, may end a solution.
 bool have_settled(const SolveReport& report, const SolverSettings& settings) {
-  return speed_of_change(report) <= T::settled_share * settings.velocity_tolerance;
+  return speed_of_change(report) <= T::kSettledShare * settings.velocity_tolerance;
 }
 
 // H velocity at a contact.
@@ -52,15 +52,16 @@ struct InteriorPoint::Path {
   class Jam {
    public:
     // Told after each iteration, with the least distance before it. Says so once for each gain of the best.
-    bool met(double distance, double best, std::int64_t factorisations) {
-      if (distance < T::gain * gained_) {
+    bool met(double distance, double least, std::int64_t factorisations) {
+      if (distance < T::kGain * gained_) {
         gained_ = distance;
         gained_at_ = factorisations;
         return false;
       }
-      if (best >= T::near || best >= T::gain * met_at_ || factorisations - gained_at_ < T::patience)
+      if (least >= T::kNear || least >= T::kGain * met_at_ ||
+          factorisations - gained_at_ < T::kPatience)
         return false;
-      met_at_ = best;
+      met_at_ = least;
       return true;
     }
 
@@ -104,7 +105,7 @@ double InteriorPoint::admissible_product(const ContactProblem& problem,
 
 void InteriorPoint::start(const ContactProblem& problem, double shift, const ContactState& state) {
   const std::size_t nc = problem.contacts.size();
-  proximal_ = T::proximal;
+  proximal_ = T::kProximal;
   delassus_.resize(nc);
   cone_.assign(nc, {});
   stiffness_.resize(nc);
@@ -155,11 +156,11 @@ double InteriorPoint::find_direction(const ContactProblem& problem, double tau, 
 }
 
 double InteriorPoint::centre_direction(const ContactProblem& problem, double tau, double alpha) {
-  const double foreseen = std::min(1.0, alpha + T::further);
+  const double foreseen = std::min(1.0, alpha + T::kFurther);
   const auto further = [&](double x, double dx, double y, double dy) {
     const double product = (x + foreseen * dx) * (y + foreseen * dy);
-    const double wanted = std::clamp(product, T::least_of_aim * tau, T::most_of_aim * tau);
-    return std::max(wanted - product, -T::most_of_aim * tau);
+    const double wanted = std::clamp(product, T::kLeastOfAim * tau, T::kMostOfAim * tau);
+    return std::max(wanted - product, -T::kMostOfAim * tau);
   };
   share_range(cone_.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) impulse_[c] = cone_[c].head_further(further);
@@ -195,23 +196,23 @@ double InteriorPoint::mean_product(double alpha) const {
 // Finds the next direction along the path, and how far to go.
 double InteriorPoint::find_step(const ContactProblem& problem, double product,
                                 double least_product) {
-  const auto length = [](double longest) { return std::min(1.0, T::boundary_share * longest); };
-  if (matrix_.negative()) return length(find_direction(problem, T::growth * product, false));
+  const auto length = [](double longest) { return std::min(1.0, T::kBoundaryShare * longest); };
+  if (matrix_.negative()) return length(find_direction(problem, T::kGrowth * product, false));
   const double affine = mean_product(std::min(1.0, find_direction(problem, 0, false)));
   const double centring = std::pow(std::max(0.0, affine / product), 3);
   const double aim = std::max(centring * product, least_product);
   double alpha = length(find_direction(problem, aim, true));
-  if (alpha < T::long_step) alpha = length(centre_direction(problem, aim, alpha));
-  if (alpha >= T::short_step) return alpha;
+  if (alpha < T::kLongStep) alpha = length(centre_direction(problem, aim, alpha));
+  if (alpha >= T::kShortStep) return alpha;
   return length(
-      find_direction(problem, std::max(T::aligned_share * product, least_product), false));
+      find_direction(problem, std::max(T::kAlignedShare * product, least_product), false));
 }
 
 bool InteriorPoint::finish(const ContactProblem& problem, const SolverSettings& settings,
                            ContactState& state, SolveReport& report) {
   const bool settled = speed_of_change(report) <= settings.velocity_tolerance;
   const SolveReport end =
-      newton_.solve(problem, settings, settled ? T::finishing : T::searching, matrix_, state);
+      newton_.solve(problem, settings, settled ? T::kFinishing : T::kSearching, matrix_, state);
   report.residual = end.residual;
   report.velocity_change = std::min(speed_of_change(report), speed_of_change(end));
   report.factorisations += end.factorisations;
@@ -259,14 +260,14 @@ void InteriorPoint::iterate(Path& path) {
     linearise(problem);
     ++path.report.factorisations;
   } else {
-    proximal_ = std::max(T::proximal, T::proximal_decay * proximal_);
+    proximal_ = std::max(T::kProximal, T::kProximalDecay * proximal_);
   }
   path.product = mean_product(0);
   const double alpha = find_step(problem, path.product, path.least_product);
   share_range(cone_.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) {
       cone_[c].move(alpha);
-      cone_[c].lift(T::least_share * path.product);
+      cone_[c].lift(T::kLeastShare * path.product);
       impulse_[c] = cone_[c].impulse();
       path.state.impulse[c] = cone_[c].admissible_impulse(delassus_[c].x());
     }
@@ -282,7 +283,7 @@ bool InteriorPoint::accept(Path& path) {
   SolveReport& report = path.report;
   if (!report.converged) return false;
   const bool last =
-      speed_of_change(report) <= path.settings.velocity_tolerance || ++path.settling > T::settling;
+      speed_of_change(report) <= path.settings.velocity_tolerance || ++path.settling > T::kSettling;
   const bool finishes =
       (last || path.settling == 1) && finish(path.problem, path.settings, path.state, report);
   return last || finishes;
@@ -292,16 +293,16 @@ bool InteriorPoint::accept(Path& path) {
 bool InteriorPoint::rescue(Path& path) {
   const SolveReport& report = path.report;
   const double distance = path.settings.distance(report.residual);
-  if (have_settled(report, path.settings) && report.factorisations >= T::long_path &&
-      distance < std::min(T::near, T::nearer * path.tried)) {
+  if (have_settled(report, path.settings) && report.factorisations >= T::kLongPath &&
+      distance < std::min(T::kNear, T::kNearer * path.tried)) {
     path.tried = distance;
     relaxed_.impulse = path.state.impulse;
-    if (try_relaxation(path, T::few_sweeps)) return true;
+    if (try_relaxation(path, T::kFewSweeps)) return true;
   }
   if (speed_of_change(report) <= path.settings.velocity_tolerance &&
       path.jam.met(distance, path.best, report.factorisations)) {
     relaxed_.impulse = best_;
-    if (try_relaxation(path, T::try_sweeps)) return true;
+    if (try_relaxation(path, T::kTrySweeps)) return true;
   }
   if (distance < path.best) {
     path.best = distance;
@@ -323,8 +324,8 @@ SolveReport InteriorPoint::solve(const ContactProblem& problem, const SolverSett
   start(problem, shift, state);
   path.best = settings.distance(report.residual);
   best_ = state.impulse;
-  path.least_product = T::least_product * admissible_product(problem, settings);
-  path.most_proximal = shift > 1 ? T::proximal : T::proximal_at_folds;
+  path.least_product = T::kLeastProduct * admissible_product(problem, settings);
+  path.most_proximal = shift > 1 ? T::kProximal : T::kProximalAtFolds;
   report.rung = shift > 1 ? Rung::far_start : Rung::interior_point;
   while (report.factorisations < settings.max_factorisations) {
     iterate(path);

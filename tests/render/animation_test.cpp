@@ -1,5 +1,5 @@
 // The animated PNG of a run, decoded by a reader of our own: chunks, checksums, order and pixels.
-#include "render/image/animation.h"
+#include "render/film/animation.h"
 
 #include <gtest/gtest.h>
 #include <libdeflate.h>
@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "render/film/sequence.h"
 #include "render/image/image_difference.h"
 #include "render/image/png_reader.h"
-#include "render/image/sequence.h"
 
 namespace quicksand {
 namespace {

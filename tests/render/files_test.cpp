@@ -6,11 +6,11 @@
 #include <fstream>
 
 #include "core/base/errors.h"
-#include "render/image/frame_files.h"
+#include "render/film/frame_files.h"
+#include "render/film/sequence.h"
+#include "render/film/video.h"
 #include "render/image/png.h"
 #include "render/image/png_reader.h"
-#include "render/image/sequence.h"
-#include "render/image/video.h"
 
 namespace quicksand {
 namespace {

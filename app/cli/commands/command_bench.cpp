@@ -80,7 +80,8 @@ Report report_of(const Request& request, const std::vector<Row>& rows, double se
   Report report{.title = "quicksand: speed against error"};
   report.intro = {
       "Times are CPU seconds of one thread. The residual is the program's own judge of a solution "
-      "(core/problem/residual.h), over the force scale times dt; velocity errors are against a tight "
+      "(core/problem/residual.h), over the force scale times dt; velocity errors are against a "
+      "tight "
       "reference solution, the worst of a disk, in units of g dt, the velocity of free fall over "
       "a step."};
   if (request.options.quick)

@@ -19,7 +19,7 @@ class MeasureTest : public ProgramFixture {
  protected:
   void run_scene(const std::vector<std::string>& more = {}) const {
     folder_.write("pierced.json", kPiercedScene);
-    std::vector<std::string> arguments{"run", "pierced.json", "--no-frames"};
+    std::vector<std::string> arguments{"run", "pierced.json", "--no-frames", "--overwrite"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     ASSERT_EQ(quicksand(arguments).exit_code, 0);
   }

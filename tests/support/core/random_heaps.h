@@ -1,7 +1,6 @@
 // Small heaps of disks between walls, and the contact problem of their next step.
 #pragma once
 
-#include "core/step/step_settings.h"
 #include "core/base/random.h"
 #include "core/problem/contact_problem.h"
 #include "core/step/step_settings.h"

@@ -1,4 +1,4 @@
-#include "render/image/video.h"
+#include "render/film/video.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -9,7 +9,7 @@
 
 #include "core/base/whole_file.h"
 #include "render/base/external_program.h"
-#include "render/image/frame_files.h"
+#include "render/film/frame_files.h"
 
 namespace quicksand {
 namespace {

@@ -1,4 +1,4 @@
-#include "render/image/frame_files.h"
+#include "render/film/frame_files.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <string>
 #include <system_error>
 
-#include "render/image/sequence.h"
+#include "render/film/sequence.h"
 
 namespace quicksand {
 namespace {

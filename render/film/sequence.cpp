@@ -1,4 +1,4 @@
-#include "render/image/sequence.h"
+#include "render/film/sequence.h"
 
 #include <array>
 #include <condition_variable>
@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/base/errors.h"
-#include "render/image/frame_files.h"
+#include "render/film/frame_files.h"
 #include "render/image/png.h"
 
 namespace quicksand {

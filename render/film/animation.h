@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <filesystem>
 
-#include "render/image/video.h"
+#include "render/film/video.h"
 
 namespace quicksand {
 

@@ -1,4 +1,4 @@
-#include "render/image/animation.h"
+#include "render/film/animation.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/whole_file.h"
-#include "render/image/frame_files.h"
+#include "render/film/frame_files.h"
 #include "render/image/image_difference.h"
 #include "render/image/image_paste.h"
 #include "render/image/png.h"
