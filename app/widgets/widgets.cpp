@@ -18,15 +18,15 @@ bool last_item_disabled() {
 // Where a tooltip of this size does not hide what it is about: right of the mouse, or below, or above it. Versions of
 // ImGui differ in their own choice.
 ImVec2 beside_the_mouse(const ImVec2& size) {
-  const float kCursor = 24, kEdge = 3;  // [px]
+  const float cursor = 24, edge = 3;  // [px]
   const ImVec2 mouse = ImGui::GetMousePos(), room = ImGui::GetIO().DisplaySize;
-  const auto inside = [kEdge](float at, float extent, float end) {
-    return std::max(kEdge, std::min(at, end - kEdge - extent));
+  const auto inside = [edge](float at, float extent, float end) {
+    return std::max(edge, std::min(at, end - edge - extent));
   };
-  if (mouse.x + kCursor + size.x <= room.x - kEdge)
-    return {mouse.x + kCursor, inside(mouse.y, size.y, room.y)};
-  const bool below = mouse.y + kCursor + size.y <= room.y - kEdge;
-  return {inside(mouse.x, size.x, room.x), below ? mouse.y + kCursor : mouse.y - 8 - size.y};
+  if (mouse.x + cursor + size.x <= room.x - edge)
+    return {mouse.x + cursor, inside(mouse.y, size.y, room.y)};
+  const bool below = mouse.y + cursor + size.y <= room.y - edge;
+  return {inside(mouse.x, size.x, room.x), below ? mouse.y + cursor : mouse.y - 8 - size.y};
 }
 
 // Sets a colour until the end of the block.
