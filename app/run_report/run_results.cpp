@@ -7,7 +7,7 @@
 #include "app/base/nearest_name.h"
 #include "app/json/json_reader.h"
 #include "core/base/errors.h"
-#include "render/image/frame_files.h"
+#include "render/image/sequence.h"
 
 namespace quicksand {
 

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "core/base/whole_file.h"
-#include "render/image/frame_files.h"
 #include "render/image/image_difference.h"
 #include "render/image/image_paste.h"
 #include "render/image/png.h"
 #include "render/image/png_reader.h"
+#include "render/image/sequence.h"
 
 namespace quicksand {
 namespace {

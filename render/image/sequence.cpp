@@ -1,21 +1,58 @@
 #include "render/image/sequence.h"
 
+#include <algorithm>
 #include <array>
 #include <condition_variable>
 #include <cstdio>
 #include <deque>
 #include <exception>
 #include <mutex>
+#include <string>
+#include <string_view>
 #include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include "core/base/errors.h"
-#include "render/image/frame_files.h"
 #include "render/image/png.h"
 
 namespace quicksand {
+
+namespace {
+
+constexpr std::string_view kPrefix = "frame_";
+constexpr std::string_view kSuffix = ".png";
+constexpr std::size_t kDigits = 6;
+
+// Number of frame_000012.png, -1 for any other name.
+std::int64_t frame_number(const std::string& name) {
+  if (name.size() < kPrefix.size() + kDigits + kSuffix.size()) return -1;
+  if (!name.starts_with(kPrefix) || !name.ends_with(kSuffix)) return -1;
+  const std::string digits =
+      name.substr(kPrefix.size(), name.size() - kPrefix.size() - kSuffix.size());
+  const bool all_digits =
+      std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
+  return all_digits && digits.size() <= 18 ? std::stoll(digits) : -1;
+}
+
+}  // namespace
+
+std::filesystem::path frame_path(const std::filesystem::path& folder, std::int64_t number) {
+  std::array<char, 40> name{};
+  std::snprintf(name.data(), name.size(), "frame_%06lld.png", static_cast<long long>(number));
+  return folder / name.data();
+}
+
+std::map<std::int64_t, std::filesystem::path> frame_files(const std::filesystem::path& folder) {
+  std::map<std::int64_t, std::filesystem::path> files;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const std::int64_t number = frame_number(entry.path().filename().string());
+    if (number >= 0) files.emplace(number, entry.path());
+  }
+  return files;
+}
 
 // The second thread and what it shares with the first.
 struct Sequence::Writer {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 
 #include "render/image/image.h"
@@ -37,5 +38,7 @@ class Sequence {
 
 // FOLDER/frame_000012.png
 std::filesystem::path frame_path(const std::filesystem::path& folder, std::int64_t number);
+// The frames in a folder by number; other files are passed over. Empty if there is no folder.
+std::map<std::int64_t, std::filesystem::path> frame_files(const std::filesystem::path& folder);
 
 }  // namespace quicksand

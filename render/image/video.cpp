@@ -9,7 +9,7 @@
 
 #include "core/base/whole_file.h"
 #include "render/base/external_program.h"
-#include "render/image/frame_files.h"
+#include "render/image/sequence.h"
 
 namespace quicksand {
 namespace {

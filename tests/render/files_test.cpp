@@ -6,7 +6,6 @@
 #include <fstream>
 
 #include "core/base/errors.h"
-#include "render/image/frame_files.h"
 #include "render/image/png.h"
 #include "render/image/png_reader.h"
 #include "render/image/sequence.h"
