@@ -1,10 +1,10 @@
 // Commands about pictures: view, camera, pick, snapshot, record.
 #include <algorithm>
-#include <iterator>
 
 #include "app/commands/command_definition.h"
 #include "app/json/json_reader.h"
 #include "app/session/disk_at.h"
+#include "app/view/view_fields.h"
 #include "core/base/errors.h"
 #include "render/base/camera.h"
 #include "render/image/png.h"
@@ -15,44 +15,11 @@ namespace quicksand {
 namespace {
 
 constexpr std::string_view kPictureGroup = "Pictures";
-constexpr std::string_view kThemeNames[] = {"light", "dark"};
-
-std::span<const std::string_view> colouring_names() {
-  static const std::vector<std::string_view> names = [] {
-    std::vector<std::string_view> all;
-    std::ranges::transform(colourings(), std::back_inserter(all), &ColouringInfo::name);
-    return all;
-  }();
-  return names;
-}
-
-void describe_size(Fields& f, int& width, int& height) {
-  std::int64_t w = width, h = height;
-  f.integer({"width", "of the picture [px]; as before if absent"}, kSmallestPicture,
-            kLargestPicture, w);
-  f.integer({"height", "of the picture [px]; as before if absent"}, kSmallestPicture,
-            kLargestPicture, h);
-  width = static_cast<int>(w);
-  height = static_cast<int>(h);
-}
-
 struct ViewCommand {
   View view;
 
   void seed(const Console& console) { view = console.session().view; }
-  void describe(Fields& f) {
-    f.choice({"colour", "what the grains' colours show"}, colouring_names(), view.colouring);
-    f.choice({"theme", "of pictures and panel"}, kThemeNames, view.theme);
-    f.flag({"bonds", "lines along the active bonds"}, view.bonds);
-    f.flag({"forces", "lines along the contacts, as wide as their normal force"}, view.forces);
-    f.flag({"broken_bonds", "bars across the bonds that broke"}, view.broken_bonds);
-    f.flag({"orientation", "a mark on each disk that turns with it"}, view.orientation);
-    f.flag({"legend", "what the colours mean"}, view.legend);
-    f.flag({"scale_bar", "how long a diameter is"}, view.scale_bar);
-    f.flag({"numbers", "time and key numbers"}, view.numbers);
-    f.flag({"detail", "a close-up of the intruder where there is room for it"}, view.detail);
-    describe_size(f, view.width, view.height);
-  }
+  void describe(Fields& f) { describe_view(f, view); }
   Json perform(Console& console, const std::string& place) {
     try {
       check(view);
@@ -229,7 +196,8 @@ struct Record {
 
 std::vector<SessionCommand> picture_commands() {
   return {
-      define<ViewCommand>({"view", kPictureGroup, "Changes how the packing is drawn.",
+      define<ViewCommand>({"view", kPictureGroup,
+                           "Changes how the packing is drawn; what is absent stays as it is.",
                            R"({"command": "view", "colour": "pressure", "theme": "dark"})"},
                           false),
       define<CameraCommand>({"camera", kPictureGroup, "Chooses what part of the world is shown.",
@@ -237,9 +205,10 @@ std::vector<SessionCommand> picture_commands() {
       define<Pick>({"pick", kPictureGroup,
                     "Chooses the body that the panel inspects, and tells about it.",
                     R"({"command": "pick", "at": [15, 10]})"}),
-      define<Snapshot>({"snapshot", kPictureGroup, "Writes a picture.",
-                        R"({"command": "snapshot", "file": "half_way.png"})"},
-                       false),
+      define<Snapshot>(
+          {"snapshot", kPictureGroup, "Writes a picture, as large as the view if no size is given.",
+           R"({"command": "snapshot", "file": "half_way.png"})"},
+          false),
       define<Record>({"record", kPictureGroup, "Begins or ends writing frames and series.csv.",
                       R"({"command": "record", "on": true, "folder": "film", "every": 0.02})"})};
 }

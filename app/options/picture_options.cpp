@@ -1,9 +1,11 @@
 #include "app/options/picture_options.h"
 
+#include <algorithm>
 #include <charconv>
 #include <vector>
 
 #include "app/base/nearest_name.h"
+#include "app/view/view_fields.h"
 #include "core/base/errors.h"
 
 namespace quicksand {
@@ -21,33 +23,46 @@ bool parse_size(const std::string& text, int& width, int& height) {
 
 bool drawable(int pixels) { return pixels >= kSmallestPicture && pixels <= kLargestPicture; }
 
+std::string size_text(const View& view) {
+  return std::to_string(view.width) + "x" + std::to_string(view.height);
+}
+
+std::string option_of(const ViewField& field) { return std::string("--") + field.name; }
+
 }  // namespace
 
+PictureOptions::PictureOptions() : size(size_text(view)) {
+  for (const ViewWord& word : view_words()) words.emplace_back(word.word(view));
+}
+
 void add_picture_options(CLI::App& command, PictureOptions& options) {
-  command.add_option("--colour,--color", options.colour, "what grains are coloured by")
-      ->type_name("NAME")
-      ->capture_default_str();
-  command.add_option("--theme", options.theme, "light or dark")
-      ->type_name("NAME")
-      ->capture_default_str();
+  for (std::size_t i = 0; i < view_words().size(); ++i) {
+    const std::string name = option_of(view_words()[i].field);
+    command
+        .add_option(name + (name == "--colour" ? ",--color" : ""), options.words[i],
+                    view_words()[i].field.help)
+        ->type_name("NAME")
+        ->capture_default_str();
+  }
   command.add_option("--size", options.size, "of the picture in pixels")
       ->type_name("WxH")
       ->capture_default_str();
-  command.add_flag("--bonds", options.bonds, "draw the network of active bonds");
-  command.add_flag("--forces", options.forces, "draw contact forces as lines of their width");
+  for (const ViewFlag& flag : view_flags())
+    if (flag.field.of_runs)
+      command.add_flag(option_of(flag.field), options.view.*flag.value,
+                       std::string("draw ") + flag.field.help);
 }
 
 std::string picture_words(const View& view) {
   const View usual;
-  std::string words;
-  if (view.colouring != usual.colouring)
-    words += " --colour " + std::string(info(view.colouring).name);
-  if (view.theme == Theme::dark) words += " --theme dark";
-  if (view.width != usual.width || view.height != usual.height)
-    words += " --size " + std::to_string(view.width) + "x" + std::to_string(view.height);
-  if (view.bonds) words += " --bonds";
-  if (view.forces) words += " --forces";
-  return words;
+  std::string text;
+  for (const ViewWord& word : view_words())
+    if (word.index(view) != word.index(usual))
+      text += " " + option_of(word.field) + " " + std::string(word.word(view));
+  if (size_text(view) != size_text(usual)) text += " --size " + size_text(view);
+  for (const ViewFlag& flag : view_flags())
+    if (flag.field.of_runs && view.*flag.value) text += " " + option_of(flag.field);
+  return text;
 }
 
 void read_size(const std::string& text, int& width, int& height) {
@@ -58,24 +73,17 @@ void read_size(const std::string& text, int& width, int& height) {
 }
 
 View view_from(const PictureOptions& options) {
-  View view;
-  const auto colouring = colouring_from_name(options.colour);
-  if (!colouring) {
-    std::vector<std::string> names;
-    for (const ColouringInfo& known : colourings()) names.emplace_back(known.name);
-    throw InputError("--colour " + options.colour,
-                     "is no colouring" + suggestion(options.colour, names));
-  }
-  const auto theme = theme_from_name(options.theme);
-  if (!theme) {
-    throw InputError("--theme " + options.theme,
-                     "is no theme" + suggestion(options.theme, {"light", "dark"}));
+  View view = options.view;
+  for (std::size_t i = 0; i < view_words().size(); ++i) {
+    const ViewWord& word = view_words()[i];
+    const auto found = std::ranges::find(word.words, options.words[i]);
+    if (found == word.words.end())
+      throw InputError(option_of(word.field) + " " + options.words[i],
+                       "is no " + std::string(word.field.name) +
+                           suggestion(options.words[i], {word.words.begin(), word.words.end()}));
+    word.choose(view, static_cast<int>(found - word.words.begin()));
   }
   read_size(options.size, view.width, view.height);
-  view.colouring = *colouring;
-  view.theme = *theme;
-  view.bonds = options.bonds;
-  view.forces = options.forces;
   return view;
 }
 

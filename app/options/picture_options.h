@@ -3,17 +3,17 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
 #include "render/base/view.h"
 
 namespace quicksand {
 
 struct PictureOptions {
-  std::string colour = "active_bonds";
-  std::string theme = "light";
-  std::string size = "1280x720";
-  bool bonds = false;
-  bool forces = false;
+  View view;                       // its flags
+  std::vector<std::string> words;  // one a word of the view, in their order
+  std::string size;
+  PictureOptions();
 };
 
 void add_picture_options(CLI::App& command, PictureOptions& options);

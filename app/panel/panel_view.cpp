@@ -1,29 +1,21 @@
 // How the packing is drawn, and from where.
 #include <imgui.h>
 
+#include <cctype>
+
 #include "app/panel/panel_frame.h"
+#include "app/view/view_fields.h"
 
 namespace quicksand::gui {
 namespace {
 
 constexpr double kZoom = 1.25;  // of a press on + or -
 
-struct Switch {
-  const char* name;  // as in the command
-  const char* label;
-  const char* help;
-  bool View::*value;
-};
-constexpr Switch kSwitches[] = {
-    {"bonds", "Bonds", "Lines along the active bonds.", &View::bonds},
-    {"forces", "Forces", "Lines along the contacts, as wide as their normal force.", &View::forces},
-    {"broken_bonds", "Broken bonds", "Bars where bonds broke, while their bodies stay close.",
-     &View::broken_bonds},
-    {"orientation", "Orientation", "A mark on each disk that turns with it.", &View::orientation},
-    {"legend", "Legend", "What the colours mean.", &View::legend},
-    {"scale_bar", "Scale bar", "How long a few diameters are.", &View::scale_bar},
-    {"numbers", "Numbers", "Time and key numbers.", &View::numbers},
-};
+// A phrase as a sentence.
+std::string sentence(std::string phrase) {
+  phrase[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(phrase[0])));
+  return phrase + ".";
+}
 
 void show_camera(PanelFrame& frame) {
   Widgets& w = frame.widgets;
@@ -53,25 +45,25 @@ void show_view_controls(PanelFrame& frame) {
   Widgets& w = frame.widgets;
   const View& view = frame.session.view;
   if (!w.begin_section("View", true)) return;
-  std::vector<std::string> names, helps;
-  for (const ColouringInfo& colouring : colourings()) {
-    names.emplace_back(colouring.name);
-    helps.emplace_back(colouring.description);
-  }
-  if (const auto name =
-          w.combo({"colour", "Colour by"}, names, std::string(info(view.colouring).name), helps)) {
-    frame.command("view", {{"colour", *name}});
-  }
-  if (const auto theme = w.combo({"theme", "Theme"}, {"light", "dark"},
-                                 view.theme == Theme::light ? "light" : "dark")) {
-    frame.command("view", {{"theme", *theme}});
+  for (const ViewWord& word : view_words()) {
+    const bool colours = std::string_view(word.field.name) == "colour";
+    std::vector<std::string> helps;
+    for (const ColouringInfo& colouring : colourings())
+      if (colours) helps.emplace_back(colouring.description);
+    const std::vector<std::string> names(word.words.begin(), word.words.end());
+    if (const auto name = w.combo({word.field.name, word.field.label}, names,
+                                  std::string(word.word(view)), helps))
+      frame.command("view", {{word.field.name, *name}});
   }
   const float second = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x / 2;
   bool right = false;
-  for (const Switch& choice : kSwitches) {
+  for (const ViewFlag& flag : view_flags()) {
+    const ViewField& field = flag.field;
+    if (field.label == nullptr) continue;
     if (right) ImGui::SameLine(second);
-    if (const auto on = w.checkbox({choice.name, choice.label, choice.help}, view.*choice.value)) {
-      frame.command("view", {{choice.name, *on}});
+    if (const auto on =
+            w.checkbox({field.name, field.label, sentence(field.help)}, view.*flag.value)) {
+      frame.command("view", {{field.name, *on}});
     }
     right = !right;
   }

@@ -198,7 +198,7 @@ RunGroup PaperJobs::by(const NscdSetting& setting, Plan plan) {
   const PaperScale usual = scale_;
   make_nscd(scale_, setting);
   scale_.realizations = 1;
-  const RunGroup group = plan();
+  RunGroup group = plan();
   scale_ = usual;
   return group;
 }

@@ -1,31 +1,14 @@
 #include "app/run/run_options.h"
 
-#include <string_view>
-#include <vector>
-
 #include "app/json/json_reader.h"
 #include "app/json/json_writer.h"
+#include "app/view/view_fields.h"
 #include "core/base/errors.h"
 #include "core/base/whole_file.h"
 
 namespace quicksand {
 
 namespace {
-
-constexpr std::string_view kThemes[] = {"light", "dark"};
-
-void describe_view(Fields& f, View& view) {
-  std::vector<std::string_view> names;
-  for (const ColouringInfo& known : colourings()) names.push_back(known.name);
-  f.choice({"colour", "what grains are coloured by"}, names, view.colouring);
-  f.choice({"theme", "light or dark"}, kThemes, view.theme);
-  std::int64_t width = view.width, height = view.height;
-  f.integer({"width", "of the pictures [px]"}, kSmallestPicture, kLargestPicture, width);
-  f.integer({"height", "of the pictures [px]"}, kSmallestPicture, kLargestPicture, height);
-  view.width = static_cast<int>(width), view.height = static_cast<int>(height);
-  f.flag({"bonds", "whether active bonds are drawn"}, view.bonds);
-  f.flag({"forces", "whether contact forces are drawn"}, view.forces);
-}
 
 void describe_strict(Fields& f, StrictBounds& strict) {
   f.number({"max_overlap", "deepest overlap that is accepted"}, between(0, 1, "d"),
@@ -41,7 +24,7 @@ void describe(Fields& f, RunOptions& options) {
   f.optional_object({"strict", "what a run must keep to be believed"}, options.strict,
                     describe_strict);
   f.object({"view", "how pictures look"},
-           [&](Fields& inner) { describe_view(inner, options.view); });
+           [&](Fields& inner) { describe_view_of_run(inner, options.view); });
 }
 
 }  // namespace

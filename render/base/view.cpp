@@ -1,6 +1,5 @@
 #include "render/base/view.h"
 
-#include <algorithm>
 #include <array>
 
 namespace quicksand {
@@ -23,18 +22,6 @@ std::span<const ColouringInfo> colourings() { return kColourings; }
 
 const ColouringInfo& info(Colouring colouring) {
   return kColourings[static_cast<std::size_t>(colouring)];
-}
-
-std::optional<Colouring> colouring_from_name(std::string_view name) {
-  const auto* const found = std::ranges::find(kColourings, name, &ColouringInfo::name);
-  if (found == kColourings.end()) return std::nullopt;
-  return found->colouring;
-}
-
-std::optional<Theme> theme_from_name(std::string_view name) {
-  if (name == "light") return Theme::light;
-  if (name == "dark") return Theme::dark;
-  return std::nullopt;
 }
 
 }  // namespace quicksand

@@ -25,10 +25,6 @@ struct ColouringInfo {
 // Every way to colour grains, in the order of the enum.
 std::span<const ColouringInfo> colourings();
 const ColouringInfo& info(Colouring colouring);
-// The colouring of that name, or none.
-std::optional<Colouring> colouring_from_name(std::string_view name);
-std::optional<Theme> theme_from_name(std::string_view name);  // "light", "dark"
-
 // A rectangle of the world [d].
 struct WorldRect {
   Vec2 low{0, 0};

@@ -70,12 +70,9 @@ INSTANTIATE_TEST_SUITE_P(Themes, InTheme, testing::Values(Theme::light, Theme::d
 
 TEST(Colouring, NamesLeadBackToTheColourings) {
   for (const ColouringInfo& entry : colourings()) {
-    EXPECT_EQ(colouring_from_name(entry.name), entry.colouring);
     EXPECT_EQ(info(entry.colouring).name, entry.name);
     EXPECT_FALSE(entry.description.empty());
   }
-  EXPECT_FALSE(colouring_from_name("color"));
-  EXPECT_FALSE(theme_from_name("pink"));
 }
 
 TEST(Colouring, EveryColouringColoursEveryDiskAndHasALegend) {

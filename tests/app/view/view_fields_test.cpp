@@ -1,0 +1,56 @@
+// One description of the view: command line, run.json, session and panel have the same names.
+#include "app/view/view_fields.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "app/json/json_reader.h"
+#include "app/json/json_writer.h"
+#include "app/options/picture_options.h"
+
+namespace quicksand::test {
+namespace {
+
+// All that is not as usual.
+View unusual() {
+  View view;
+  view.width = 320;
+  for (const ViewWord& word : view_words()) word.choose(view, 1);
+  for (const ViewFlag& flag : view_flags()) view.*flag.value = !(view.*flag.value);
+  return view;
+}
+
+TEST(ViewFields, ComeBackFromJson) {
+  View view = unusual(), read;
+  JsonWriter writer;
+  describe_view(writer, view);
+  const Json json = writer.take();
+  JsonReader reader(json, "", "a view");
+  describe_view(reader, read);
+  EXPECT_EQ(read, view);
+}
+
+TEST(ViewFields, OfARunComeBackFromTheWordsOfItsOptions) {
+  View view;
+  for (const ViewWord& word : view_words()) word.choose(view, 1);
+  view.width = 640, view.bonds = view.forces = true;
+  CLI::App app;
+  PictureOptions options;
+  add_picture_options(app, options);
+  app.parse("quicksand" + picture_words(view), true);
+  EXPECT_EQ(view_from(options), view);
+}
+
+TEST(ViewFields, WordsAreThoseOfTheirEnums) {
+  View view;
+  for (const ColouringInfo& known : colourings()) {
+    view.colouring = known.colouring;
+    EXPECT_EQ(view_words()[0].word(view), known.name);
+  }
+  view.theme = Theme::dark;
+  EXPECT_EQ(view_words()[1].word(view), "dark");
+}
+
+}  // namespace
+}  // namespace quicksand::test
