@@ -9,7 +9,7 @@ namespace quicksand::bench {
 
 struct StepProblem {
   ContactProblem problem;
-  std::vector<Vec3> start;     // (nc) impulses inherited from the last step
+  std::vector<Vec3> start;     // (nc) warm start: impulses of the last step
   std::vector<Vec3> no_force;  // (nc) N = F_c dt where bonded: no contact gives any force
 };
 

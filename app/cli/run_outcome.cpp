@@ -71,9 +71,9 @@ int tell_failure(const RunResult& result, const RunOptions& options) {
 
 }  // namespace
 
-int tell_distrust(const std::string& reasons) {
+int tell_validation(const std::string& reasons) {
   if (reasons.empty()) return kFine;
-  std::fprintf(stderr, "quicksand: --strict: the run is not to be believed: %s\n", reasons.c_str());
+  std::fprintf(stderr, "quicksand: --strict: validation failed: %s\n", reasons.c_str());
   return kRunFailed;
 }
 
@@ -87,7 +87,7 @@ int tell_outcome(const RunResult& result, const RunOptions& options) {
       std::printf("%lld steps in %.1f s; results are in %s\n", steps, result.end.wall_seconds,
                   folder.c_str());
       if (!options.quiet) tell_next(result.folder);
-      return tell_distrust(result.distrust);
+      return tell_validation(result.invalid);
     case RunEnd::How::interrupted:
       std::printf(
           "interrupted after %lld steps; results so far are in %s\n"

@@ -10,8 +10,8 @@ namespace quicksand {
 // Prints what became of a run and how to go on with it; returns the exit code.
 int tell_outcome(const RunResult& result, const RunOptions& options);
 
-// Of a run that ended well, but that --strict distrusts for these reasons: prints them if there are some;
+// Of a run that ended well, but that failed the validation of --strict for these reasons: prints them if there are some;
 // returns the exit code.
-int tell_distrust(const std::string& reasons);
+int tell_validation(const std::string& reasons);
 
 }  // namespace quicksand

@@ -96,7 +96,7 @@ struct ExpectHash {
     const std::string now = text_of_hash(world_hash(console.session().world()));
     if (now != hash)
       throw CommandFailure("the world's hash is " + now + ", expected " + hash +
-                           "; another version, compiler or machine computes another course");
+                           "; another version, compiler or machine computes another time history");
     return {{"hash", now}};
   }
 };

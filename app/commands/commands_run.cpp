@@ -83,44 +83,69 @@ struct Pause {
   }
 };
 
+// Grains whose centres lie in it: a circle, or a lens.
+struct Ellipse {
+  Vec2 center{0, 0}, half_axes{1, 1};  // [d]
+
+  bool contains(const Vec2& point) const {
+    return (point - center).cwiseQuotient(half_axes).squaredNorm() <= 1;
+  }
+};
+
 struct Apply {
   std::int64_t body = 0;
+  std::optional<Ellipse> inside;
   Vec2 force{0, 0};
 
   void describe(Fields& f) {
-    f.integer({"body", "its number", Presence::required}, 0, 100'000'000, body);
-    f.vector({"force", "components [x, y]; [0, 0] ends it", Presence::required},
+    constexpr double kFar = 1e6;
+    f.integer({"body", "its number"}, 0, 100'000'000, body);
+    f.optional_object({"inside", "all grains whose centres lie in an ellipse now"}, inside,
+                      [](Fields& g, Ellipse& e) {
+                        g.vector({"center", "its centre [x, y]", Presence::required},
+                                 between(-kFar, kFar, "d"), e.center);
+                        g.vector({"half_axes", "half its width and height", Presence::required},
+                                 above(0, kFar, "d"), e.half_axes);
+                      });
+    f.exactly_one({"body", "inside"});
+    f.vector({"force", "components [x, y], on each body; [0, 0] ends it", Presence::required},
              between(-1e12, 1e12, "F_g"), force);
   }
   Json perform(Console& console, const std::string& place) {
-    const int bodies = console.session().world().disks.size();
-    if (body >= bodies)
+    const Disks& disks = console.session().world().disks;
+    if (!inside && body >= disks.size())
       throw InputError(place + ".body", std::to_string(body) + " does not exist; there are " +
-                                            std::to_string(bodies) + ", numbered from 0");
-    console.session().apply(static_cast<int>(body), force);
-    return Json::object();
+                                            std::to_string(disks.size()) + ", numbered from 0");
+    std::vector<int> bodies;
+    for (int k = 0; k < disks.size(); ++k)
+      if (inside ? disks.role[k] == Role::grain && inside->contains(disks.position[k]) : k == body)
+        bodies.push_back(k);
+    if (bodies.empty()) throw InputError(place + ".inside", "no grain has its centre there");
+    for (const int k : bodies) console.session().apply(k, force);
+    return {{"bodies", bodies.size()}};
   }
 };
 
 }  // namespace
 
 std::vector<SessionCommand> run_commands() {
-  return {define<RunCommand>(
-              {"run", kRunGroup,
-               "Computes until the first of its ends; without any, to the end of the scene.",
-               R"({"command": "run", "time": 0.5})"}),
-          define<Start>({"start", kRunGroup, "Lets every frame of the panel compute.",
-                         R"({"command": "start"})"}),
-          define<Pace>(
-              {"pace", kRunGroup, "Sets how many steps a frame of the panel computes after start.",
-               R"({"command": "pace", "steps_per_frame": 10})"},
-              false),
-          define<Pause>({"pause", kRunGroup, "Ends what start began.", R"({"command": "pause"})"}),
-          define<Apply>(
-              {"apply", kRunGroup,
-               "Lets a force act on the centre of a body from now on, instead of the one that "
-               "acted, besides its weight.",
-               R"({"command": "apply", "body": 12, "force": [100, 0]})"})};
+  return {
+      define<RunCommand>(
+          {"run", kRunGroup,
+           "Computes until the first of its ends; without any, to the end of the scene.",
+           R"({"command": "run", "time": 0.5})"}),
+      define<Start>({"start", kRunGroup, "Lets every frame of the panel compute.",
+                     R"({"command": "start"})"}),
+      define<Pace>(
+          {"pace", kRunGroup, "Sets how many steps a frame of the panel computes after start.",
+           R"({"command": "pace", "steps_per_frame": 10})"},
+          false),
+      define<Pause>({"pause", kRunGroup, "Ends what start began.", R"({"command": "pause"})"}),
+      define<Apply>(
+          {"apply", kRunGroup,
+           "Lets a force act on the centre of a body, or of each grain of a region, from now on, "
+           "instead of the one that acted, besides its weight.",
+           R"({"command": "apply", "body": 12, "force": [100, 0]})"})};
 }
 
 }  // namespace quicksand

@@ -39,7 +39,7 @@ struct Quit {
 
 std::vector<SessionCommand> session_commands_proper() {
   return {
-      define<Print>({"print", kSessionGroup, "Says something in the course of the session.",
+      define<Print>({"print", kSessionGroup, "Prints a text when the session gets there.",
                      R"({"command": "print", "text": "the packing stands"})"},
                     false),
       define<Include>({"include", kSessionGroup, "Performs the commands of another file.",

@@ -2,7 +2,7 @@
 // widgets.
 #include "app/commands/command_definition.h"
 #include "app/gui/gui.h"
-#include "app/gui/robot.h"
+#include "app/gui/ui_driver.h"
 #include "core/base/errors.h"
 
 namespace quicksand {
@@ -17,14 +17,14 @@ Json given(const std::vector<Json>& commands) { return {{"gave", commands}}; }
 // A widget that cannot be reached is no malformed command but a failed one.
 template <class Act>
 Json act(Console& console, Act act_on) {
-  Robot& robot = console.robot();
+  UiDriver& driver = console.ui_driver();
   try {
-    return given(act_on(robot));
+    return given(act_on(driver));
   } catch (const InputError& error) {
-    robot.let_go();
+    driver.let_go();
     throw CommandFailure(error.where() + ": " + error.what());
   } catch (...) {
-    robot.let_go();
+    driver.let_go();
     throw;
   }
 }
@@ -38,7 +38,7 @@ constexpr Shape kPlace{"the path of a widget, or a place [x, y] in the picture [
                          return Json{{"type", {"string", "array"}}};
                        }};
 
-Robot::Place place_from(const Json& json) {
+UiDriver::Place place_from(const Json& json) {
   if (json.is_string()) return json.get<std::string>();
   return Vec2(json[0].get<double>(), json[1].get<double>());
 }
@@ -57,9 +57,9 @@ struct Click {
            kPlace, at);
   }
   Json perform(Console& console, const std::string&) {
-    return act(console, [&](Robot& robot) {
-      return at.is_string() ? robot.click(at.get<std::string>())
-                            : robot.click_at(std::get<Vec2>(place_from(at)));
+    return act(console, [&](UiDriver& driver) {
+      return at.is_string() ? driver.click(at.get<std::string>())
+                            : driver.click_at(std::get<Vec2>(place_from(at)));
     });
   }
 };
@@ -68,7 +68,7 @@ struct Hover {
   std::string widget;
   void describe(Fields& f) { describe_widget(f, widget); }
   Json perform(Console& console, const std::string&) {
-    return act(console, [&](Robot& robot) { return robot.hover(widget); });
+    return act(console, [&](UiDriver& driver) { return driver.hover(widget); });
   }
 };
 
@@ -89,7 +89,7 @@ struct SetWidget {
         kValue, value);
   }
   Json perform(Console& console, const std::string&) {
-    return act(console, [&](Robot& robot) { return robot.set(widget, value); });
+    return act(console, [&](UiDriver& driver) { return driver.set(widget, value); });
   }
 };
 
@@ -101,7 +101,8 @@ struct DragMouse {
     f.json({"to", "where it is released", Presence::required}, kPlace, to);
   }
   Json perform(Console& console, const std::string&) {
-    return act(console, [&](Robot& robot) { return robot.drag(place_from(from), place_from(to)); });
+    return act(console,
+               [&](UiDriver& driver) { return driver.drag(place_from(from), place_from(to)); });
   }
 };
 
@@ -114,7 +115,7 @@ struct Wheel {
     f.number({"notches", "positive: away from the user"}, between(-100, 100, "1"), notches);
   }
   Json perform(Console& console, const std::string&) {
-    return act(console, [&](Robot& robot) { return robot.wheel(at, notches); });
+    return act(console, [&](UiDriver& driver) { return driver.wheel(at, notches); });
   }
 };
 
@@ -124,7 +125,7 @@ struct PressKey {
     f.text({"key", "its name, as in space, escape, page_up", Presence::required}, key);
   }
   Json perform(Console& console, const std::string&) {
-    return act(console, [&](Robot& robot) { return robot.press(std::string_view(key)); });
+    return act(console, [&](UiDriver& driver) { return driver.press(std::string_view(key)); });
   }
 };
 
@@ -136,7 +137,7 @@ struct Frames {
   }
   Json perform(Console& console, const std::string&) {
     const std::int64_t first = console.session().loaded() ? console.session().world().step : 0;
-    act(console, [&](Robot& robot) { return robot.wait(static_cast<int>(count)); });
+    act(console, [&](UiDriver& driver) { return driver.wait(static_cast<int>(count)); });
     return {{"steps", console.session().loaded() ? console.session().world().step - first : 0}};
   }
 };
@@ -144,7 +145,7 @@ struct Frames {
 struct Widgets {
   void describe(Fields&) {}
   Json perform(Console& console, const std::string&) {
-    console.robot().wait(2);  // a panel that was not seen yet has none
+    console.ui_driver().wait(2);  // a panel that was not seen yet has none
     Json list = Json::array();
     for (const Widget& widget : console.panel().widgets())
       list.push_back(

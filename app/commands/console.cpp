@@ -79,13 +79,13 @@ Gui& Console::panel() {
   return *panel_;
 }
 
-Robot& Console::robot() {
-  if (!robot_)
-    robot_ =
-        std::make_unique<Robot>(panel(), session_, session_.view.width, session_.view.height,
-                                [this](const std::vector<Json>& commands) { carry_out(commands); });
-  robot_->resize(session_.view.width, session_.view.height);
-  return *robot_;
+UiDriver& Console::ui_driver() {
+  if (!ui_driver_)
+    ui_driver_ = std::make_unique<UiDriver>(
+        panel(), session_, session_.view.width, session_.view.height,
+        [this](const std::vector<Json>& commands) { carry_out(commands); });
+  ui_driver_->resize(session_.view.width, session_.view.height);
+  return *ui_driver_;
 }
 
 void Console::carry_out(const std::vector<Json>& commands) {
@@ -132,7 +132,7 @@ Image Console::draw_panel(int width, int height, std::optional<double> scale) {
     return picture_of(other, {});
   }
   GuiInput still;
-  still.mouse = robot().mouse();
+  still.mouse = ui_driver().mouse();
   return picture_of(panel(), still);
 }
 

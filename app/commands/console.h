@@ -7,7 +7,7 @@
 #include <string>
 
 #include "app/gui/gui.h"
-#include "app/gui/robot.h"
+#include "app/gui/ui_driver.h"
 #include "app/session/recording.h"
 #include "app/session/session.h"
 #include "render/picture/renderer.h"
@@ -47,7 +47,7 @@ class Console {
   // The panel, made when it is first asked for. Throws RenderError if there is no font.
   Gui& panel();
   // Acts on the panel; what it commands is performed, and each frame computes if the session runs.
-  Robot& robot();
+  UiDriver& ui_driver();
   // One frame of the panel in a window, and its picture: as above, but what fails shows in a banner of
   // the panel. Throws RenderError.
   Image panel_frame(const GuiInput& input, int width, int height);
@@ -75,7 +75,7 @@ class Console {
   std::unique_ptr<Renderer> renderer_;
   double scale_;
   std::unique_ptr<Gui> panel_;
-  std::unique_ptr<Robot> robot_;
+  std::unique_ptr<UiDriver> ui_driver_;
   int depth_ = 0;  // of included files
 };
 

@@ -1,4 +1,4 @@
-// Pushes under each break rule with smaller and smaller time steps, in a looser and a denser sample: which
+// Pushes under each failure criterion with smaller and smaller time steps, in a looser and a denser specimen: which
 // settings, if any, give all of the paper's numbers together.
 //
 // A coarse step lets the linearised rule hold bonds against impacts, and the energy and geometric rules break them;
@@ -54,7 +54,7 @@ std::string target_id(const KnownPush& push, const KnownShare& share) {
   return "penetration." + std::string(push.target) + "." + share.target;
 }
 
-// All forces with one sample, rule and time step.
+// All forces with one specimen, rule and time step.
 struct BreakSetting {
   std::size_t sample;
   std::string rule;
@@ -83,14 +83,14 @@ class BreakRules : public PaperExperiment {
 
   void report(const PaperResults& results, const std::filesystem::path&, Section& section,
               Findings&) const override {
-    section.blocks.emplace_back(
-        Paragraph{"The same samples, pushed until everything rests, under each break rule and with "
-                  "smaller and smaller time steps. Where a rule still changes with the step its "
-                  "numbers are the step's; the rules are to meet where it is small. Plain "
-                  "geometric: without the "
-                  "curvature term, in steps of one length, as Contact Dynamics is without what the "
-                  "other rules "
-                  "add. It breaks a bond that turns by more than √(2 d_c/d) in a step."});
+    section.blocks.emplace_back(Paragraph{
+        "The same specimens, pushed until everything rests, under each failure criterion and with "
+        "smaller and smaller time steps. Where a rule still changes with the step its "
+        "numbers are the step's; the rules are to meet where it is small. Plain "
+        "geometric: without the "
+        "curvature term, in steps of one length, as Contact Dynamics is without what the "
+        "other rules "
+        "add. It breaks a bond that turns by more than √(2 d_c/d) in a step."});
     section.blocks.emplace_back(table_of(results));
     section.blocks.emplace_back(Paragraph{conclusion(results)});
     for (std::size_t p = 0; p < std::size(kKnownPushes); ++p)
@@ -114,7 +114,7 @@ class BreakRules : public PaperExperiment {
 
   Table table_of(const PaperResults& results) const {
     Table table{.caption =
-                    "After the push, when everything rests, by the sample's volume fraction. "
+                    "After the push, when everything rests, by the specimen's volume fraction. "
                     "Steps are dt, but halved until no bonded pair turns farther than max_turn; "
                     "plain ones are not.",
                 .columns = {{"sample"},
@@ -160,7 +160,7 @@ class BreakRules : public PaperExperiment {
         return;
       }
       const Target& target = targets.at(id);
-      const double off = std::abs(judge(target, *measured).deviation) / target.tolerance;
+      const double off = std::abs(verdict_on(target, *measured).deviation) / target.tolerance;
       if (off <= distance.tolerances) return;
       distance.tolerances = off;
       distance.worst =
@@ -184,8 +184,8 @@ class BreakRules : public PaperExperiment {
     }
     if (!nearest) return "No setting has results for both forces yet.";
     const std::string which = "The " + nearest->rule +
-                              " rule with dt = " + number_text(nearest->dt) + " in the sample of " +
-                              sample_text(results, nearest->sample);
+                              " rule with dt = " + number_text(nearest->dt) +
+                              " in the specimen of " + sample_text(results, nearest->sample);
     if (least.tolerances <= 1)
       return which +
              " gives all four shares of bonds of the paper's pushes with 0.33 F_c and F_c "

@@ -57,8 +57,8 @@ class Choices : public PaperExperiment {
   void report(const PaperResults& results, const std::filesystem::path&, Section& section,
               Findings&) const override {
     section.blocks.emplace_back(push_outcomes(
-        results, "Pushes of the same samples with the cohesion force under other choices.", pushes_,
-        all_));
+        results, "Pushes of the same specimens with the cohesion force under other choices.",
+        pushes_, all_));
     const PaperTargets targets = read_targets(shipped_targets());
     const auto paper = [&](const char* id) { return paper_text(targets.at(id)); };
     section.blocks.emplace_back(
@@ -70,7 +70,7 @@ class Choices : public PaperExperiment {
                                           paper("penetration.pull_out_over_push") +
                                           " times the push force."});
     section.blocks.emplace_back(piston_outcomes(
-        results, "The same samples after the piston, under other loads.", pistons_, all_));
+        results, "The same specimens after the piston, under other loads.", pistons_, all_));
     section.blocks.emplace_back(Paragraph{
         "The paper has a volume fraction of " + paper("piston.after.volume_fraction") + ", " +
         paper("piston.active_of_contacts") + " active of contacts, " +
@@ -79,7 +79,7 @@ class Choices : public PaperExperiment {
         "number of " +
         paper("piston.after.coordination") +
         ". Its load is not among the facts that we have of it. Choices of the deposition "
-        "are those of the figure samples, break rule and time step those of break_rule."});
+        "are those of the figure specimens, failure criterion and time step those of break_rule."});
   }
 
  private:
@@ -89,7 +89,7 @@ class Choices : public PaperExperiment {
 
   static std::string reference_text(const PaperJobs& jobs) {
     if (jobs.scale().plain_step)
-      return "plain Contact Dynamics, dt " + number_text(jobs.scale().push_step) +
+      return "standard nonsmooth contact dynamics, dt " + number_text(jobs.scale().push_step) +
              ", residual 1e-5";
     return "energy rule, dt " + number_text(jobs.scale().push_step) +
            ", max_turn 0.15, residual 1e-5";

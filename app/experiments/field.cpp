@@ -32,7 +32,7 @@ class FieldExperiment : public PaperExperiment {
         "A force F on a grain is read as the stress F/d² with d = " +
         typeset(physical_.grain_diameter * 1e6) + " µm and grains of " +
         typeset(physical_.grain_density) +
-        " kg/m³, an assumption: all stresses are proportional to it. The simulated samples are " +
+        " kg/m³, an assumption: all stresses are proportional to it. The simulated specimens are " +
         "centimetres high, the field's lines are drawn over the same depth."});
     Plot plot{.name = "field",
               .title = "Shear strength in SI units, simulated and in the field",

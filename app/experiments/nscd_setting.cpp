@@ -97,7 +97,7 @@ class NscdSettings : public PaperExperiment {
       for (std::size_t k = 0; k < std::size(wanted); ++k) {
         row.push_back(cell_of(found[k], 1));
         if (found[k] && misfit) {
-          const double off = judge(*wanted[k], *found[k]).deviation / wanted[k]->tolerance;
+          const double off = verdict_on(*wanted[k], *found[k]).deviation / wanted[k]->tolerance;
           *misfit += off * off;
         } else {
           misfit.reset();

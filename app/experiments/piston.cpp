@@ -1,4 +1,4 @@
-// The sample before and after a piston.
+// The specimen before and after a piston.
 #include "app/experiments/experiments.h"
 
 namespace quicksand {
@@ -15,7 +15,8 @@ class Piston : public PaperExperiment {
 
   void report(const PaperResults& results, const std::filesystem::path& pictures, Section& section,
               Findings& findings) const override {
-    Gallery gallery{.caption = "The sample before and after the piston, coloured by active bonds."};
+    Gallery gallery{.caption =
+                        "The specimen before and after the piston, coloured by active bonds."};
     if (auto picture = picture_of(results, before_, pictures, "before"))
       gallery.pictures.push_back(*picture);
     if (auto picture = picture_of(results, after_, pictures, "after"))

@@ -1,4 +1,4 @@
-// Pushes of a denser sample, and in water.
+// Pushes of a denser specimen, and in water.
 #include <cmath>
 
 #include "app/experiments/experiments.h"
@@ -53,16 +53,18 @@ class Density : public PaperExperiment {
   void report(const PaperResults& results, const std::filesystem::path&, Section& section,
               Findings& findings) const override {
     section.blocks.emplace_back(Paragraph{
-        by_drop_ ? "The denser sample is made of grains that come faster by 5 √(gd). All laws are "
-                   "the same."
-        : by_interval_ ? "The denser sample is made with a grain every 0.001 in place of 0.01: it "
-                         "sinks into itself while it is made. All laws are the same."
-                       : "The denser sample is made with a fifth of the rolling friction, which "
-                         "also holds while the intruder is pushed: part of the difference may be "
-                         "due to that."});
-    const char* const names[] = {"usual sample", "denser sample"};
+        by_drop_
+            ? "The denser specimen is made of grains that come faster by 5 √(gd). All laws are "
+              "the same."
+        : by_interval_
+            ? "The denser specimen is made with a grain every 0.001 in place of 0.01: it "
+              "sinks into itself while it is made. All laws are the same."
+            : "The denser specimen is made with a fifth of the rolling friction, which "
+              "also holds while the intruder is pushed: part of the difference may be "
+              "due to that."});
+    const char* const names[] = {"usual specimen", "denser specimen"};
     Plot plot{.name = "density",
-              .title = "Depth of the intruder in samples of two densities",
+              .title = "Depth of the intruder in specimens of two densities",
               .x = {.label = "push force", .unit = "F_c", .logarithmic = true},
               .y = {.label = "depth", .unit = "d", .low = 0},
               .legend = LegendPlace::bottom_right};
@@ -81,7 +83,7 @@ class Density : public PaperExperiment {
     if (!is_denser(results)) {
       section.blocks.emplace_back(
           Remark{Remark::Kind::warning,
-                 "The samples' volume fractions do not differ by more than 0.01 and two standard "
+                 "The specimens' volume fractions do not differ by more than 0.01 and two standard "
                  "errors: what their density does is not measured."});
     } else if (const auto ratio =
                    force_ratio(above_ground(results, 0, usual), above_ground(results, 1, denser))) {
@@ -95,7 +97,7 @@ class Density : public PaperExperiment {
               "counts samples"};
     }
     section.blocks.emplace_back(
-        push_outcomes(results, "Pushes of both samples, after everything rests.", rows, all_));
+        push_outcomes(results, "Pushes of both specimens, after everything rests.", rows, all_));
     section.blocks.emplace_back(Figure{std::move(plot), "Final depth against the push force."});
   }
 

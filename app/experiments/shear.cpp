@@ -1,4 +1,4 @@
-// Shear strength over depth: unperturbed samples, and samples perturbed by the piston.
+// Shear strength over depth: unperturbed specimens, and specimens perturbed by the piston.
 #include "app/experiments/experiments.h"
 #include "app/json/json_reader.h"
 #include "app/paper/paper_strength.h"
@@ -49,7 +49,7 @@ class Shear : public PaperExperiment {
         "largest force that did not and the smallest that did, narrowed to " +
         number_text(scale_.shear_tolerance) + " of it; " + std::to_string(scale_.grains_per_depth) +
         (scale_.grains_per_depth == 1 ? " grain" : " grains") +
-        " a depth and sample, the paper takes 10. Steps of " + number_text(scene_.step.dt) +
+        " a depth and specimen, the paper takes 10. Steps of " + number_text(scene_.step.dt) +
         " sqrt(d/g)."});
     section.blocks.emplace_back(table({{"unperturbed, F_c = 10² F_g", &weak},
                                        {"unperturbed, F_c = 10⁴ F_g", &loose},
@@ -153,7 +153,8 @@ class Shear : public PaperExperiment {
            "little. The table of "
            "numbers reads that of 10⁴ and 10⁶ F_g. It may speak of 10² and 10⁴, since the paper "
            "gives the density "
-           "of a sample made with 10², whose bonds are so weak that it falls in until it is dense: "
+           "of a specimen made with 10², whose bonds are so weak that it falls in until it is "
+           "dense: "
            "at the mean depth "
            "of its grains, " +
            typeset(depth) + " d, its mean strength is " + typeset(weak.mean()) +

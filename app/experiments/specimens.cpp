@@ -108,7 +108,7 @@ class Samples : public PaperExperiment {
     section.blocks.emplace_back(
         Figure{std::move(plot),
                "Each deposition's volume fraction and coordination number. The paper's "
-               "sample lies where the two bands cross. Number " +
+               "specimen lies where the two bands cross. Number " +
                    std::to_string(kWeakBonds + 1) + ", of weaker bonds, is left out."});
     const std::vector<SlowerDeposit> sequence =
         adiabatic_sequence(results.runs(groups_[kAdiabatic]));
@@ -132,7 +132,7 @@ class Samples : public PaperExperiment {
   }
 
  private:
-  // Whole samples of one interval, of the realizations that got there.
+  // Whole specimens of one interval, of the realizations that got there.
   struct SlowerDeposit {
     double interval = 0;  // [sqrt(d/g)]
     std::vector<double> volume_fractions, coordinations, changes;
@@ -157,7 +157,7 @@ class Samples : public PaperExperiment {
 
   Table table_of(const std::vector<SlowerDeposit>& sequence) const {
     Table table{.caption = "Is a grain every " + number_text(scale_.interval) +
-                           " slow enough? Whole samples from the same random numbers, each "
+                           " slow enough? Whole specimens from the same random numbers, each "
                            "slower than the last, until the volume fraction changes by less than "
                            "0.1 %, or up to 25 times the interval; "
                            "the last row has only those that had not settled. When the last grain "

@@ -1,4 +1,4 @@
-// What the samples are like inside, before and after: profiles over height, angles of bonds, forces in contacts.
+// What the specimens are like inside, before and after: profiles over height, angles of bonds, forces in contacts.
 #include <cmath>
 #include <numbers>
 #include <span>

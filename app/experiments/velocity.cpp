@@ -85,7 +85,7 @@ class Velocity : public PaperExperiment {
          mean_over(pressures, "that force over the intruder's diameter times a grain's"));
     if (forces.empty()) return;
     section.blocks.emplace_back(
-        Paragraph{"Each sample was searched for the smallest force with which the intruder sinks "
+        Paragraph{"Each specimen was searched for the smallest force with which the intruder sinks "
                   "by 15 % of the box's "
                   "height, from where it lies on the surface: " +
                   cell_of(mean_over(forces), all_).text + " F_c."});

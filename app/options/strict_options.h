@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 
-#include "app/run_folder/distrust.h"
+#include "app/run_folder/validation.h"
 
 namespace quicksand {
 

@@ -14,8 +14,8 @@ void show_scene(PanelFrame& frame) {
   for (const auto& path : shipped_scenes()) names.push_back(path.stem().string());
   const bool loaded = frame.session.loaded();
   const std::string& name = frame.session.scenario().name;
-  if (const auto chosen = w.combo({"scene", "Scene", "Loads one of the scenes that come along."},
-                                  names, loaded ? name : "choose …")) {
+  if (const auto chosen = w.combo({"scene", "Scene", "Loads one of the example scenes."}, names,
+                                  loaded ? name : "choose …")) {
     frame.command("load", {{"scene", *chosen}});
   }
   w.end_section();

@@ -58,7 +58,7 @@ Table comparison_of_methods(const PaperTargets& targets,
         continue;
       }
       const Measured& measured = found->second;
-      const bool inside = judge(target, measured).inside;
+      const bool inside = verdict_on(target, measured).inside;
       row.push_back({typeset_with_error(measured.value, measured.standard_error) + " (" +
                      std::to_string(measured.n) + ")"});
       row.push_back(

@@ -1,4 +1,4 @@
-// The runs of the paper's experiments: samples, and what is done to them, each from the state that the
+// The runs of the paper's experiments: specimens, and what is done to them, each from the state that the
 // run before it left.
 //
 // The scenes are assets/paper/*.json; here they are cut to size, varied and chained. Runs that several
@@ -32,8 +32,8 @@ struct PaperScale {
   int realizations = 10;
   std::vector<double> push_forces{0.1, 0.33, 0.67, 1, 2, 3};  // [F_c]
   double push_step = 1e-3;  // of pushes [sqrt(d/g)]; with 1e-2 many bonds too many break
-  std::vector<double> time_steps{1e-2, 3e-3, 1e-3};  // for each break rule [sqrt(d/g)]
-  // Whether a quicker deposition makes a denser sample, which it does by its own weight: not in low boxes, nor where
+  std::vector<double> time_steps{1e-2, 3e-3, 1e-3};  // for each failure criterion [sqrt(d/g)]
+  // Whether a quicker deposition makes a denser specimen, which it does by its own weight: not in low boxes, nor where
   // a grain a step is as quick.
   bool denser_if_quicker = true;
   std::vector<double> shear_depths{0.1, 0.25, 0.4, 0.55, 0.7};  // over the packing's height [1]
@@ -57,10 +57,10 @@ void make_nscd(PaperScale& scale, const NscdSetting& setting);
 // is chosen by a rule of the experiment nscd_setting.
 struct PistonLoad nscd_piston();
 
-// A deposition that makes samples as dense as the paper's: a grain every 0.001, in steps of as much.
+// A deposition that makes specimens as dense as the paper's: a grain every 0.001, in steps of as much.
 inline constexpr const char* kDenseDeposition = "interval_0.001";
 ParameterValues dense_deposition();
-// One that makes a denser sample by NSCD: grains come faster.
+// One that makes a denser specimen by NSCD: grains come faster.
 inline constexpr const char* kHardDrop = "drop_harder";
 ParameterValues hard_drop(const NscdSetting& setting);
 
@@ -71,7 +71,7 @@ struct RunGroup {
   ParameterValues laws;           // changes that hold for all that follows, such as friction
 };
 
-// The same samples, pushed with one force after the other.
+// The same specimens, pushed with one force after the other.
 struct PushCurve {
   std::vector<double> forces;    // (k) [F_c]
   std::vector<RunGroup> pushes;  // (k)
@@ -81,7 +81,7 @@ struct PushCurve {
 struct PistonLoad {
   double force = 30;  // on the paper's width; on others the pressure is the same [F_c]
   // Time over which it rises. What is pressed at once falls in faster than a piston can press, and ends in a shock
-  // through all of a high sample, in which no step converges. [sqrt(d/g) for each d of height]
+  // through all of a high specimen, in which no step converges. [sqrt(d/g) for each d of height]
   double ramp = 0.1;
   double mass = 2000;  // on the paper's width, shared as the force is [grain masses]
   // Engaged: it is taken away as soon as the disks fill this share of the box below it. [1]

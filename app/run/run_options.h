@@ -6,7 +6,7 @@
 #include <functional>
 #include <optional>
 
-#include "app/run_folder/distrust.h"
+#include "app/run_folder/validation.h"
 #include "core/phases/protocol.h"
 #include "render/base/view.h"
 

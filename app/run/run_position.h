@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/series/course.h"
+#include "app/series/sampled_run.h"
 
 namespace quicksand {
 

@@ -15,7 +15,7 @@
 #include "app/run_folder/search_results.h"
 #include "app/scene/scene_file.h"
 #include "app/scene_json/scenario_json.h"
-#include "app/series/course.h"
+#include "app/series/sampled_run.h"
 #include "app/series/series.h"
 #include "app/view/film.h"
 #include "core/base/errors.h"
@@ -40,7 +40,7 @@ bool same_file(const fs::path& a, const fs::path& b) {
   return fs::equivalent(a, b, ignored);
 }
 
-// One run: its course, and what writes it down.
+// One run: its steps and samples, and the files that record them.
 class Run {
  public:
   // `earlier`: where the run stands that goes on in its own folder.
@@ -52,13 +52,13 @@ class Run {
         first_step_(earlier ? earlier->first_step : start.world.step),
         began_at_step_(start.world.step),
         series_(folder.series(), earlier ? earlier->rows : 0),
-        course_(scenario, std::move(start), options.every,
-                [this](const Row& row, const World& world) { record(row, world); }) {
+        sampled_run_(scenario, std::move(start), options.every,
+                     [this](const Row& row, const World& world) { record(row, world); }) {
     if (options.continued_from) {
-      course_.protocol().change(scenario);
-      course_.protocol().take_push_force();
+      sampled_run_.protocol().change(scenario);
+      sampled_run_.protocol().take_push_force();
     }
-    if (earlier) course_.go_on(earlier->samples);
+    if (earlier) sampled_run_.go_on(earlier->samples);
     if (options.frames) film_.emplace(folder, scenario, options.view, series_.rows());
   }
 
@@ -66,8 +66,9 @@ class Run {
   void write_state() {
     series_.secure();
     if (film_) film_->secure();
-    write_checkpoint(folder_.state(), {course_.world(), protocol().state(), to_text(scenario_),
-                                       to_bytes({series_.rows(), first_step_, course_.samples()})});
+    write_checkpoint(folder_.state(),
+                     {sampled_run_.world(), protocol().state(), to_text(scenario_),
+                      to_bytes({series_.rows(), first_step_, sampled_run_.samples()})});
     checkpointed_ = Clock::now();
   }
 
@@ -84,11 +85,11 @@ class Run {
                                std::string(phase_name(scenario_.phases.back())) +
                                ") ended at its max_time, before it came to rest");
       const std::string method =
-          nscd_note(scenario_, protocol().state(), course_.world().step - first_step_);
+          nscd_note(scenario_, protocol().state(), sampled_run_.world().step - first_step_);
       if (!method.empty()) result.notes.push_back(method);
-      if (const std::string doubts = distrust_now({});
+      if (const std::string doubts = validate_now({});
           method.empty() && !options_.strict && !doubts.empty())
-        result.notes.push_back("not to be believed: " + doubts);
+        result.notes.push_back("validation failed: " + doubts);
       std::ranges::move(moving_bases_, std::back_inserter(result.notes));
       std::ranges::move(
           search_warnings(search_results(scenario_, protocol().state()), protocol().state().phase),
@@ -102,19 +103,20 @@ class Run {
     } catch (const InputError& error) {
       fail(result.end, error);
     }
-    const std::int64_t step = course_.world().step;
+    const std::int64_t step = sampled_run_.world().step;
     result.end.steps = step - first_step_;
     result.end.computed_steps = step - began_at_step_;
     result.end.wall_seconds = seconds_since(began_);
-    const Row& last = course_.last();
+    const Row& last = sampled_run_.last();
     try {
       write_search_tables(folder_, protocol().state());
-      const Json values = summary(scenario_, course_.world(), protocol().state(), last, result.end);
+      const Json values =
+          summary(scenario_, sampled_run_.world(), protocol().state(), last, result.end);
       write_whole(folder_.summary(), values.dump(2) + "\n");
     } catch (const InputError& error) {
       fail(result.end, error);
     }
-    if (options_.strict) result.distrust = distrust_now(*options_.strict);
+    if (options_.strict) result.invalid = validate_now(*options_.strict);
     return result;
   }
 
@@ -126,10 +128,10 @@ class Run {
     end.unwritable = true;
   }
 
-  const Protocol& protocol() const { return course_.protocol(); }
+  const Protocol& protocol() const { return sampled_run_.protocol(); }
 
-  std::string distrust_now(const StrictBounds& bounds) const {
-    return distrust(protocol().state(), course_.last().sample.max_overlap, bounds);
+  std::string validate_now(const StrictBounds& bounds) const {
+    return validation_failures(protocol().state(), sampled_run_.last().sample.max_overlap, bounds);
   }
 
   void record(const Row& row, const World& world) {
@@ -147,7 +149,7 @@ class Run {
       }
       progress.show(protocol());
       if (options_.watch) options_.watch(protocol());
-      const Progress made = course_.advance();
+      const Progress made = sampled_run_.advance();
       if (made == Progress::failed) {
         how = RunEnd::How::failed;
         break;
@@ -159,7 +161,7 @@ class Run {
     }
     // The sample of an early end is not one of the whole run: who goes on drops it.
     if (how != RunEnd::How::finished) write_state();
-    course_.sample();
+    sampled_run_.sample();
     if (how == RunEnd::How::finished) write_state();
     progress.end();
     return how;
@@ -177,7 +179,7 @@ class Run {
 
   bool higher_than_the_picture() const {
     const Box& box = scenario_.box;
-    return box.width > 0 && box.height > 0 && packing_top(course_.world()) > box.height + 1;
+    return box.width > 0 && box.height > 0 && packing_top(sampled_run_.world()) > box.height + 1;
   }
 
   InterruptWatch watch_;
@@ -188,7 +190,7 @@ class Run {
   std::int64_t began_at_step_;  // of this part of it
   Series series_;
   std::optional<Film> film_;
-  Course course_;
+  SampledRun sampled_run_;
   std::vector<std::string> moving_bases_;  // a sentence for each search that begins in motion
   Clock::time_point began_ = Clock::now();
   Clock::time_point checkpointed_ = Clock::now();

@@ -15,7 +15,7 @@ struct RunResult {
   RunFolder folder;
   RunEnd end;
   int most_halvings = 0;           // that a step may take
-  std::string distrust;            // by --strict, a sentence; empty: nothing is wrong
+  std::string invalid;             // by --strict, a sentence; empty: nothing is wrong
   std::vector<std::string> notes;  // lines about what the user may miss, such as a film
 };
 

@@ -150,7 +150,7 @@ std::vector<std::string> search_warnings(const Json& results, int phases_finishe
     warnings.push_back(
         "The adiabatic deposit ended at its max_interval, before its volume fraction settled to " +
         number_text(deposit.at("tolerance").get<double>()) +
-        (change.is_null() ? std::string(": it has a single sample.")
+        (change.is_null() ? std::string(": it has a single specimen.")
                           : ": the last change was " + number_text(change.get<double>()) + "."));
   }
   for (const Json& shear : results.value("shear_strength", Json::array())) {

@@ -6,8 +6,8 @@
 #include <cstdio>
 
 #include "app/base/build_info.h"
-#include "app/run_folder/distrust.h"
 #include "app/run_folder/search_results.h"
+#include "app/run_folder/validation.h"
 #include "app/scene_json/si_scale.h"
 
 namespace quicksand {

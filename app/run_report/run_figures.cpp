@@ -8,22 +8,23 @@ namespace quicksand {
 
 namespace {
 
-struct PhaseCourse {
+struct TimeHistory {
   const char* quantity;  // column of series.csv
   const char* name;      // in the legend
 };
 
-// What is drawn over time. Of several runs only the first course, one curve a run.
+// What is drawn over time. Several runs are compared by the first histories, each in a plot with one curve a run.
 struct TimePlot {
   const char* name;
   const char* title;
   const char* label;
   const char* unit;
-  std::vector<PhaseCourse> courses;
+  std::vector<TimeHistory> histories;
   bool logarithmic = false;
   std::optional<double> low{}, high{};
   Curve::Kind kind = Curve::Kind::line;
   bool per_step = false;  // sums since the last sample, which are not equally long apart
+  std::size_t compared = 1;
 };
 
 std::vector<TimePlot> time_plots() {
@@ -32,44 +33,45 @@ std::vector<TimePlot> time_plots() {
        .title = "Bonds",
        .label = "fraction",
        .unit = "1",
-       .courses = {{"active_bond_fraction", "active bonds over contacts"},
-                   {"remaining_bond_fraction", "remaining over initial bonds"}},
+       .histories = {{"active_bond_fraction", "active bonds over contacts"},
+                     {"remaining_bond_fraction", "remaining over initial bonds"}},
        .low = 0,
-       .high = 1.05},
+       .high = 1.05,
+       .compared = 2},
       {.name = "coordination",
        .title = "Coordination number",
        .label = "mean number of neighbours",
        .unit = "1",
-       .courses = {{"coordination", "touching"},
-                   {"coordination_loaded", "with a force or a bond"}}},
+       .histories = {{"coordination", "touching"},
+                     {"coordination_loaded", "with a force or a bond"}}},
       {.name = "volume_fraction",
        .title = "Volume fraction of the lower 70 %",
        .label = "volume fraction",
        .unit = "1",
-       .courses = {{"volume_fraction", "volume fraction"}}},
+       .histories = {{"volume_fraction", "volume fraction"}}},
       {.name = "intruder",
        .title = "Height of the intruder",
        .label = "height above the floor",
        .unit = "d",
-       .courses = {{"intruder_y", "intruder's centre"}, {"packing_top", "top of the packing"}},
+       .histories = {{"intruder_y", "intruder's centre"}, {"packing_top", "top of the packing"}},
        .low = 0},
       {.name = "kinetic_energy",
        .title = "Kinetic energy",
        .label = "energy",
        .unit = "F_g d",
-       .courses = {{"kinetic_energy", "translation"}, {"rotational_energy", "rotation"}},
+       .histories = {{"kinetic_energy", "translation"}, {"rotational_energy", "rotation"}},
        .logarithmic = true},
       {.name = "residual",
        .title = "Errors of the solver, worst since the last sample",
        .label = "error",
        .unit = "1",
-       .courses = {{"residual", "residual"}, {"gap_error", "gap error over its tolerance"}},
+       .histories = {{"residual", "residual"}, {"gap_error", "gap error over its tolerance"}},
        .logarithmic = true},
       {.name = "factorisations",
        .title = "Work of the solver, mean since the last sample",
        .label = "factorisations per step",
        .unit = "1",
-       .courses = {{"factorisations", "factorisations"}},
+       .histories = {{"factorisations", "factorisations"}},
        .low = 0,
        .kind = Curve::Kind::steps,
        .per_step = true},
@@ -82,8 +84,8 @@ bool has_values(const RunResults& run, const char* quantity) {
          std::ranges::any_of(run.column(quantity), [](double v) { return std::isfinite(v); });
 }
 
-std::vector<double> values_of(const RunResults& run, const PhaseCourse& course, bool per_step) {
-  std::vector<double> values = run.column(course.quantity);
+std::vector<double> values_of(const RunResults& run, const TimeHistory& history, bool per_step) {
+  std::vector<double> values = run.column(history.quantity);
   if (!per_step) return values;
   const std::vector<double>& step = run.column("step");
   for (std::size_t i = values.size(); i-- > 0;) {
@@ -125,38 +127,43 @@ std::vector<Figure> run_figures(std::span<const RunResults> runs) {
   const std::vector<std::string> names = run_names(runs);
   const bool single = runs.size() == 1;
   std::vector<Figure> figures;
-  for (const TimePlot& described : time_plots()) {
-    Plot plot{.name = described.name,
+  const auto add = [&](const TimePlot& described, std::span<const TimeHistory> histories) {
+    // Without its main history a plot says nothing: there is no intruder.
+    const auto main_history = [&](const RunResults& run) {
+      return has_values(run, histories.front().quantity);
+    };
+    if (std::ranges::none_of(runs, main_history)) return;
+    const bool first = &histories.front() == described.histories.data();
+    Plot plot{.name = first ? described.name : histories.front().quantity,
               .title = described.title,
               .x = {.label = "time", .unit = "sqrt(d/g)"},
-              .y = {.label = described.label,
+              .y = {.label = single ? described.label : histories.front().name,
                     .unit = described.unit,
                     .low = described.low,
                     .high = described.high,
                     .logarithmic = described.logarithmic},
               .legend = LegendPlace::below};
-    for (std::size_t r = 0; r < runs.size(); ++r) {
-      for (const PhaseCourse& course : described.courses) {
-        if (!single && &course != described.courses.data()) break;
-        if (!has_values(runs[r], course.quantity)) continue;
-        plot.curves.push_back({.name = single ? course.name : names[r],
-                               .kind = described.kind,
-                               .x = runs[r].column("time"),
-                               .y = values_of(runs[r], course, described.per_step),
-                               .begins = returns_to_base(runs[r])});
-      }
-    }
-    // Without its main course a plot says nothing: there is no intruder.
-    const auto main_course = [&](const RunResults& run) {
-      return has_values(run, described.courses.front().quantity);
-    };
-    if (std::ranges::none_of(runs, main_course)) continue;
+    for (std::size_t r = 0; r < runs.size(); ++r)
+      for (const TimeHistory& history : histories)
+        if (has_values(runs[r], history.quantity))
+          plot.curves.push_back({.name = single ? history.name : names[r],
+                                 .kind = described.kind,
+                                 .x = runs[r].column("time"),
+                                 .y = values_of(runs[r], history, described.per_step),
+                                 .begins = returns_to_base(runs[r])});
     if (single) plot.references = phase_guides(runs.front());
     std::string caption = std::string(described.title) + " over time";
-    if (!single && described.courses.size() > 1) {
-      caption += std::string(": ") + described.courses.front().name;
-    }
+    if (!single && described.histories.size() > 1)
+      caption += std::string(": ") + histories.front().name;
     figures.push_back({std::move(plot), caption + "."});
+  };
+  for (const TimePlot& described : time_plots()) {
+    const std::span<const TimeHistory> histories = described.histories;
+    if (single) {
+      add(described, histories);
+    } else {
+      for (std::size_t k = 0; k < described.compared; ++k) add(described, histories.subspan(k, 1));
+    }
   }
   return figures;
 }

@@ -8,8 +8,8 @@
 
 #include "app/json/json_reader.h"
 #include "app/plot/typeset_number.h"
-#include "app/run_folder/distrust.h"
 #include "app/run_folder/search_results.h"
+#include "app/run_folder/validation.h"
 #include "app/scene/scene_report.h"
 #include "app/scene_json/scenario_json.h"
 #include "app/series/quantities.h"
@@ -309,9 +309,9 @@ Report run_report(std::span<const RunResults> runs) {
   result.blocks.emplace_back(final_values(runs, names));
   report.sections.push_back(std::move(result));
 
-  Section course{.title = "Course"};
-  for (Figure& figure : run_figures(runs)) course.blocks.emplace_back(std::move(figure));
-  report.sections.push_back(std::move(course));
+  Section history{.title = "Time histories"};
+  for (Figure& figure : run_figures(runs)) history.blocks.emplace_back(std::move(figure));
+  report.sections.push_back(std::move(history));
 
   Section pictures{.title = "Pictures"};
   for (std::size_t i = 0; i < runs.size(); ++i) {

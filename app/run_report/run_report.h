@@ -1,4 +1,4 @@
-// The report of finished runs: what was modelled, final values, courses over time, pictures, and what
+// The report of finished runs: what was modelled, final values, histories over time, pictures, and what
 // a reader must be warned of. Several runs stand side by side, with what differs between them.
 #pragma once
 

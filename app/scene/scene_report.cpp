@@ -68,7 +68,7 @@ struct PhaseText {
                            : std::string(", all at once, sticking where they touch")) +
            (p.bonds == BondingTouch::every ? ", bonds at every touch" : "") +
            (p.capture_radius > 0 ? ", captured within " + number(p.capture_radius) + " d" : "") +
-           (p.adiabatic ? "; whole samples, the interval times " + number(p.adiabatic->factor) +
+           (p.adiabatic ? "; whole specimens, the interval times " + number(p.adiabatic->factor) +
                               " each, until the volume fraction changes by less than " +
                               number(p.adiabatic->tolerance) + " or the interval would pass " +
                               number(p.adiabatic->max_interval) + " sqrt(d/g)"
@@ -218,7 +218,7 @@ std::string scene_report(const Scenario& s) {
   if (s.wall_law) text += line("wall_contact", law_text(*s.wall_law));
   if (s.intruder_law) text += line("intruder_contact", law_text(*s.intruder_law));
   text += line("step", "dt = " + number(s.step.dt) + " sqrt(d/g), " +
-                           word(scene, "step", "break_rule") + " break rule" +
+                           word(scene, "step", "break_rule") + " failure criterion" +
                            (s.step.curvature_term ? " with curvature term" : "") +
                            (s.step.max_turn ? ", no bonded pair turns by more than " +
                                                   number(*s.step.max_turn) + " rad a step"

@@ -82,7 +82,7 @@ void describe_bonds(Fields& f, BondingTouch& bonds) {
 }
 
 void describe_bonding(Fields& f, bool& bonding, BondingTouch& bonds) {
-  f.flag({"bonding", "whether touches form bonds; which ones, says bonds"}, bonding);
+  f.flag({"bonding", "whether contacts form bonds; `bonds` says which"}, bonding);
   describe_bonds(f, bonds);
 }
 

@@ -155,7 +155,7 @@ void describe_step(Fields& f, StepSettings& step) {
   f.integer({"max_halvings", "see on_unconverged; 0: the run stops at once"}, 0, kMaxHalvings,
             halvings);
   step.max_halvings = static_cast<int>(halvings);
-  if (f.reading() && step.nscd && step.break_rule == BreakRule::energy) {
+  if (f.reading() && step.nscd && step.break_rule == FailureCriterion::energy) {
     f.refuse("break_rule",
              "is \"energy\", which needs converged steps; with method \"nscd\" it is "
              "\"geometric\" or \"linearised\"");
@@ -232,10 +232,11 @@ void describe_scene(Fields& f, Scenario& s) {
   f.optional_object({"intruder_contact", "law of the intruder's contacts; as contact if absent"},
                     s.intruder_law, describe_law);
   describe_method(f, s.step);
-  f.object({"step", "time step and break rule"}, [&](Fields& g) { describe_step(g, s.step); });
+  f.object({"step", "time step and failure criterion of bonds"},
+           [&](Fields& g) { describe_step(g, s.step); });
   f.object({"solver", "contact solver"}, [&](Fields& g) { describe_solver(g, s.solver); });
   describe_bodies(f, s.disks, s.disk_forces);
-  f.choice({"initial_bonds", "bonds between listed bodies"}, kInitialBonds, s.initial_bonds);
+  f.choice({"initial_bonds", "bonds at the start of listed bodies with each other and with walls, at gaps up to the cohesion range"}, kInitialBonds, s.initial_bonds);
   f.list({"walls", "walls besides the box's floor and sides"}, kMaxWalls, s.walls, describe_wall);
   f.text(
       {"start_from",

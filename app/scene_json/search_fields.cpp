@@ -79,7 +79,7 @@ void describe_threshold(Fields& f, PushPhase& p) {
 void describe_adiabatic(Fields& f, DepositPhase& p) {
   f.optional_object(
       {"adiabatic",
-       "deposits whole samples, each with a longer interval, until the volume "
+       "deposits whole specimens, each with a longer interval, until the volume "
        "fraction no longer changes; the last one stays"},
       p.adiabatic, [](Fields& g, Adiabatic& a) {
         g.number({"tolerance", "relative change of the volume fraction that ends it"},

@@ -37,7 +37,7 @@ bool is_set_up(const std::string& path, const Protocol& protocol) {
   });
 }
 
-// Whether the phases that a course has begun are of the same kinds in both.
+// Whether the phases that have begun are of the same kinds in both.
 bool same_kinds(const std::vector<Phase>& a, const std::vector<Phase>& b, int present) {
   const auto begun = static_cast<std::size_t>(present) + 1;
   if (a.size() < begun || b.size() < begun) return a.size() == b.size();
@@ -60,12 +60,12 @@ void Session::start(const Scenario& scenario, Checkpoint checkpoint) {
   samples_ = 0;
   by_hand_ = failed_ = running = false;
   picked.reset();
-  course_ = std::make_unique<Course>(scenario, std::move(checkpoint), every_,
-                                     [this](const Row& row, const World& world) {
-                                       remember(row);
-                                       if (on_sample) on_sample(row, world);
-                                     });
-  course_->sample();
+  sampled_run_ = std::make_unique<SampledRun>(scenario, std::move(checkpoint), every_,
+                                              [this](const Row& row, const World& world) {
+                                                remember(row);
+                                                if (on_sample) on_sample(row, world);
+                                              });
+  sampled_run_->sample();
 }
 
 void Session::remember(const Row& row) {
@@ -107,22 +107,22 @@ bool Session::set(const std::string& path, const Json& value) {
   const bool phases_fit =
       !by_hand_ && same_kinds(scenario_.phases, phases(), protocol().state().phase);
   if (!phases_fit) now.phases = phases();
-  course_->protocol().change(now);
+  sampled_run_->protocol().change(now);
   failed_ = false;
   return !too_late && (phases_fit || !path.starts_with("phases"));
 }
 
 void Session::begin_phase(const Phase& phase) {
-  course_->protocol().begin_phase(phase);
+  sampled_run_->protocol().begin_phase(phase);
   by_hand_ = true;
   failed_ = false;
 }
 
-void Session::apply(int body, const Vec2& force) { course_->protocol().apply(body, force); }
+void Session::apply(int body, const Vec2& force) { sampled_run_->protocol().apply(body, force); }
 
 void Session::sample_every(std::optional<double> every) {
   every_ = every;
-  course_->sample_every(every);
+  sampled_run_->sample_every(every);
 }
 
 RunStop Session::run(const RunUntil& until) {
@@ -139,7 +139,7 @@ RunStop Session::run(const RunUntil& until) {
     if (until.phase_end && protocol().state().phase != first_phase) return RunStop::phase_end;
     if (until.condition && until.condition(*this)) return RunStop::condition;
     if (stop_asked && stop_asked(*this)) return RunStop::cut_short;
-    failed_ = course_->advance() == Progress::failed;
+    failed_ = sampled_run_->advance() == Progress::failed;
   }
 }
 
@@ -168,7 +168,7 @@ View Session::shown() const {
 }
 
 Row Session::measure_now() const {
-  Row row = course_->last();
+  Row row = sampled_run_->last();
   row.sample = measure(world());
   row.phase = phase_name();
   return row;

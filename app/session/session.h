@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "app/json/json_text.h"
-#include "app/series/course.h"
+#include "app/series/sampled_run.h"
 #include "render/base/view.h"
 
 namespace quicksand {
@@ -42,12 +42,12 @@ class Session {
  public:
   // Starts a scene. Throws InputError if it cannot be simulated; the session is then as before.
   void load(const Scenario& scenario);
-  bool loaded() const { return course_ != nullptr; }
+  bool loaded() const { return sampled_run_ != nullptr; }
   // Starts the scene again, as it was changed meanwhile.
   void reset();
   // Sets a value of the scene by its path, "contact.friction"; null removes it. Returns whether it holds
   // at once; else from the next reset on: bodies and box that are there stay, and so do the phases of a
-  // course that has some begun by hand. Throws InputError.
+  // run that has some begun by hand. Throws InputError.
   bool set(const std::string& path, const Json& value);
   // Ends the present phase and begins this one; the phases not begun yet follow.
   void begin_phase(const Phase& phase);
@@ -66,12 +66,12 @@ class Session {
   // The scene with all its changes: what the next reset starts.
   const Scenario& scenario() const { return scenario_; }
   // The following must not be called unless loaded().
-  const World& world() const { return course_->world(); }
-  const Protocol& protocol() const { return course_->protocol(); }
-  // Phases of the present course: those of the scene, and those begun by hand.
+  const World& world() const { return sampled_run_->world(); }
+  const Protocol& protocol() const { return sampled_run_->protocol(); }
+  // Phases of the present run: those of the scene, and those begun by hand.
   const std::vector<Phase>& phases() const { return protocol().scenario().phases; }
   // Of the present one; "end" after the last.
-  std::string phase_name() const { return course_->phase_name(); }
+  std::string phase_name() const { return sampled_run_->phase_name(); }
   bool failed() const { return failed_; }
   bool finished() const { return protocol().phase() == nullptr; }
   // Samples since the start, for plots: at most kMostSamples, evenly thinned when there are more.
@@ -82,7 +82,7 @@ class Session {
   // Time between samples from now on; that of the scene if absent [sqrt(d/g)].
   void sample_every(std::optional<double> every);
   // Receives each sample as it is taken. May be empty.
-  Course::Sink on_sample;
+  SampledRun::Sink on_sample;
 
   View view;  // of the packing, its size that of a picture without panel
   bool follow_intruder = false;
@@ -97,7 +97,7 @@ class Session {
   void remember(const Row& row);
 
   Scenario scenario_;
-  std::unique_ptr<Course> course_;
+  std::unique_ptr<SampledRun> sampled_run_;
   std::vector<Row> history_;
   std::size_t stride_ = 1;  // every which sample is kept in the history
   std::size_t samples_ = 0;

@@ -67,7 +67,7 @@ Measured measured_over(std::span<const double> values, std::string note) {
   return {mean.value, mean.error, static_cast<int>(values.size()), std::move(note)};
 }
 
-Verdict judge(const Target& target, const Measured& measured) {
+Verdict verdict_on(const Target& target, const Measured& measured) {
   Verdict verdict;
   if (std::isnan(measured.value)) return verdict;
   if (target.low && measured.value < *target.low) verdict.deviation = measured.value - *target.low;
@@ -123,7 +123,7 @@ Table comparison_table(const PaperTargets& targets,
       row.insert(row.end(),
                  {{}, {"not measured", Cell::Mark::undecided}, {}, {remarks(target, {}, false)}});
     } else {
-      const Verdict verdict = judge(target, found->second);
+      const Verdict verdict = verdict_on(target, found->second);
       row.insert(row.end(), {{ours_text(found->second)},
                              {verdict.inside ? "inside" : "outside",
                               verdict.inside ? Cell::Mark::inside : Cell::Mark::outside},
@@ -142,7 +142,7 @@ Tally tally(const PaperTargets& targets, const std::map<std::string, Measured>& 
     if (found == measured.end()) {
       ++counts.not_measured;
     } else {
-      ++(judge(target, found->second).inside ? counts.inside : counts.outside);
+      ++(verdict_on(target, found->second).inside ? counts.inside : counts.outside);
     }
   }
   return counts;

@@ -28,7 +28,7 @@ struct Verdict {
   // The bound of the tolerance is nearer than two standard errors of at least three: more might turn it.
   bool close = false;
 };
-Verdict judge(const Target& target, const Measured& measured);
+Verdict verdict_on(const Target& target, const Measured& measured);
 
 // "0.68", "0.40 to 0.43", "at least 0.9 (almost the bottom)".
 std::string paper_text(const Target& target);

@@ -13,7 +13,7 @@
 #include "app/run_folder/run_folder.h"
 #include "app/scene/scene_file.h"
 #include "app/window/display.h"
-#include "app/window/journal.h"
+#include "app/window/interaction_recording.h"
 #include "core/base/errors.h"
 #include "core/base/whole_file.h"
 
@@ -59,9 +59,9 @@ class Window {
         folder_{options.out.empty() ? fs::path("out") / "window" : options.out},
         console_({folder_.path, fs::current_path()}, options.scale) {
     make_writable(folder_);
-    console_.given = [this](const Json& command) { journal_.add(command); };
+    console_.given = [this](const Json& command) { interactions_.add(command); };
     console_.computed = [this](std::int64_t steps) {
-      journal_.add_steps(steps);
+      interactions_.add_steps(steps);
       rate_.add(steps, console_.session().protocol());
     };
     console_.session().stop_asked = [this](const Session&) { return watch_.interrupted(); };
@@ -79,7 +79,7 @@ class Window {
       if (lively > 0 || console_.session().running) {
         show(*display, input);
         --lively;
-        if (Clock::now() - journal_written_ > kJournalPeriod) write_journal();
+        if (Clock::now() - interactions_written_ > kRecordingPeriod) write_interactions();
       }
     }
     finish();
@@ -91,7 +91,7 @@ class Window {
       "Press space to run and to pause. Drag a grain to pull at it, turn the wheel to zoom.";
   static constexpr int kLively = 4;
   static constexpr int kIdle = 100;  // [ms]
-  static constexpr std::chrono::seconds kJournalPeriod{2};
+  static constexpr std::chrono::seconds kRecordingPeriod{2};
 
   // What the command line names: it becomes the first command, or the first commands.
   void begin() {
@@ -113,7 +113,7 @@ class Window {
 
   void do_now(const Json& command) {
     console_.perform(command, options_.file);
-    journal_.add(command);
+    interactions_.add(command);
   }
 
   void show(Display& display, const GuiInput& input) {
@@ -125,16 +125,16 @@ class Window {
   }
 
   // Now and then: a screen that goes away must not take what was done with it.
-  void write_journal() {
-    if (options_.record.empty() || journal_.empty() || !console_.session().loaded()) return;
-    write_whole(options_.record, journal_.session(console_.session().world()).dump(2) + "\n");
-    journal_written_ = Clock::now();
+  void write_interactions() {
+    if (options_.record.empty() || interactions_.empty() || !console_.session().loaded()) return;
+    write_whole(options_.record, interactions_.session(console_.session().world()).dump(2) + "\n");
+    interactions_written_ = Clock::now();
   }
 
   void finish() {
     console_.finish_recording();
-    write_journal();
-    if (options_.record.empty() || journal_.empty()) return;
+    write_interactions();
+    if (options_.record.empty() || interactions_.empty()) return;
     std::fprintf(stderr, "what was done is in %s; `quicksand session` plays it again\n",
                  options_.record.c_str());
   }
@@ -143,8 +143,8 @@ class Window {
   const WindowOptions& options_;
   RunFolder folder_;
   Console console_;
-  Journal journal_;
-  Clock::time_point journal_written_ = Clock::now();
+  InteractionRecording interactions_;
+  Clock::time_point interactions_written_ = Clock::now();
   Rate rate_;
 };
 

@@ -33,7 +33,7 @@ struct BoundedForce {
   double limit = 0;                               // 0: not modelled
   double x = 0, low = 0, high = 0, a = 0, b = 0;  // low = limit N + x, high = limit N - x
   double dx = 0, dlow = 0, dhigh = 0, da = 0, db = 0;
-  double stiffness = 0, coupling = 0, aim = 0;  // dx = stiffness (aim - du - coupling dN)
+  double impedance = 0, coupling = 0, aim = 0;  // dx = impedance (aim - du - coupling dN)
 
   void start(double force, double n, double speed, double least_n, double least_speed) {
     x = project_bounded(force, limit * n);
@@ -51,23 +51,23 @@ struct BoundedForce {
     per_low_ = 1 / low;
     per_high_ = 1 / high;
     const double k_low = a * per_low_, k_high = b * per_high_;
-    stiffness = 1 / (k_low + k_high + eps);
+    impedance = 1 / (k_low + k_high + eps);
     coupling = limit * (k_low - k_high);
   }
-  // Heads for products tau; `correct` adds the second-order terms of the last direction.
-  void head_for(double tau, bool correct) {
+  // Aims at products tau; `correct` adds the second-order terms of the last direction.
+  void set_targets(double tau, bool correct) {
     c_a_ = tau - a * low - (correct ? da * dlow : 0);
     c_b_ = tau - b * high - (correct ? db * dhigh : 0);
     find_aim();
   }
   template <class Further>
-  void head_further(Further further) {
+  void adjust_targets(Further further) {
     c_a_ += further(low, dlow, a, da);
     c_b_ += further(high, dhigh, b, db);
     find_aim();
   }
   void find_direction(double dn, double du) {
-    dx = stiffness * (aim - du - coupling * dn);
+    dx = impedance * (aim - du - coupling * dn);
     dlow = limit * dn + dx + defect_low_;
     dhigh = limit * dn - dx + defect_high_;
     da = (c_a_ - a * dlow) * per_low_;
@@ -107,38 +107,38 @@ struct ContactCone {
   Mat3 linearise(const Vec3& u, const Vec3& eps) {
     defect_ = u.x() - s;
     per_n_ = 1 / n;
-    stiffness_ = 1 / (s * per_n_ + eps.x());
+    impedance_ = 1 / (s * per_n_ + eps.x());
     Mat3 d = Mat3::Zero();
-    d(0, 0) = stiffness_;
+    d(0, 0) = impedance_;
     if (slide.limit > 0) {
       slide.linearise(n, u.y(), eps.y());
-      d(1, 1) = slide.stiffness;
-      d(1, 0) = -slide.stiffness * slide.coupling * stiffness_;
+      d(1, 1) = slide.impedance;
+      d(1, 0) = -slide.impedance * slide.coupling * impedance_;
     }
     if (roll.limit > 0) {
       roll.linearise(n, u.z(), eps.z());
-      d(2, 2) = roll.stiffness;
-      d(2, 0) = -roll.stiffness * roll.coupling * stiffness_;
+      d(2, 2) = roll.impedance;
+      d(2, 0) = -roll.impedance * roll.coupling * impedance_;
     }
     return d;
   }
-  // Heads for products tau; returns dp at du = 0.
-  Vec3 head_for(double tau, bool correct) {
+  // Aims at products tau; returns dp at du = 0.
+  Vec3 set_targets(double tau, bool correct) {
     c_n_ = (tau - n * s - (correct ? dn * ds : 0)) * per_n_;
-    if (slide.limit > 0) slide.head_for(tau, correct);
-    if (roll.limit > 0) roll.head_for(tau, correct);
+    if (slide.limit > 0) slide.set_targets(tau, correct);
+    if (roll.limit > 0) roll.set_targets(tau, correct);
     return impulse_at_rest();
   }
   // Changes the aims as said above; returns the same.
   template <class Further>
-  Vec3 head_further(Further further) {
+  Vec3 adjust_targets(Further further) {
     c_n_ += further(n, dn, s, ds) * per_n_;
-    if (slide.limit > 0) slide.head_further(further);
-    if (roll.limit > 0) roll.head_further(further);
+    if (slide.limit > 0) slide.adjust_targets(further);
+    if (roll.limit > 0) roll.adjust_targets(further);
     return impulse_at_rest();
   }
   void find_direction(const Vec3& du) {
-    dn = stiffness_ * (c_n_ - defect_ - du.x());
+    dn = impedance_ * (c_n_ - defect_ - du.x());
     ds = c_n_ - s * per_n_ * dn;
     if (slide.limit > 0) slide.find_direction(dn, du.y());
     if (roll.limit > 0) roll.find_direction(dn, du.z());
@@ -182,13 +182,13 @@ struct ContactCone {
  private:
   // dp at du = 0
   Vec3 impulse_at_rest() const {
-    Vec3 dp(stiffness_ * (c_n_ - defect_), 0, 0);
-    if (slide.limit > 0) dp.y() = slide.stiffness * (slide.aim - slide.coupling * dp.x());
-    if (roll.limit > 0) dp.z() = roll.stiffness * (roll.aim - roll.coupling * dp.x());
+    Vec3 dp(impedance_ * (c_n_ - defect_), 0, 0);
+    if (slide.limit > 0) dp.y() = slide.impedance * (slide.aim - slide.coupling * dp.x());
+    if (roll.limit > 0) dp.z() = roll.impedance * (roll.aim - roll.coupling * dp.x());
     return dp;
   }
 
-  double defect_ = 0, stiffness_ = 0, c_n_ = 0;
+  double defect_ = 0, impedance_ = 0, c_n_ = 0;
   double per_n_ = 0;  // 1/n
 };
 

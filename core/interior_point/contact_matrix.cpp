@@ -88,7 +88,7 @@ void ContactMatrix::attach(const ContactProblem& problem) {
   lu_.analyse(static_cast<int>(body_of_row_.size()), edges_);
 }
 
-void ContactMatrix::factorise(const std::vector<Mat3>& stiffness) {
+void ContactMatrix::factorise(const std::vector<Mat3>& impedance) {
   const ContactProblem& problem = *problem_;
   lu_.clear();
   for (std::size_t k = 0; k < body_of_row_.size(); ++k) {
@@ -98,13 +98,13 @@ void ContactMatrix::factorise(const std::vector<Mat3>& stiffness) {
   visit_sides(
       problem,
       [&](std::size_t c, const ContactRow& row) {
-        const ContactBlocks blocks(problem, row, stiffness[c]);
+        const ContactBlocks blocks(problem, row, impedance[c]);
         const int i = row_of_body_[row.a], e = edge_of_contact_[c];
         if (i >= 0) blocks.add_aa(lu_.diagonal(i));
         if (e >= 0) blocks.add_ba(lu_.lower(e));
       },
       [&](std::size_t c, const ContactRow& row) {
-        const ContactBlocks blocks(problem, row, stiffness[c]);
+        const ContactBlocks blocks(problem, row, impedance[c]);
         const int j = row_of_body_[row.b], e = edge_of_contact_[c];
         if (j >= 0) blocks.add_bb(lu_.diagonal(j));
         if (e >= 0) blocks.add_ab(lu_.upper(e));

@@ -15,8 +15,8 @@ class ContactMatrix {
   // Reads the graph of the mobile bodies. The problem must outlive the use of this object.
   void attach(const ContactProblem& problem);
 
-  // Factorises M + H^T D H for `stiffness` D (nc).
-  void factorise(const std::vector<Mat3>& stiffness);
+  // Factorises M + H^T D H for `impedance` D (nc).
+  void factorise(const std::vector<Mat3>& impedance);
 
   // dv (nb) := (M + H^T D H)^-1 H^T impulse for impulses (nc); zero for immobile bodies.
   void velocity_change(const std::vector<Vec3>& impulse, std::vector<Vec3>& dv);

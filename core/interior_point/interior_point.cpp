@@ -82,7 +82,7 @@ struct InteriorPoint::Path {
   int settling = 0;          // iterations since acceptance
   Jam jam = {};
 
-  void judge() {
+  void measure() {
     report.residual = residual(problem, state);
     report.converged = settings.accepts(report.residual);
   }
@@ -108,7 +108,7 @@ void InteriorPoint::start(const ContactProblem& problem, double shift, const Con
   proximal_ = T::kProximal;
   delassus_.resize(nc);
   cone_.assign(nc, {});
-  stiffness_.resize(nc);
+  impedance_.resize(nc);
   impulse_.resize(nc);
 
   velocity_from_impulses(problem, state.impulse, velocity_);
@@ -138,19 +138,19 @@ void InteriorPoint::linearise(const ContactProblem& problem) {
         for (std::size_t c = begin; c < end; ++c) {
           const ContactRow& row = problem.contacts[c];
           const Vec3 u = row.offset + contact_velocity(row, velocity_);
-          stiffness_[c] = cone_[c].linearise(u, proximal_ * delassus_[c]);
+          impedance_[c] = cone_[c].linearise(u, proximal_ * delassus_[c]);
           cone_[c].visit_pairs([&](double x, double, double y, double) {
             part.by_power[0] += x * y;
             ++part.pairs;
           });
         }
       });
-  matrix_.factorise(stiffness_);
+  matrix_.factorise(impedance_);
 }
 
 double InteriorPoint::find_direction(const ContactProblem& problem, double tau, bool correct) {
   share_range(cone_.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c) impulse_[c] = cone_[c].head_for(tau, correct);
+    for (std::size_t c = begin; c < end; ++c) impulse_[c] = cone_[c].set_targets(tau, correct);
   });
   return follow(problem);
 }
@@ -163,7 +163,7 @@ double InteriorPoint::centre_direction(const ContactProblem& problem, double tau
     return std::max(wanted - product, -T::kMostOfAim * tau);
   };
   share_range(cone_.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c) impulse_[c] = cone_[c].head_further(further);
+    for (std::size_t c = begin; c < end; ++c) impulse_[c] = cone_[c].adjust_targets(further);
   });
   return follow(problem);
 }
@@ -274,7 +274,7 @@ void InteriorPoint::iterate(Path& path) {
   });
   // The velocity is taken from the impulses and not summed up, so that the two cannot part.
   velocity_from_impulses(problem, impulse_, velocity_);
-  path.judge();
+  path.measure();
   path.report.velocity_change = fastest_at_contacts(problem, change_) / problem.velocity_scale;
 }
 
@@ -316,7 +316,7 @@ SolveReport InteriorPoint::solve(const ContactProblem& problem, const SolverSett
   Path path{.problem = problem, .settings = settings, .state = state};
   SolveReport& report = path.report;
   // The start counts: what is handed on is never worse than what came in.
-  path.judge();
+  path.measure();
   path.best = settings.distance(report.residual);
   if (path.best <= SolverSettings::kAsItIs) return report;
   matrix_.attach(problem);
@@ -326,7 +326,7 @@ SolveReport InteriorPoint::solve(const ContactProblem& problem, const SolverSett
   best_ = state.impulse;
   path.least_product = T::kLeastProduct * admissible_product(problem, settings);
   path.most_proximal = shift > 1 ? T::kProximal : T::kProximalAtFolds;
-  report.rung = shift > 1 ? Rung::far_start : Rung::interior_point;
+  report.stage = shift > 1 ? SolverStage::far_start : SolverStage::interior_point;
   while (report.factorisations < settings.max_factorisations) {
     iterate(path);
     if (accept(path)) return report;
@@ -335,7 +335,7 @@ SolveReport InteriorPoint::solve(const ContactProblem& problem, const SolverSett
   }
   state.impulse = best_;
   report.velocity_change.reset();  // that of the last iterate is of another state
-  path.judge();
+  path.measure();
   return report;
 }
 

@@ -77,7 +77,7 @@ class InteriorPoint {
   double proximal_ = 0;            // over each contact's Delassus diagonal [1]
   std::vector<Vec3> delassus_;     // (nc) diagonal of each contact's own block
   std::vector<ContactCone> cone_;  // (nc)
-  std::vector<Mat3> stiffness_;    // (nc)
+  std::vector<Mat3> impedance_;    // (nc)
   std::vector<Vec3> impulse_;      // (nc)
   std::vector<Vec3> velocity_;     // (nb) that the impulses of the cones give
   std::vector<Vec3> change_;       // (nb)

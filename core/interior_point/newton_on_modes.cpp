@@ -19,15 +19,15 @@ Status NewtonOnModes::read_bounded(std::size_t contact, int component, double li
                                    const Vec3& q, const Vec3& u, const Vec3& w) {
   if (w[component] <= 0) return Status::open;
   Vec3& change = change_[contact];
-  Mat3& stiffness = stiffness_[contact];
+  Mat3& impedance = impedance_[contact];
   const Status status = status_of_bounded(q[component], limit * q.x());
   if (status == Status::held) {
     change[component] = -u[component] / (kModesProximal * w[component]);
-    stiffness(component, component) = 1 / (kModesProximal * w[component]);
+    impedance(component, component) = 1 / (kModesProximal * w[component]);
   } else {
     const double slope = status == Status::at_upper_bound ? limit : -limit;
     change[component] = slope * (p.x() + change.x()) - p[component];
-    stiffness(component, 0) = slope * stiffness(0, 0);
+    impedance(component, 0) = slope * impedance(0, 0);
   }
   return status;
 }
@@ -36,7 +36,7 @@ bool NewtonOnModes::read_modes(const ContactProblem& problem, const ContactState
   const std::size_t nc = problem.contacts.size();
   bool same = modes_.size() == nc;
   modes_.resize(nc);
-  stiffness_.resize(nc);
+  impedance_.resize(nc);
   change_.resize(nc);
   for (std::size_t c = 0; c < nc; ++c) {
     const ContactRow& row = problem.contacts[c];
@@ -45,13 +45,13 @@ bool NewtonOnModes::read_modes(const ContactProblem& problem, const ContactState
         row.offset + relative_velocity(row, state.velocity[row.a], state.velocity[row.b]);
     const Vec3& p = state.impulse[c];
     Modes modes;
-    stiffness_[c].setZero();
+    impedance_[c].setZero();
     change_[c] = -p;
     const Vec3 q = p - u.cwiseQuotient(w);
     modes.normal = status_of_normal(q.x());
     if (modes.normal == Status::held) {
       change_[c] = {-u.x() / (kModesProximal * w.x()), 0, 0};
-      stiffness_[c](0, 0) = 1 / (kModesProximal * w.x());
+      impedance_[c](0, 0) = 1 / (kModesProximal * w.x());
       if (problem.components >= 2) modes.slide = read_bounded(c, 1, row.friction, p, q, u, w);
       if (problem.components >= 3) modes.roll = read_bounded(c, 2, row.rolling, p, q, u, w);
     }
@@ -71,14 +71,14 @@ SolveReport NewtonOnModes::solve(const ContactProblem& problem, const SolverSett
   for (int k = 0; k < max_iterations; ++k) {
     if (!read_modes(problem, state)) {
       if (settled) break;
-      matrix.factorise(stiffness_);
+      matrix.factorise(impedance_);
       ++report.factorisations;
     }
     matrix.velocity_change(change_, dv_);
     for (std::size_t c = 0; c < change_.size(); ++c) {
       const ContactRow& row = problem.contacts[c];
       state.impulse[c] +=
-          change_[c] - stiffness_[c] * relative_velocity(row, dv_[row.a], dv_[row.b]);
+          change_[c] - impedance_[c] * relative_velocity(row, dv_[row.a], dv_[row.b]);
     }
     const double change = fastest_at_contacts(problem, dv_) / problem.velocity_scale;
     if (from_best) report.velocity_change = change;

@@ -42,7 +42,7 @@ class NewtonOnModes {
                       const Vec3& q, const Vec3& u, const Vec3& w);
 
   std::vector<Modes> modes_;     // (nc)
-  std::vector<Mat3> stiffness_;  // (nc)
+  std::vector<Mat3> impedance_;  // (nc)
   std::vector<Vec3> change_;     // (nc) of the impulses
   std::vector<Vec3> dv_;         // (nb)
   ContactState best_;

@@ -71,7 +71,7 @@ struct LoadedBlock {
   store_block(sum, c);
 }
 
-// Inverts by elimination with row pivoting. A pivot block holds stiffnesses from 1 to 1e7: cofactors
+// Inverts by elimination with row pivoting. A pivot block holds impedances from 1 to 1e7: cofactors
 // would lose the soft directions. Flips `negative` if the determinant is below zero.
 [[gnu::always_inline]] inline void invert(PaddedBlock& block, bool& negative) {
   BlockLu::Entry entry(&block.column[0][0]);

@@ -52,7 +52,7 @@ inline Vec3 momentum_of_a(const ContactRow& c, const Vec3& p) {
 // Built once a step, constant while solving.
 struct ContactProblem {
   double dt = 0;              // [sqrt(d/g)]
-  double force_scale = 1;     // forces are judged relative to this [F_g]
+  double force_scale = 1;     // forces are measured relative to this [F_g]
   double velocity_scale = 1;  // and velocities relative to this [sqrt(g d)]
   int components = 3;  // modelled: 1 normal (of disks), 2 and friction, 3 and rolling friction
   std::vector<Vec3> inverse_mass;    // (nb) (1/m, 1/m, 1/I)

@@ -17,10 +17,10 @@ struct Largest {
 };
 
 // Of a part of the contacts.
-struct Judgement {
+struct WorstTerms {
   Residual worst;
   bool finite = true;
-  void add(const Judgement& other) {
+  void add(const WorstTerms& other) {
     worst.natural = std::max(worst.natural, other.worst.natural);
     worst.gap = std::max(worst.gap, other.worst.gap);
     finite = finite && other.finite;
@@ -69,8 +69,8 @@ double fastest_at_contacts(const ContactProblem& problem, const std::vector<Vec3
 
 Residual residual(const ContactProblem& problem, ContactState& state) {
   velocity_from_impulses(problem, state.impulse, state.velocity);
-  auto [worst, finite] = gather_range<Judgement>(
-      problem.contacts.size(), [&](std::size_t begin, std::size_t end, Judgement& part) {
+  auto [worst, finite] = gather_range<WorstTerms>(
+      problem.contacts.size(), [&](std::size_t begin, std::size_t end, WorstTerms& part) {
         for (std::size_t c = begin; c < end; ++c) {
           const ContactRow& row = problem.contacts[c];
           const Vec3& p = state.impulse[c];

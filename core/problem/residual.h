@@ -1,4 +1,4 @@
-// The one judge of every solver.
+// The one residual that measures every solver.
 //
 // Of each contact the largest component of its natural map counts (projection.h), that of T over the mean arm; all
 // vanish exactly at a solution.
@@ -26,7 +26,7 @@ inline double contact_residual(const ContactProblem& problem, const ContactRow& 
   return std::max({std::abs(off.x()), std::abs(off.y()), std::abs(off.z()) / row.arm});
 }
 
-// Judges the impulses. The velocities are set to those that the impulses give, so that no solver can
+// Measures the impulses. The velocities are set to those that the impulses give, so that no solver can
 // mislead by velocities that do not belong to its impulses. Infinite if anything is not finite.
 Residual residual(const ContactProblem& problem, ContactState& state);
 

@@ -9,7 +9,7 @@
 
 namespace quicksand {
 
-// A word in the scene for each method; `automatic` ("auto") is the ladder described in contact_solver.cpp.
+// A word in the scene for each method; `automatic` ("auto") is the fallback chain described in contact_solver.cpp.
 enum class Method : std::uint8_t { automatic, interior_point, gauss_seidel };
 
 struct SolverSettings {
@@ -33,12 +33,12 @@ struct SolverSettings {
 };
 
 // What found the solution; see contact_solver.cpp.
-enum class Rung : std::uint8_t { start, locality, interior_point, far_start, polish };
+enum class SolverStage : std::uint8_t { start, local, interior_point, far_start, polish };
 
 // Not converging is an answer: the caller decides.
 struct SolveReport {
   bool converged = false;
-  Rung rung = Rung::start;
+  SolverStage stage = SolverStage::start;
   Residual residual;
   // Fastest change of velocity at a contact in the last iteration of Newton's method, over the scale. As
   // it converges quadratically, the error left is far smaller. Empty where it is not known of the state: of a start
@@ -50,7 +50,7 @@ struct SolveReport {
   // Takes over the outcome of a further solution and sums up the work.
   void add(const SolveReport& further) {
     converged = further.converged;
-    rung = further.rung;
+    stage = further.stage;
     residual = further.residual;
     velocity_change = further.velocity_change;
     iterations += further.iterations;

@@ -14,7 +14,7 @@ namespace quicksand {
 struct ContactSolver::Methods {
   LocalSolver local;
   InteriorPoint interior_point;
-  std::vector<Vec3> inherited;  // (nc)
+  std::vector<Vec3> warm_start;  // (nc)
   ContactState best;
 };
 
@@ -23,20 +23,20 @@ ContactSolver::~ContactSolver() = default;
 
 namespace {
 
-// The ladder:
-//   1. locality, which also takes the inherited impulses as they are if they solve the problem already
+// The fallback chain:
+//   1. the local solver, which also takes the warm start as it is if that solves the problem already
 //      (a packing at rest);
-//   2. interior point from near the inherited impulses, and relaxation from where it jams;
+//   2. interior point from near the warm start, and relaxation from where it jams;
 //   3. both again from farther inside;
-//   4. where the step cannot be halved any more, both again from other distances and shares of these impulses.
+//   4. where the step cannot be halved any more, both again from other distances and shares of the warm start.
 // In a jammed packing the interior point ends at folds of its path, where some ten to some hundred sweeps
 // of relaxation gain the last factor of 10 to 30. What has jammed is a bad start for another path: each
-// begins at the inherited impulses, and ends elsewhere. If all fall short, the best state counts, and the
+// begins at the warm start, and ends elsewhere. If all fall short, the best state counts, and the
 // step is repeated with half the time step (see protocols.h).
 template <class Methods>
-SolveReport climb(const ContactProblem& problem, const SolverSettings& settings, Rung from,
-                  Methods& methods, ContactState& state) {
-  // Share of the inherited impulses that a path starts from, and how far inside. In the shortest steps of a shock
+SolveReport run_chain(const ContactProblem& problem, const SolverSettings& settings,
+                      SolverStage from, Methods& methods, ContactState& state) {
+  // Share of the warm start that a path starts from, and how far inside. In the shortest steps of a shock
   // through thousands of jammed contacts about two in five of the far ones end, and which ones is chance.
   struct Start {
     double share, shift;
@@ -49,14 +49,14 @@ SolveReport climb(const ContactProblem& problem, const SolverSettings& settings,
   constexpr int kPolishSweeps = 300, kPatientSweeps = 1000;
   constexpr double kPatientGain = 0.98;
   SolveReport report;
-  if (from > Rung::locality) {
+  if (from > SolverStage::local) {
     report.residual = residual(problem, state);
     report.converged = settings.distance(report.residual) <= SolverSettings::kAsItIs;
   } else {
     report = methods.local.solve(problem, settings, state);
   }
   if (report.converged) return report;
-  methods.inherited = state.impulse;
+  methods.warm_start = state.impulse;
   methods.best = state;
   Residual least = report.residual;
   std::optional<double> change_of_best = report.velocity_change;
@@ -69,7 +69,7 @@ SolveReport climb(const ContactProblem& problem, const SolverSettings& settings,
   };
   for (const auto& [share, shift] :
        std::span(kStarts).first(settings.patient ? kStarts.size() : kImpatientStarts)) {
-    state.impulse = methods.inherited;
+    state.impulse = methods.warm_start;
     for (Vec3& p : state.impulse) p *= share;
     report.add(
         methods.interior_point.solve(problem, sweeps_left(settings.max_iterations), shift, state));
@@ -95,10 +95,10 @@ SolveReport climb(const ContactProblem& problem, const SolverSettings& settings,
 }  // namespace
 
 SolveReport ContactSolver::solve(const ContactProblem& problem, const SolverSettings& settings,
-                                 ContactState& state, Rung from) {
+                                 ContactState& state, SolverStage from) {
   switch (settings.method) {
     case Method::automatic:
-      return climb(problem, settings, from, *methods_, state);
+      return run_chain(problem, settings, from, *methods_, state);
     case Method::interior_point:
       return methods_->interior_point.solve(problem, settings, 1, state);
     case Method::gauss_seidel:
@@ -111,7 +111,7 @@ SolveReport ContactSolver::solve(const ContactProblem& problem, const SolverSett
 // would begin anew.
 SolveReport ContactSolver::solve_with_more(const ContactProblem& problem,
                                            const SolverSettings& settings, ContactState& state,
-                                           Rung from) {
+                                           SolverStage from) {
   constexpr int kSweeps = 30;
   SolveReport report;
   if (settings.method == Method::automatic) {
@@ -119,7 +119,7 @@ SolveReport ContactSolver::solve_with_more(const ContactProblem& problem,
     few.max_iterations = std::min(kSweeps, settings.max_iterations);
     ContactState mended = state;
     report = solve_relaxation(problem, few, mended);
-    report.rung = from;
+    report.stage = from;
     if (report.converged) {
       std::swap(state, mended);
       return report;

@@ -19,10 +19,10 @@ class ContactSolver {
 
   // `from`: what solved a problem much like this one; easier ways are not tried again.
   SolveReport solve(const ContactProblem& problem, const SolverSettings& settings,
-                    ContactState& state, Rung from = Rung::start);
+                    ContactState& state, SolverStage from = SolverStage::start);
   // The same for a problem that was solved by `from` but for some contacts that have come in since.
   SolveReport solve_with_more(const ContactProblem& problem, const SolverSettings& settings,
-                              ContactState& state, Rung from);
+                              ContactState& state, SolverStage from);
 
  private:
   struct Methods;

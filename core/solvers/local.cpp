@@ -17,12 +17,12 @@ constexpr int kMaxRounds = 12;
 // admissible residual.
 constexpr double kShareInside = 1e-3;
 constexpr double kMarginInside = 10;
-// Share of contacts that must be frozen or open for locality to be tried.
+// Share of contacts that must be frozen or open for the local solver to be tried.
 constexpr double kLeastQuiet = 0.8;
-// Share of contacts that may thaw or join in: where more do, the whole problem is solved sooner. (Of 61 solutions
-// of an intruder that begins to plough, 51 ms for 58; none of a deposition thaws as many.)
-constexpr double kMostThawed = 0.09;
-// Factorisations of the whole problem whose work locality may spend. Where nearly all moves, the rounds
+// Share of contacts that may be released or join in: where more do, the whole problem is solved sooner. (Of 61 solutions
+// of an intruder that begins to plough, 51 ms for 58; none of a deposition releases as many.)
+constexpr double kMostReleased = 0.09;
+// Factorisations of the whole problem whose work the local solver may spend. Where nearly all moves, the rounds
 // would cost several times the full solution, which takes 25 to 80.
 constexpr double kWorth = 25;
 
@@ -201,7 +201,7 @@ SolveReport LocalSolver::solve(const ContactProblem& problem, const SolverSettin
     return report;
   }
   budget_ = kWorth * static_cast<double>(role_.size());
-  int thawed = 0;
+  int released = 0;
   for (int round = 0; round < kMaxRounds; ++round) {
     frozen_.resize(role_.size());
     std::ranges::transform(role_, frozen_.begin(), [](Role r) { return r == Role::frozen; });
@@ -212,11 +212,11 @@ SolveReport LocalSolver::solve(const ContactProblem& problem, const SolverSettin
     clusters_.spread(cluster_velocity_, state.velocity);
     clusters_.recover(problem, state.velocity, state.impulse);
     const int activated = activate_violated(problem, admissible, state);
-    thawed += activated;
-    if (activated <= 0 || thawed > kMostThawed * static_cast<double>(role_.size())) break;
+    released += activated;
+    if (activated <= 0 || released > kMostReleased * static_cast<double>(role_.size())) break;
   }
-  // A component that converged does not make a solution: the whole problem is judged.
-  report.rung = Rung::locality;
+  // A component that converged does not make a solution: the residual of the whole problem decides.
+  report.stage = SolverStage::local;
   report.velocity_change = velocity_change_;
   report.residual = residual(problem, state);
   if (settings.distance(start) < settings.distance(report.residual)) {

@@ -4,7 +4,7 @@
 // the branch that carries them. So contacts are frozen, not bodies: those that stuck in the last step
 // join disks to rigid clusters (rigid_clusters.h), those that were open are left out, and the
 // interior-point method solves the others over the clusters, one independent component at a time.
-// Then every contact is judged by the law. A frozen one whose impulse left its cone thaws, where it is
+// Then every contact is held against the law. A frozen one whose impulse left its cone is released, where it is
 // the worst of its neighbourhood, an open one that would overlap joins in, and the solution is repeated.
 // What is accepted has passed the residual of the whole problem.
 #pragma once
@@ -29,7 +29,7 @@ class LocalSolver {
  private:
   enum class Role : char { frozen, open, active };
 
-  // False if too much is active for locality to pay.
+  // False if too much is active for the local solver to pay.
   bool assign_roles(const ContactProblem& problem, double admissible, ContactState& state);
   void find_components(const ContactProblem& problem);
   bool solve_components(const ContactProblem& problem, const SolverSettings& settings,

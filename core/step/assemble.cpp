@@ -213,7 +213,7 @@ void build_problem(const World& world, const std::vector<Contact>& contacts,
         problem.inverse_mass[row.b].cwiseProduct(momentum_of_b(row, attraction));
   }
 
-  // Forces are judged relative to the strongest bond, or the mean force or momentum of a body.
+  // Forces are measured relative to the strongest bond, or the mean force or momentum of a body.
   double force = 0, mass = 0;
   int mobile = 0;
   for (int i = 0; i < disks.size(); ++i) {

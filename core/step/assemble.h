@@ -1,4 +1,4 @@
-// From a world to the contact problem of one step: which pairs are contacts, what they inherit from
+// From a world to the contact problem of one step: which pairs are contacts, with which impulses they start from
 // the last step, and the rows that a solver reads.
 #pragma once
 
@@ -33,8 +33,8 @@ void free_velocities(const World& world, double dt, std::vector<Vec3>& velocity)
 double contact_reach(const World& world, const std::vector<Vec3>& free_velocity, double dt);
 
 // The contacts of the step among sorted `candidates`, which must hold all pairs within the reach and may hold
-// others: bonded pairs, and those that may touch within the step (judged by the free velocities). They depend
-// on the world alone, not on how many pairs farther apart a list happens to hold. Impulses are inherited from
+// others: bonded pairs, and those that may touch within the step (by the free velocities). They depend
+// on the world alone, not on how many pairs farther apart a list happens to hold. Impulses are warm-started from
 // world.contacts by pair, as far as the law still has them, and scaled to the new step; bonds are taken to turn as
 // they did before. A bonded pair that has none begins with N = 0, or with the N = F_c dt that balances its cohesion:
 // a solver that stops early would leave the difference as a force. Sorted by pair.

@@ -44,8 +44,8 @@ Vec3 without_load(const ContactRow& row, double cohesion, const Vec3& p, double 
 
 }  // namespace
 
-void EnergyRule::find_suspects(const Case& judged) {
-  const auto& [world, contacts, step, settings, solver, cost] = judged;
+void EnergyCriterion::find_suspects(const Case& solved) {
+  const auto& [world, contacts, step, settings, solver, cost] = solved;
   const double dt = step.dt;
   suspects_.clear();
   auto before = world.contacts.begin();
@@ -75,8 +75,8 @@ void EnergyRule::find_suspects(const Case& judged) {
   }
 }
 
-bool EnergyRule::solve_unloaded(const Case& judged, double admissible) {
-  const auto& [world, contacts, step, settings, solver, cost] = judged;
+bool EnergyCriterion::solve_unloaded(const Case& solved, double admissible) {
+  const auto& [world, contacts, step, settings, solver, cost] = solved;
   start_velocities(world, velocity_);
   build_problem(world, unloaded_, velocity_, step, problem_);
   for (ContactRow& row : problem_.contacts) row.gap_tolerance = kInfinity;
@@ -87,16 +87,16 @@ bool EnergyRule::solve_unloaded(const Case& judged, double admissible) {
   SolverSettings own = settings;
   own.tolerance = std::max(settings.tolerance, admissible / (problem_.force_scale * step.dt));
   if (admissible > 0) own.velocity_tolerance = kInfinity;
-  const Rung from = cost.rung;
+  const SolverStage from = cost.stage;
   cost.add(solver.solve(problem_, own, state_, from));
-  cost.rung = std::max(cost.rung, from);
+  cost.stage = std::max(cost.stage, from);
   return cost.converged;
 }
 
-bool EnergyRule::find_impacts(const Case& judged) {
-  const auto& [world, contacts, step, settings, solver, cost] = judged;
+bool EnergyCriterion::find_impacts(const Case& solved) {
+  const auto& [world, contacts, step, settings, solver, cost] = solved;
   unloaded_ = contacts;
-  if (!solve_unloaded(judged, 0)) return false;
+  if (!solve_unloaded(solved, 0)) return false;
   for (Suspect& s : suspects_) {
     const Contact& bond = unloaded_[s.contact];
     double alone = step.dt * bond.cohesion - state_.impulse[s.contact].x();
@@ -107,10 +107,10 @@ bool EnergyRule::find_impacts(const Case& judged) {
   return true;
 }
 
-bool EnergyRule::find_openings(const Case& judged, double admissible) {
-  unloaded_ = judged.contacts;
+bool EnergyCriterion::find_openings(const Case& solved, double admissible) {
+  unloaded_ = solved.contacts;
   for (const Suspect& s : suspects_) unloaded_[s.contact].cohesion = 0;
-  if (!solve_unloaded(judged, admissible)) return false;
+  if (!solve_unloaded(solved, admissible)) return false;
   for (Suspect& s : suspects_) {
     const ContactRow& row = problem_.contacts[s.contact];
     s.opening = relative_velocity(row, state_.velocity[row.a], state_.velocity[row.b]).x();
@@ -118,24 +118,24 @@ bool EnergyRule::find_openings(const Case& judged, double admissible) {
   return true;
 }
 
-const std::vector<BondBreak>& EnergyRule::judge(const World& world,
-                                                const std::vector<Contact>& contacts,
-                                                const StepSettings& step,
-                                                const SolverSettings& settings,
-                                                ContactSolver& solver, SolveReport& cost) {
-  const Case judged{world, contacts, step, settings, solver, cost};
+const std::vector<BondBreak>& EnergyCriterion::failures(const World& world,
+                                                        const std::vector<Contact>& contacts,
+                                                        const StepSettings& step,
+                                                        const SolverSettings& settings,
+                                                        ContactSolver& solver, SolveReport& cost) {
+  const Case solved{world, contacts, step, settings, solver, cost};
   const auto opens = [](const Suspect& s, double impact) {
     return impact * s.opening / 2 > s.energy_left;
   };
   breaks_.clear();
-  find_suspects(judged);
+  find_suspects(solved);
   double rough = kInfinity;
   for (const Suspect& s : suspects_) rough = std::min(rough, kRoughShare * s.least_impact);
-  if (suspects_.empty() || !find_openings(judged, rough)) return breaks_;
+  if (suspects_.empty() || !find_openings(solved, rough)) return breaks_;
   std::erase_if(suspects_, [&](const Suspect& s) { return !opens(s, kDoubt * s.impact); });
-  if (suspects_.empty() || !find_impacts(judged)) return breaks_;
+  if (suspects_.empty() || !find_impacts(solved)) return breaks_;
   std::erase_if(suspects_, [](const Suspect& s) { return s.own_impact <= s.least_impact; });
-  if (suspects_.empty() || !find_openings(judged, 0)) return breaks_;
+  if (suspects_.empty() || !find_openings(solved, 0)) return breaks_;
   for (const Suspect& s : suspects_) {
     if (!opens(s, s.own_impact)) continue;
     const Contact& contact = contacts[s.contact];

@@ -35,15 +35,15 @@ struct BondBreak {
   double last_force = 0;  // mean attraction that the bond still gives in this step [F_g]
 };
 
-class EnergyRule {
+class EnergyCriterion {
  public:
-  // Judges the bonds among `contacts`, the solved step of `world`, whose impulses they hold. Returns
-  // the breaks in the order of the contacts. `cost` holds the rung that solved the step, below which
+  // Evaluates the criterion for the bonds among `contacts`, the solved step of `world`, whose impulses they hold. Returns
+  // the breaks in the order of the contacts. `cost` holds the stage that solved the step, below which
   // there is no use to begin; the rule's own solution is added to it. If that did not converge, nor did
   // `cost`, and there are no breaks.
-  const std::vector<BondBreak>& judge(const World& world, const std::vector<Contact>& contacts,
-                                      const StepSettings& step, const SolverSettings& settings,
-                                      ContactSolver& solver, SolveReport& cost);
+  const std::vector<BondBreak>& failures(const World& world, const std::vector<Contact>& contacts,
+                                         const StepSettings& step, const SolverSettings& settings,
+                                         ContactSolver& solver, SolveReport& cost);
 
  private:
   struct Suspect {
@@ -55,7 +55,7 @@ class EnergyRule {
     double own_impact = 0;      // J [m sqrt(g d)]
     double opening = 0;         // u_open [sqrt(g d)]
   };
-  // What is judged, and what it is solved with.
+  // What is evaluated, and what it is solved with.
   struct Case {
     const World& world;
     const std::vector<Contact>& contacts;
@@ -64,14 +64,14 @@ class EnergyRule {
     ContactSolver& solver;
     SolveReport& cost;
   };
-  void find_suspects(const Case& judged);
+  void find_suspects(const Case& solved);
   // Solves the step of `unloaded_` without external forces, with impulses that are off by at most `admissible`
   // [m sqrt(g d)]; 0: to the tolerance of the settings. False if that did not converge.
-  bool solve_unloaded(const Case& judged, double admissible);
+  bool solve_unloaded(const Case& solved, double admissible);
   // The own impacts of the suspects, with all bonds.
-  bool find_impacts(const Case& judged);
+  bool find_impacts(const Case& solved);
   // The velocities with which the suspects open, without their bonds.
-  bool find_openings(const Case& judged, double admissible);
+  bool find_openings(const Case& solved, double admissible);
 
   std::vector<Suspect> suspects_;
   std::vector<BondBreak> breaks_;

@@ -35,7 +35,7 @@ struct Stepper::Scratch {
   ContactSolver solver;
   NscdSweeps sweeps;
   ContactState state;
-  EnergyRule energy_rule;
+  EnergyCriterion energy_criterion;
   std::vector<BondBreak> breaks;
   std::vector<Pair> formed;
 };
@@ -62,7 +62,7 @@ void move(World& world, const std::vector<Vec3>& velocity, double dt) {
 
 // `repeated`: some contacts have come in, or bonds turn otherwise, since `from` solved it.
 SolveReport Stepper::solve_once(World& world, const StepSettings& step,
-                                const SolverSettings& settings, bool repeated, Rung from) {
+                                const SolverSettings& settings, bool repeated, SolverStage from) {
   Scratch& s = *scratch_;
   if (step.nscd) {
     // Its own stream, so that scenes draw the same places and sizes whatever the order of the sweeps.
@@ -85,7 +85,7 @@ void Stepper::solve_contacts(World& world, const StepSettings& step, const Solve
     build_problem(world, s.contacts, s.free_velocity, step, s.problem);
     s.state.impulse.resize(s.contacts.size());
     for (std::size_t c = 0; c < s.contacts.size(); ++c) s.state.impulse[c] = s.contacts[c].impulse;
-    report.solve.add(solve_once(world, step, settings, repeat > 0, report.solve.rung));
+    report.solve.add(solve_once(world, step, settings, repeat > 0, report.solve.stage));
     report.bad_body = first_not_finite(s.state.velocity);
     report.finite = report.bad_body < 0;
     if (!report.finite || (!report.solve.converged && step.stop_if_unconverged)) return;
@@ -144,7 +144,7 @@ void Stepper::update_bonds(World& world, const StepSettings& step, StepReport& r
     const Vec3& va = s.state.velocity[row.a];
     const Vec3& vb = s.state.velocity[row.b];
     double gap = step.dt * (row.offset.x() + relative_velocity(row, va, vb).x());
-    if (step.break_rule == BreakRule::geometric && !is_wall(pair.b)) {
+    if (step.break_rule == FailureCriterion::geometric && !is_wall(pair.b)) {
       const Vec2 apart = world.separation(pair.a, pair.b) + step.dt * (vb - va).head<2>();
       gap = apart.norm() - world.disks.radius[pair.a] - world.disks.radius[pair.b];
     }
@@ -173,16 +173,17 @@ StepReport Stepper::advance(World& world, const StepSettings& step,
                 step.nscd ? NewBond::balanced : NewBond::from_zero);
   solve_contacts(world, step, settings, report);
   s.breaks.clear();
-  if (report.solve.converged && report.finite && step.break_rule == BreakRule::energy) {
-    SolveReport judgement;
-    judgement.converged = true;
-    judgement.rung = report.solve.rung;
-    s.breaks = s.energy_rule.judge(world, s.contacts, step, settings, s.solver, judgement);
+  if (report.solve.converged && report.finite && step.break_rule == FailureCriterion::energy) {
+    SolveReport criterion_solve;
+    criterion_solve.converged = true;
+    criterion_solve.stage = report.solve.stage;
+    s.breaks =
+        s.energy_criterion.failures(world, s.contacts, step, settings, s.solver, criterion_solve);
     const SolveReport of_step = report.solve;
-    report.solve.add(judgement);
+    report.solve.add(criterion_solve);
     // What is reported is the step's own solution.
-    report.solve.converged = judgement.converged;
-    report.solve.rung = of_step.rung;
+    report.solve.converged = criterion_solve.converged;
+    report.solve.stage = of_step.stage;
     report.solve.residual = of_step.residual;
     report.solve.velocity_change = of_step.velocity_change;
     for (const BondBreak& broken : s.breaks)

@@ -12,13 +12,13 @@ namespace quicksand {
 // range. `linearised`: only the latter, the gap taken along the normal at the start of the step (with
 // the curvature term). `geometric`: the same with the distance after the straight move; it breaks bonds whose
 // turning changes within the step, without the curvature term all that turn, and is there to show it.
-enum class BreakRule : std::uint8_t { energy, linearised, geometric };
+enum class FailureCriterion : std::uint8_t { energy, linearised, geometric };
 
 struct StepSettings {
   // Engaged: the scheme of the step is NSCD. Absent: every step is solved to the solver's tolerance.
   std::optional<Nscd> nscd;
   double dt = 1e-2;  // [sqrt(d/g)]
-  BreakRule break_rule = BreakRule::energy;
+  FailureCriterion break_rule = FailureCriterion::energy;
   bool curvature_term = true;  // second-order gap of bonded contacts
   // Engaged: the step is dt divided by the power of two that lets no bonded pair turn farther in it
   // than this [rad]. Absent: every step is dt.

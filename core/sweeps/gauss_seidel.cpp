@@ -10,7 +10,7 @@ namespace quicksand {
 namespace {
 
 // Judging a state costs about a sweep.
-constexpr int kSweepsBetweenJudgements = 20;
+constexpr int kSweepsBetweenChecks = 20;
 
 }  // namespace
 
@@ -18,23 +18,23 @@ SolveReport solve_gauss_seidel(const ContactProblem& problem, const SolverSettin
                                ContactState& state) {
   const std::vector<Vec3> inverse = inverse_delassus(problem);
   SolveReport report;
-  const auto judge = [&] {
+  const auto converged_now = [&] {
     report.residual = residual(problem, state);
     report.converged = settings.accepts(report.residual);
     return report.converged;
   };
-  judge();
-  if (!report.converged) report.rung = Rung::polish;
+  converged_now();
+  if (!report.converged) report.stage = SolverStage::polish;
   while (!report.converged && report.iterations < settings.max_iterations) {
-    const auto sweeps = std::min<std::int64_t>(kSweepsBetweenJudgements,
-                                               settings.max_iterations - report.iterations);
+    const auto sweeps =
+        std::min<std::int64_t>(kSweepsBetweenChecks, settings.max_iterations - report.iterations);
     with_components(problem, [&]<int Components> {
       for (std::int64_t k = 0; k < sweeps; ++k)
         for (std::size_t c = 0; c < inverse.size(); ++c)
           relax_contact<Components>(problem, c, inverse[c], state);
     });
     report.iterations += sweeps;
-    judge();
+    converged_now();
   }
   return report;
 }

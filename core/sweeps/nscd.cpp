@@ -43,7 +43,7 @@ SolveReport NscdSweeps::solve(const ContactProblem& problem, const Nscd& nscd,
     report.residual = residual(problem, state);
     if (nscd.tolerance && report.residual.natural <= *nscd.tolerance) break;
   }
-  report.rung = Rung::polish;
+  report.stage = SolverStage::polish;
   report.converged = accepted.accepts(report.residual);
   return report;
 }

@@ -72,13 +72,13 @@ class ContactsOfBody {
 SolveReport solve_relaxation(const ContactProblem& problem, const SolverSettings& settings,
                              ContactState& state) {
   SolveReport report;
-  const auto judge = [&] {
+  const auto converged_now = [&] {
     report.residual = residual(problem, state);
     report.converged = settings.accepts(report.residual);
     return report.converged;
   };
-  if (judge() || settings.max_iterations <= 0) return report;
-  report.rung = Rung::polish;
+  if (converged_now() || settings.max_iterations <= 0) return report;
+  report.stage = SolverStage::polish;
   const std::size_t nc = problem.contacts.size();
   const std::vector<Vec3> inverse = inverse_delassus(problem);
   const ContactsOfBody contacts(problem);
@@ -111,7 +111,7 @@ SolveReport solve_relaxation(const ContactProblem& problem, const SolverSettings
         return seen < most;
       })) {
       }
-    } while (!judge() && seen < most && solved > 0);
+    } while (!converged_now() && seen < most && solved > 0);
   });
   report.iterations = static_cast<std::int64_t>((seen + nc - 1) / nc);
   return report;

@@ -1,4 +1,4 @@
-// A panel with a session behind it, and a robot that uses it.
+// A panel with a session behind it, and a driver that uses it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/commands/console.h"
-#include "app/gui/robot.h"
+#include "app/gui/ui_driver.h"
 #include "tests/support/temporary_folder.h"
 
 namespace quicksand::test {
@@ -31,22 +31,22 @@ class PanelFixture : public testing::Test {
   Json perform(const Json& command) { return console_.perform(command); }
   Session& session() { return console_.session(); }
 
-  // Makes the panel and its robot, by which commands are performed.
-  Robot& robot(double scale = 1, int width = kWidth, int height = kHeight) {
+  // Makes the panel and its driver, by which commands are performed.
+  UiDriver& driver(double scale = 1, int width = kWidth, int height = kHeight) {
     gui_ = std::make_unique<Gui>(scale);
-    robot_ = std::make_unique<Robot>(*gui_, session(), width, height,
-                                     [this](const std::vector<Json>& commands) {
-                                       for (const Json& command : commands) perform(command);
-                                     });
-    robot_->wait(1);
-    return *robot_;
+    ui_driver_ = std::make_unique<UiDriver>(*gui_, session(), width, height,
+                                            [this](const std::vector<Json>& commands) {
+                                              for (const Json& command : commands) perform(command);
+                                            });
+    ui_driver_->wait(1);
+    return *ui_driver_;
   }
   // The same, but nothing happens: for looking at the commands.
-  Robot& idle_robot(double scale = 1, int width = kWidth, int height = kHeight) {
+  UiDriver& idle_driver(double scale = 1, int width = kWidth, int height = kHeight) {
     gui_ = std::make_unique<Gui>(scale);
-    robot_ = std::make_unique<Robot>(*gui_, session(), width, height, Robot::Perform());
-    robot_->wait(1);
-    return *robot_;
+    ui_driver_ = std::make_unique<UiDriver>(*gui_, session(), width, height, UiDriver::Perform());
+    ui_driver_->wait(1);
+    return *ui_driver_;
   }
   Gui& gui() { return *gui_; }
 
@@ -62,7 +62,7 @@ class PanelFixture : public testing::Test {
  private:
   Console console_{{folder_.path(), folder_.path()}};
   std::unique_ptr<Gui> gui_;
-  std::unique_ptr<Robot> robot_;
+  std::unique_ptr<UiDriver> ui_driver_;
 };
 
 }  // namespace quicksand::test

@@ -23,14 +23,14 @@ Image cut(const Image& image, const PixelRect& rect) {
 Image without_status(const Image& image) { return cut(image, {0, 0, 900, 570}); }
 
 TEST_F(Look, BeforeASceneIsChosen) {
-  robot();
+  driver();
   golden::expect_same(gui().paint(), "gui_empty");
 }
 
 TEST_F(Look, Light) {
   load();
   perform({{"command", "run"}, {"steps", 3}});
-  robot();
+  driver();
   golden::expect_same(without_status(gui().paint()), "gui_light");
 }
 
@@ -38,19 +38,19 @@ TEST_F(Look, Dark) {
   load();
   perform({{"command", "run"}, {"steps", 3}});
   perform({{"command", "view"}, {"theme", "dark"}, {"colour", "coordination"}});
-  robot().set("Controls", "closed");
+  driver().set("Controls", "closed");
   golden::expect_same(without_status(gui().paint()), "gui_dark");
 }
 
 TEST_F(Look, AtTwiceTheScale) {
   load();
-  robot(2, 1200, 900);
+  driver(2, 1200, 900);
   golden::expect_same(cut(gui().paint(), {0, 0, 640, 480}), "gui_scale_2");
 }
 
 TEST_F(Look, Parameters) {
   load();
-  Robot& r = robot();
+  UiDriver& r = driver();
   for (const char* section : {"Controls", "View", "Plots", "Scene"}) r.set(section, "closed");
   r.set("Parameters", "open");
   r.set("Parameters/Deposition", "open");
@@ -62,7 +62,7 @@ TEST_F(Look, Parameters) {
 TEST_F(Look, Plots) {
   load();
   perform({{"command", "run"}, {"steps", 30}});
-  Robot& r = robot();
+  UiDriver& r = driver();
   for (const char* section : {"Controls", "View", "Scene"}) r.set(section, "closed");
   golden::expect_same(cut(gui().paint(), {0, 60, 320, 420}), "gui_plots");
 }
@@ -70,7 +70,7 @@ TEST_F(Look, Plots) {
 TEST_F(Look, InspectedGrain) {
   load();
   perform({{"command", "run"}, {"steps", 3}});
-  Robot& r = robot();
+  UiDriver& r = driver();
   for (const char* section : {"Controls", "View", "Plots", "Scene"}) r.set(section, "closed");
   perform({{"command", "pick"}, {"body", 30}});
   r.wait(2);
@@ -79,7 +79,7 @@ TEST_F(Look, InspectedGrain) {
 
 TEST_F(Look, Actions) {
   load();
-  Robot& r = robot();
+  UiDriver& r = driver();
   for (const char* section : {"Controls", "View", "Plots", "Scene"}) r.set(section, "closed");
   r.set("Actions", "open");
   golden::expect_same(cut(gui().paint(), {0, 0, 320, 400}), "gui_actions");
@@ -87,7 +87,7 @@ TEST_F(Look, Actions) {
 
 TEST_F(Look, Error) {
   load();
-  Robot& r = robot();
+  UiDriver& r = driver();
   gui().show_error(
       "contact.friction: must lie from 0 to 100, but is -1. The scene stays as it was before, and "
       "the "
@@ -98,7 +98,7 @@ TEST_F(Look, Error) {
 
 TEST_F(Look, OpenList) {
   load();
-  Robot& r = robot();
+  UiDriver& r = driver();
   r.click("View/colour");
   r.hover("View/colour/speed");
   golden::expect_same(cut(gui().paint(), {0, 280, 560, 290}), "gui_list");
@@ -107,7 +107,7 @@ TEST_F(Look, OpenList) {
 TEST_F(Look, GrainThatIsDragged) {
   load();
   perform({{"command", "run"}, {"steps", 3}});
-  robot().set("Inspect/drag stiffness", 0.001);
+  driver().set("Inspect/drag stiffness", 0.001);
   GuiInput input;
   input.mouse = gui().view_camera()->to_pixel(session().world().disks.position[30]);
   const auto frame = [&] { gui().frame(session(), input, kWidth, kHeight); };
@@ -126,7 +126,7 @@ TEST_F(Look, WarnsOfStepsThatDidNotConverge) {
   perform({{"command", "set"}, {"path", "solver.tolerance"}, {"value", 1e-18}});
   perform({{"command", "run"}, {"steps", 3}});
   ASSERT_GT(session().protocol().state().unconverged_steps, 0);
-  Robot& r = robot();
+  UiDriver& r = driver();
   gui().set_rate(1234, 90);
   r.wait(1);
   const Image image = gui().paint();

@@ -22,7 +22,7 @@ void expect_command(const std::vector<Json>& given, const Json& expected) {
 }
 
 TEST_F(PanelTest, OnlyASceneCanBeChosenBeforeOneIs) {
-  Robot& r = idle_robot();
+  UiDriver& r = idle_driver();
   for (const Widget& one : gui().widgets()) {
     const bool always = one.path.starts_with("Scene") || one.path == "Picture";
     EXPECT_EQ(one.disabled, !always) << one.path;
@@ -32,7 +32,7 @@ TEST_F(PanelTest, OnlyASceneCanBeChosenBeforeOneIs) {
 
 TEST_F(PanelTest, ControlsTheRun) {
   load();
-  Robot& r = robot();
+  UiDriver& r = driver();
   expect_command(r.click("Controls/Step"), {{"command", "run"}, {"steps", 1}});
   expect_command(r.click("Controls/Run"), {{"command", "start"}});
   EXPECT_TRUE(session().running);
@@ -48,7 +48,7 @@ TEST_F(PanelTest, ControlsTheRun) {
 
 TEST_F(PanelTest, SetsParameters) {
   load();
-  Robot& r = robot();
+  UiDriver& r = driver();
   expect_command(r.set("Parameters/Contacts/friction", 0.25),
                  {{"command", "set"}, {"path", "contact.friction"}, {"value", 0.25}});
   EXPECT_EQ(session().scenario().grain_law.friction, 0.25);
@@ -57,13 +57,13 @@ TEST_F(PanelTest, SetsParameters) {
                  {{"command", "set"}, {"path", "phases[1].force"}, {"value", 5e3}});
   expect_command(r.set("Parameters/Computing/seed", 7),
                  {{"command", "set"}, {"path", "seed"}, {"value", 7}});
-  expect_command(r.set("Parameters/Computing/break rule", "geometric"),
+  expect_command(r.set("Parameters/Computing/failure criterion", "geometric"),
                  {{"command", "set"}, {"path", "step.break_rule"}, {"value", "geometric"}});
 }
 
 TEST_F(PanelTest, TheMethodOfTheStepIsChosenAndNamedInTheStatusLine) {
   load();
-  Robot& r = idle_robot();
+  UiDriver& r = idle_driver();
   r.set("Parameters", "open");
   r.set("Parameters/Computing", "open");
   const std::vector<Json> given = r.set("Parameters/Computing/step method", "nscd");
@@ -75,7 +75,7 @@ TEST_F(PanelTest, TheMethodOfTheStepIsChosenAndNamedInTheStatusLine) {
 
 TEST_F(PanelTest, ParametersThatTheSceneDoesNotModelAreDisabled) {
   load();
-  Robot& r = robot();
+  UiDriver& r = driver();
   r.set("Parameters", "open");
   r.set("Parameters/Piston", "open");
   EXPECT_TRUE(widget("Parameters/Piston/mass")->disabled);
@@ -84,7 +84,7 @@ TEST_F(PanelTest, ParametersThatTheSceneDoesNotModelAreDisabled) {
 
 TEST_F(PanelTest, ANumberOutOfRangeIsNotClampedButRefusedByTheSession) {
   load();
-  Robot& r = idle_robot();
+  UiDriver& r = idle_driver();
   const std::vector<Json> given = r.set("Parameters/Contacts/friction", -1);
   ASSERT_EQ(given.size(), 1U);
   EXPECT_EQ(given[0]["value"], -1.0);
@@ -93,7 +93,7 @@ TEST_F(PanelTest, ANumberOutOfRangeIsNotClampedButRefusedByTheSession) {
 
 TEST_F(PanelTest, ANumberCanBeDraggedAndIsGivenOnceItIsLetGo) {
   load();
-  Robot& r = idle_robot();
+  UiDriver& r = idle_driver();
   r.set("Parameters", "open");
   const PixelRect rect = widget("Parameters/Contacts/friction")->rect;
   const Vec2 start(rect.x + 20, rect.y + 8);
@@ -105,7 +105,7 @@ TEST_F(PanelTest, ANumberCanBeDraggedAndIsGivenOnceItIsLetGo) {
 TEST_F(PanelTest, Acts) {
   load();
   perform({{"command", "run"}, {"steps", 2}});
-  Robot& r = idle_robot();
+  UiDriver& r = idle_driver();
   EXPECT_TRUE(r.set("Actions/push force", 200).empty()) << "the panel's own";
   const double force = 200;
   expect_command(r.click("Actions/Push"), {{"command", "push"},
@@ -127,7 +127,7 @@ TEST_F(PanelTest, Acts) {
 
 TEST_F(PanelTest, PullNeedsAnIntruder) {
   load();
-  Robot& r = idle_robot();
+  UiDriver& r = idle_driver();
   r.set("Actions", "open");
   EXPECT_TRUE(widget("Actions/Pull")->disabled);
 }
@@ -135,7 +135,7 @@ TEST_F(PanelTest, PullNeedsAnIntruder) {
 TEST_F(PanelTest, ChangesTheView) {
   load();
   perform({{"command", "run"}, {"steps", 2}});
-  Robot& r = robot();
+  UiDriver& r = driver();
   expect_command(r.set("View/colour", "speed"), {{"command", "view"}, {"colour", "speed"}});
   EXPECT_EQ(session().view.colouring, Colouring::speed);
   expect_command(r.set("View/theme", "dark"), {{"command", "view"}, {"theme", "dark"}});
@@ -158,7 +158,7 @@ TEST_F(PanelTest, ChangesTheView) {
 TEST_F(PanelTest, TheWheelZoomsWhereTheMouseIs) {
   load();
   perform({{"command", "run"}, {"steps", 2}});
-  Robot& r = robot();
+  UiDriver& r = driver();
   const Vec2 pixel = pixel_at(gui(), {3, 4});
   const Vec2 place = gui().view_camera()->to_world(pixel);
   const std::vector<Json> given = r.wheel(pixel, 1);
@@ -172,7 +172,7 @@ TEST_F(PanelTest, TheWheelZoomsWhereTheMouseIs) {
 TEST_F(PanelTest, AClickPicksAGrain) {
   load();
   perform({{"command", "run"}, {"steps", 2}});
-  Robot& r = robot();
+  UiDriver& r = driver();
   const Vec2 grain = session().world().disks.position[30];
   const std::vector<Json> given = r.click_at(pixel_at(gui(), grain));
   ASSERT_EQ(given.size(), 1U);
@@ -185,7 +185,7 @@ TEST_F(PanelTest, AClickPicksAGrain) {
 TEST_F(PanelTest, ADragPullsAtAGrainUntilItIsLetGo) {
   load();
   perform({{"command", "run"}, {"steps", 2}});
-  Robot& r = robot();
+  UiDriver& r = driver();
   r.set("Inspect/drag stiffness", 10);
   const Vec2 grain = session().world().disks.position[30];
   const std::vector<Json> given =
@@ -201,7 +201,7 @@ TEST_F(PanelTest, ADragPullsAtAGrainUntilItIsLetGo) {
 }
 
 TEST_F(PanelTest, PlotsSayWhyTheyAreEmpty) {
-  Robot& r = robot();
+  UiDriver& r = driver();
   r.wait(1);
   EXPECT_EQ(widget("Plots/depth")->value, "no scene");
   load();
@@ -211,7 +211,7 @@ TEST_F(PanelTest, PlotsSayWhyTheyAreEmpty) {
 
 TEST_F(PanelTest, TheBannerStaysUntilItIsDismissed) {
   load();
-  Robot& r = robot();
+  UiDriver& r = driver();
   gui().show_error("This cannot be done.");
   r.wait(10);
   EXPECT_NE(widget("Dismiss error"), nullptr);
@@ -224,7 +224,7 @@ TEST_F(PanelTest, TheBannerStaysUntilItIsDismissed) {
 
 TEST_F(PanelTest, TheHintGoesWithTheFirstCommand) {
   load();
-  Robot& r = robot();
+  UiDriver& r = driver();
   const Image without = gui().paint();
   gui().show_hint("Press space.");
   r.wait(10);
@@ -244,7 +244,7 @@ TEST_F(PanelTest, TheHintGoesWithTheFirstCommand) {
 
 TEST_F(PanelTest, KeysDoNotRunTheSceneWhileOneIsTyping) {
   load();
-  Robot& r = robot();
+  UiDriver& r = driver();
   r.click("Actions/file");
   EXPECT_TRUE(gui().takes_text());
   EXPECT_TRUE(r.press(Key::space).empty());
@@ -254,17 +254,17 @@ TEST_F(PanelTest, KeysDoNotRunTheSceneWhileOneIsTyping) {
 TEST_F(PanelTest, TheSameFrameGivesTheSameBytes) {
   load();
   perform({{"command", "run"}, {"steps", 2}});
-  robot();
+  driver();
   const Image first = gui().paint();
   EXPECT_EQ(gui().paint(), first);
-  robot();
+  driver();
   EXPECT_EQ(gui().paint(), first) << "of another panel";
 }
 
 TEST_F(PanelTest, SizesAndScalesThatCannotBeDrawnAreRefused) {
   EXPECT_THROW(Gui(5), InputError);
   EXPECT_THROW(Gui(0.1), InputError);
-  robot();
+  driver();
   EXPECT_THROW(gui().frame(session(), {}, 20, 600), InputError);
   EXPECT_THROW(gui().frame(session(), {}, 900, 100000), InputError);
   EXPECT_NO_THROW(gui().frame(session(), {}, 64, 64));

@@ -108,7 +108,7 @@ TEST_P(Energy, NeverGrowsInAPassiveSystem) {
         }
         before = now;
       }
-      // One method alone stalls now and then; the ladder may not.
+      // One method alone stalls now and then; the fallback chain may not.
       if (GetParam() == Method::automatic) {
         EXPECT_EQ(run.unconverged, 0);
       }

@@ -266,7 +266,7 @@ TEST_P(SpinningPair, KeepsItsAngularMomentum) {
 // Without the curvature term the straight-line move opens the contact by (w dt)^2 d/2 a step.
 TEST_P(SpinningPair, TheGeometricRuleBreaksItFalselyAtACoarseStep) {
   Scenario scene = spinning_pair(GetParam(), 14.14 * 0.8, kPairCohesion);
-  scene.step = {.dt = 1e-3, .break_rule = BreakRule::geometric, .curvature_term = false};
+  scene.step = {.dt = 1e-3, .break_rule = FailureCriterion::geometric, .curvature_term = false};
   Simulation geometric(scene);
   geometric.run_for(0.2);
   EXPECT_EQ(geometric.bonds_broken, 1);

@@ -1,4 +1,4 @@
-// Error of a run against its cost: what time step, tolerance and break rule do to the observables of a
+// Error of a run against its cost: what time step, tolerance and failure criterion do to the observables of a
 // small push, against the run that is finest in all of them.
 //
 // Runs are chaotic, so only means over seeds are compared. All settings start from the same deposits,
@@ -28,12 +28,12 @@ struct Setting {
   std::string name;
   double dt = 1e-3;
   double tolerance = 1e-6;
-  BreakRule rule = BreakRule::energy;
+  FailureCriterion rule = FailureCriterion::energy;
 };
 
 // The first is what the others are compared with.
 std::vector<Setting> settings() {
-  using enum BreakRule;
+  using enum FailureCriterion;
   return {{kReference, 1e-4, 1e-7},
           {"energy", 1e-2},
           {"energy", 3e-3},

@@ -127,13 +127,13 @@ void measure_kernels(const Options& options, std::vector<Row>& rows) {
   const auto contacts = static_cast<double>(step.problem.contacts.size());
   measure_lu(blocks_of(step.problem), "", options, rows);
 
-  // Rows and impulses, for the velocities and for the judgement; three vectors a body.
+  // Rows and impulses, for the velocities and for the residual; three vectors a body.
   ContactState state{.velocity = {}, .impulse = step.start};
-  Row judged = measured(
+  Row evaluated = measured(
       options, 2 * contacts * (sizeof(ContactRow) + sizeof(Vec3)) + 3 * bodies * sizeof(Vec3),
       kBytes, [&] { residual(step.problem, state); });
-  judged.name = "residual";
-  rows.push_back(judged);
+  evaluated.name = "residual";
+  rows.push_back(evaluated);
 
   // Positions and radii read, pairs written.
   constexpr double kReach = 0.1;  // [d]

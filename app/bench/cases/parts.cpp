@@ -15,7 +15,7 @@ std::span<const Part> parts() {
       Part{"hard", "Hard cases", "problems with a known answer at which solvers fail", hard_tasks,
            report_hard},
       Part{"error", "Error of a run against its cost",
-           "observables of a run against time step, tolerance and break rule", error_tasks,
+           "observables of a run against time step, tolerance and failure criterion", error_tasks,
            report_error},
       Part{"size", "Cost against size", "seconds and bytes a disk, from 1000 disks up", size_tasks,
            report_size},

@@ -72,7 +72,8 @@ const std::vector<Variant>& variants() {
        }},
       {"no drag", [](Scenario& s) { s.drag.reset(); }},
       {"no curvature term", [](Scenario& s) { s.step.curvature_term = false; }},
-      {"linearised break rule", [](Scenario& s) { s.step.break_rule = BreakRule::linearised; }}};
+      {"linearised failure criterion",
+       [](Scenario& s) { s.step.break_rule = FailureCriterion::linearised; }}};
   return all;
 }
 
@@ -199,7 +200,8 @@ void report_terms(std::span<const Row> rows, const Options&, Section& section) {
       "the "
       "weight; a sweep is one of Gauss-Seidel over all contacts. Seconds are medians; in brackets "
       "the "
-      "change against all terms. auto tries locality only where there is rolling friction, so a "
+      "change against all terms. auto tries the local solver only where there is rolling friction, "
+      "so a "
       "scene without it may pay more a step although each sweep is cheaper.",
       rows.empty() ? 0LL : static_cast<long long>(rows.front().size), kCountedSteps)});
   Table table{.columns = {{"scene"},

@@ -16,7 +16,7 @@ namespace quicksand::bench {
 
 namespace {
 
-// Those whose contacts move everywhere, so that locality, which works alone, would not pay.
+// Those whose contacts move everywhere, so that the local solver, which works alone, would not pay.
 constexpr const char* kProblems[] = {"intact, falling", "intruder mid-way", "collapse mid-way"};
 
 std::vector<int> thread_counts() {

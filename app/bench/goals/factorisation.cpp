@@ -22,7 +22,7 @@ namespace {
 using Sparse = Eigen::SparseMatrix<double>;
 
 // Rows of bodies that cannot move are those of the unit matrix.
-Sparse assembled(const ContactProblem& problem, const std::vector<Mat3>& stiffness) {
+Sparse assembled(const ContactProblem& problem, const std::vector<Mat3>& impedance) {
   std::vector<Eigen::Triplet<double>> entries;
   const auto mobile = [&](int body, int k) { return problem.inverse_mass[body][k] > 0; };
   for (int i = 0; i < static_cast<int>(problem.inverse_mass.size()); ++i)
@@ -36,7 +36,7 @@ Sparse assembled(const ContactProblem& problem, const std::vector<Mat3>& stiffne
       h.col(k) = relative_velocity(row, unit, none);
       h.col(3 + k) = relative_velocity(row, none, unit);
     }
-    const Eigen::Matrix<double, 6, 6> block = h.transpose() * stiffness[c] * h;
+    const Eigen::Matrix<double, 6, 6> block = h.transpose() * impedance[c] * h;
     const auto place = [&](int k) { return 3 * (k < 3 ? row.a : row.b) + k % 3; };
     const auto moves = [&](int k) { return mobile(k < 3 ? row.a : row.b, k % 3); };
     for (int i = 0; i < 6; ++i)
@@ -55,13 +55,13 @@ Outcome factorisation(const Options& options) {
   const Scenario scene = paper_scene(options);
   const ContactProblem problem = next_problem(at_rest(options).world, scene.step).problem;
   Random random{1};
-  std::vector<Mat3> stiffness(problem.contacts.size(), Mat3::Zero());
+  std::vector<Mat3> impedance(problem.contacts.size(), Mat3::Zero());
   std::vector<Vec3> impulse;
-  for (Mat3& d : stiffness) {
+  for (Mat3& d : impedance) {
     for (int k = 0; k < 3; ++k) d(k, k) = std::pow(1e6, random.uniform());
     impulse.push_back(Vec3{random.uniform(), random.uniform(), random.uniform()});
   }
-  const Sparse matrix = assembled(problem, stiffness);
+  const Sparse matrix = assembled(problem, impedance);
   Eigen::VectorXd momentum = Eigen::VectorXd::Zero(matrix.rows());
   for (std::size_t c = 0; c < impulse.size(); ++c) {
     const ContactRow& row = problem.contacts[c];
@@ -98,7 +98,7 @@ Outcome factorisation(const Options& options) {
     };
     Eigen::VectorXd by_ldlt, by_lu;
     const double own = measured("block_lu", [&] {
-      ours.factorise(stiffness);
+      ours.factorise(impedance);
       ours.velocity_change(impulse, change);
     });
     const double symmetric = measured("eigen_ldlt", [&] {

@@ -8,7 +8,7 @@
 namespace quicksand::bench {
 
 // Both at one problem: a method at the given settings, then Gauss-Seidel to the same error, from the
-// inherited impulses. Adds two rows and a note to the outcome and sets its advantage.
+// warm start. Adds two rows and a note to the outcome and sets its advantage.
 void compare_with_gauss_seidel(const StepProblem& step, const SolverSettings& settings,
                                const Reference& reference, const Options& options,
                                Outcome& outcome);

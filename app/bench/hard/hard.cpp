@@ -1,7 +1,7 @@
 // Hard cases: problems with a known answer at which solvers fail, with how far ours is off.
 #include <algorithm>
 
-#include "app/bench/hard/hard_course.h"
+#include "app/bench/hard/hard_run.h"
 
 namespace quicksand::bench {
 

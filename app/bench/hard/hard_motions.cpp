@@ -1,7 +1,7 @@
 // Hard cases that move, or that must be refused: slopes, pulls, impacts, spins, long rests, overlaps.
 #include <cmath>
 
-#include "app/bench/hard/hard_course.h"
+#include "app/bench/hard/hard_run.h"
 #include "core/base/errors.h"
 #include "core/base/random.h"
 #include "core/measures/measures.h"
@@ -24,7 +24,7 @@ Scenario slope(double tangent, const ContactLaw& law) {
 
 Row on_slope(double tangent, const ContactLaw& law, double acceleration, const char* law_text) {
   constexpr double kTime = 2;
-  Course run(slope(tangent, law));
+  HardRun run(slope(tangent, law));
   run.run_for(kTime);
   const double speed = run.velocity(0).head<2>().norm(), right = kTime * acceleration;
   return run.answer(format("speed %.6f after 2 sqrt(d/g): %s", right, law_text),
@@ -38,7 +38,7 @@ Row pulled(double cohesion, double force) {
   if (cohesion > 0) bond_all(scene, cohesion);
   scene.disks = {{.position = {0, 0}, .fixed = true}, {.position = {1, 0}}};
   scene.disk_forces = {{0, 0, 0}, {force, 0, 0}};
-  Course run(scene);
+  HardRun run(scene);
   run.run_for(1);
   const double v = run.velocity(1).x();
   if (force < cohesion)
@@ -60,7 +60,7 @@ Row spinning(double share) {
   scene.step.dt = 1e-3;
   scene.disks = {{.position = {-0.5, 0}, .velocity = {0, -spin / 2}, .spin = spin},
                  {.position = {0.5, 0}, .velocity = {0, spin / 2}, .spin = spin}};
-  Course run(scene);
+  HardRun run(scene);
   run.run_for(0.5);
   const double right = share < 1 ? 0 : 1;
   return run.answer(share < 1 ? "holds: m w^2 d/2 < F_c" : "breaks: m w^2 d/2 > F_c",
@@ -73,7 +73,7 @@ Row impact_on_floor(double speed, double dt) {
   scene.box.floor = true;
   scene.step.dt = dt;
   scene.disks = {{.position = {0, 10.3}, .velocity = {0, -speed}}};
-  Course run(scene);
+  HardRun run(scene);
   run.run_for(std::max(1.0, 10 * dt));
   const double off = std::abs(run.position(0).y() - 0.5);
   return run.answer("lies on the floor at y = 0.5 d, at rest",
@@ -87,7 +87,7 @@ Row impact_of_two(double speed, double mass, double tolerance) {
   scene.solver.tolerance = tolerance;
   scene.disks = {{.position = {0, 0}, .density = mass, .velocity = {speed, 0}},
                  {.position = {5.37, 0}}};
-  Course run(scene);
+  HardRun run(scene);
   run.run_for(std::max(0.2, 10 / speed));
   const double right = speed * mass / (mass + 1);
   double off = 0;
@@ -98,7 +98,7 @@ Row impact_of_two(double speed, double mass, double tolerance) {
 }
 
 Row rest(int steps) {
-  Course run(slope(0.05, {.friction = 0.3, .rolling_friction = 0.1}));
+  HardRun run(slope(0.05, {.friction = 0.3, .rolling_friction = 0.1}));
   run.advance(steps);
   return run.answer("a disk on a slope of 0.05 rests: below mu and mu_r/r",
                     format("moved %.1e d in %d steps", run.displacement(), steps),
@@ -117,7 +117,7 @@ Row heap_at_coarse_step() {
     scene.disks.push_back(
         {.position = {0.6 + 1.15 * place + 0.1 * random.uniform(), 0.6 + 1.2 * row}});
   }
-  Course run(scene);
+  HardRun run(scene);
   run.advance(20);
   const Sample sample = measure(run.world());
   return run.answer("a falling heap comes to rest, nothing overlaps",

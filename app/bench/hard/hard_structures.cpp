@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/bench/hard/hard_course.h"
+#include "app/bench/hard/hard_run.h"
 
 namespace quicksand::bench {
 
@@ -21,7 +21,7 @@ Row chain(int n, double share, double tolerance, double dt) {
   Scenario scene = bonded_row(n, {0, -1}, n / share);
   scene.solver.tolerance = tolerance;
   scene.step.dt = dt;
-  Course run(scene);
+  HardRun run(scene);
   run.advance(20);
   if (share > 1) {
     const Bond* top = run.world().bonds.find({0, 1});
@@ -45,7 +45,7 @@ Row beam(int n, double tolerance) {
   constexpr double kMoment = 500;  // mu_r F_c [F_g d]
   Scenario scene = bonded_row(n, {1, 0}, 1e4);
   scene.solver.tolerance = tolerance;
-  Course run(scene);
+  HardRun run(scene);
   if (n * n / 2.0 <= kMoment) {
     run.run_for(1);
     const double drop = -run.position(n).y();
@@ -71,7 +71,7 @@ Row column(int n, double mass, int steps, double tolerance) {
   scene.box.floor = true;
   for (int k = 0; k < n; ++k)
     scene.disks.push_back({.position = {0, 0.5 + k}, .density = k + 1 == n ? mass : 1});
-  Course run(scene);
+  HardRun run(scene);
   run.advance(steps);
   const double weight = n - 1 + mass, off = std::abs(run.load_on_walls() / weight - 1);
   return run.answer(format("stands, the floor carries %g F_g", weight),
@@ -91,7 +91,7 @@ Row arch(bool friction) {
     scene.disks.push_back({.position = place, .fixed = j == 0 || j == 2 * kHalf + 1});
     place += Vec2(kThrust, kHalf - j).normalized();
   }
-  Course run(scene);
+  HardRun run(scene);
   if (friction) {
     run.advance(1000);
     return run.answer("stands: the line of thrust is within the cones",
@@ -117,7 +117,7 @@ Row wedge(double friction) {
   scene.walls = {{.point = {0, 0}, .normal = {c, s}}, {.point = {0, 0}, .normal = {-c, s}}};
   scene.disks = {{.position = {0, 0.5 / s}}};
   scene.disk_forces = {{0, -kLoad, 0}};
-  Course run(scene);
+  HardRun run(scene);
   run.advance(100);
   if (friction > 0) {  // the forces are not unique: only their sum is
     const Vec2 sum = run.force({0, kWallBase}) + run.force({0, kWallBase + 1});
@@ -150,7 +150,7 @@ Row crystal(double friction, bool sealed) {
     scene.disk_forces[0] = {kPush, 0, 0};
     load = 0;
   }
-  Course run(scene);
+  HardRun run(scene);
   run.advance(500);
   if (sealed)
     return run.answer("nothing moves in a full, closed box, pushed with 1000 F_g",

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/bench/hard/hard_course.h"
+#include "app/bench/hard/hard_run.h"
 #include "core/base/random.h"
 #include "core/phases/protocol.h"
 #include "core/scene/make_world.h"
@@ -48,12 +48,12 @@ PeerScene hanging(int n, double share) {
   one.time = 3;
   if (share < 1) {
     one.expected = "rests: n m g < F_c";
-    one.judge = stands;
+    one.assess = stands;
     return one;
   }
   one.expected = "breaks at the top only: n m g > F_c";
   one.unit = "bonds";
-  one.judge = [](const PeerScene&, const PeerState& state) -> Verdict {
+  one.assess = [](const PeerScene&, const PeerState& state) -> Verdict {
     const bool top = std::ranges::find(state.broken, Pair{0, 1}) != state.broken.end();
     return {.right = top && state.broken.size() == 1,
             .off = std::abs(static_cast<double>(state.broken.size()) - 1),
@@ -79,14 +79,14 @@ PeerScene beam_of(int n) {
   const double weight_moment = n * n / 2.0;
   if (weight_moment <= kMoment) {
     one.expected = "rests: n^2/2 d m g < mu_r F_c";
-    one.judge = stands;
+    one.assess = stands;
     return one;
   }
   double inertia = 0;
   for (int k = 0; k < n; ++k) inertia += (k + 0.5) * (k + 0.5) + 0.125;
   one.expected = "yields as a rigid rod about the first contact, and no bond breaks";
   one.unit = "relative";
-  one.judge = [=](const PeerScene& beam, const PeerState& state) -> Verdict {
+  one.assess = [=](const PeerScene& beam, const PeerState& state) -> Verdict {
     constexpr double kNear = 0.1;
     const double angle = turned(weight_moment, kMoment, inertia, state.ramp, beam.time);
     const double drop = beam.scene.disks.back().position.y() - state.position.back().y();
@@ -106,7 +106,7 @@ PeerScene pile(int n) {
   one.expected = "rests: rigid disks on top of each other";
   one.scene.box = {.width = 1, .height = static_cast<double>(n), .sides = Sides::walls};
   for (int k = 0; k < n; ++k) one.scene.disks.push_back({.position = {0.5, 0.5 + k}});
-  one.judge = stands;
+  one.assess = stands;
   return one;
 }
 
@@ -124,7 +124,7 @@ PeerScene poured(int columns, int rows) {
       one.scene.disks.push_back(
           {.position = {0.65 + 1.3 * column + 0.1 * random.uniform(), 0.6 + 1.2 * row},
            .radius = 0.45 + 0.1 * random.uniform()});
-  one.judge = [](const PeerScene& heap, const PeerState& state) -> Verdict {
+  one.assess = [](const PeerScene& heap, const PeerState& state) -> Verdict {
     constexpr double kRigid = 0.01,
                      kSettled = 0.7;  // overlap [d], volume fraction up to the top [1]
     Scenario at_end = heap.scene;
@@ -174,7 +174,7 @@ PeerScene network(std::int64_t grains) {
     if (protocol.advance() == Progress::failed) throw std::runtime_error(protocol.failure());
   for (const Vec2& place : protocol.world().disks.position)
     one.scene.disks.push_back({.position = place});
-  one.judge = stands;
+  one.assess = stands;
   return one;
 }
 
@@ -221,7 +221,7 @@ Json driver_input(const PeerScene& one) {
 }
 
 Verdict verdict_on(const PeerScene& scene, const PeerState& state) {
-  Verdict verdict = scene.judge(scene, state);
+  Verdict verdict = scene.assess(scene, state);
   if (scene.unit == "d") verdict.off = std::max(verdict.off, state.resolution);
   return verdict;
 }

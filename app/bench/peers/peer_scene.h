@@ -33,13 +33,13 @@ struct PeerScene {
   std::string unit;      // of the error
   Scenario scene;        // without phases
   double time = 1;       // under the full gravity [sqrt(d/g)]
-  std::function<Verdict(const PeerScene&, const PeerState&)> judge;
+  std::function<Verdict(const PeerScene&, const PeerState&)> assess;
 
   bool cohesive() const { return scene.grain_law.cohesion_force.has_value(); }
 };
 std::vector<PeerScene> peer_scenes(const Options& options);
 
-// The judge's; off by the state's resolution at least, as what moves by less seems not to move.
+// By the scene's rule; off by the state's resolution at least, as what moves by less seems not to move.
 Verdict verdict_on(const PeerScene& scene, const PeerState& state);
 
 // Disks, walls and bonds of the scene's start, laws, and the time. In bonds, walls are -1, -2, ...

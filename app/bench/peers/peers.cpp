@@ -1,7 +1,7 @@
 // Other programs on the same scenes, each in its own idiom: time and error side by side.
 #include <set>
 
-#include "app/bench/hard/hard_course.h"
+#include "app/bench/hard/hard_run.h"
 #include "app/bench/peers/peer_program.h"
 #include "app/plot/report_text.h"
 #include "app/run_folder/run_folder.h"
@@ -38,12 +38,11 @@ Row our_run(const PeerScene& one, const OurSetting& setting) {
   Scenario scene = one.scene;
   scene.step.dt = setting.dt;
   scene.solver.tolerance = setting.tolerance;
-  Course course(scene);
-  course.run_for(one.time);
-  Row row = course.answer({}, {}, 0, 0, {});
-  PeerState state{.position = course.world().disks.position,
-                  .velocity = course.world().disks.velocity};
-  for (const Bond& bond : course.world().bonds.list)
+  HardRun run(scene);
+  run.run_for(one.time);
+  Row row = run.answer({}, {}, 0, 0, {});
+  PeerState state{.position = run.world().disks.position, .velocity = run.world().disks.velocity};
+  for (const Bond& bond : run.world().bonds.list)
     if (bond.state == BondState::broken) state.broken.push_back(bond.pair);
   row.what = kOurs;
   row.method = words("quicksand", setting.name);

@@ -56,7 +56,7 @@ void measure_direct(Method method, const char* word, const StepProblem& step,
   }
 }
 
-// One course of sweeps, looked at in portions of a tenth of those done; looking is not timed.
+// One sequence of sweeps, checked after each tenth more of those done; the checks are not timed.
 void measure_sweeps(const StepProblem& step, const Reference& reference, const Options& options,
                     std::vector<Row>& rows) {
   constexpr int kLeastPortion = 5;

@@ -144,11 +144,11 @@ void report_precision(std::span<const Row> rows, const Options&, Section& sectio
       "with "
       "the same first guess. Times include the ordering and the symbolic factorisation. Direct "
       "methods are run to each tolerance anew (median of at least three); Gauss-Seidel is one "
-      "course "
-      "of sweeps, looked at as it passes the residuals, until its patience is used up."});
+      "sequence "
+      "of sweeps, its error noted as it passes each residual, up to a largest number of sweeps."});
   section.blocks.emplace_back(Paragraph{
       "There are two references for each problem. The first is auto at a tolerance of 1e-12 from "
-      "the inherited impulses. The second is auto from twice the cohesion impulses, so by the "
+      "the warm start. The second is auto from twice the cohesion impulses, so by the "
       "interior point from afar, and then up to 40 iterations of Newton's method on the modes of "
       "the contacts (open, stick, slide, roll). The one of smaller residual is taken, and no error "
       "below their distance is reported."});

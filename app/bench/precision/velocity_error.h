@@ -26,7 +26,7 @@ struct Reference {
 double velocity_distance(const ContactProblem& problem, const std::vector<Vec3>& v,
                          const std::vector<Vec3>& w);
 
-// Two routes, of which the one of smaller residual is taken: the ladder of "auto" from the inherited
+// Two routes, of which the one of smaller residual is taken: the fallback chain of "auto" from the warm-started
 // impulses at a tolerance of 1e-12, and the same from other impulses, followed by the direct solution
 // with the modes of the contacts (contact_modes.h). The residual that was reached is stated.
 Reference solve_tightly(const StepProblem& step);

@@ -79,7 +79,8 @@ Report report_of(const Request& request, const std::vector<Row>& rows, double se
                  std::size_t missing) {
   Report report{.title = "quicksand: speed against error"};
   report.intro = {
-      "Times are CPU seconds of one thread. The residual is the program's own judge of a solution "
+      "Times are CPU seconds of one thread. The residual is the program's own measure of a "
+      "solution "
       "(core/problem/residual.h), over the force scale times dt; velocity errors are against a "
       "tight "
       "reference solution, the worst of a disk, in units of g dt, the velocity of free fall over "

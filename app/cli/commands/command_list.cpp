@@ -97,7 +97,7 @@ struct Listing {
   void (*print)(const CLI::App& program);
 };
 constexpr auto kListings = std::to_array<Listing>(
-    {{"scenes", "scenes that come along", list_scenes},
+    {{"scenes", "example scenes", list_scenes},
      {"colours", "what grains can be coloured by", list_colours},
      {"quantities", "columns of series.csv, which sessions can ask for", list_quantities},
      {"columns", "columns of exported tables", list_columns},

@@ -97,7 +97,7 @@ Command add_measure(CLI::App& program) {
       ->type_name("NUMBER")
       ->capture_default_str();
   command->footer(
-      "Regions: the whole sample; the channel that the intruder swept; what is intact because it "
+      "Regions: the whole specimen; the channel that the intruder swept; what is intact because it "
       "is\n"
       "far from there; and kept_bonds, the grains whose initial bonds all hold. A contact counts "
       "for\n"

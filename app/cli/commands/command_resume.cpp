@@ -36,9 +36,10 @@ void require_run(const RunFolder& folder) {
 
 int tell_finished(const RunFolder& folder, const RunOptions& options) {
   std::printf("the run in %s is finished\n", folder.path.c_str());
-  if (!options.strict) return tell_distrust({});
+  if (!options.strict) return tell_validation({});
   const Checkpoint end = read_checkpoint(folder.state());
-  return tell_distrust(distrust(end.protocol, measure(end.world).max_overlap, *options.strict));
+  return tell_validation(
+      validation_failures(end.protocol, measure(end.world).max_overlap, *options.strict));
 }
 
 int resume(const ResumeArguments& asked) {

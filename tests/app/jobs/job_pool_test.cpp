@@ -8,7 +8,7 @@
 #include "app/run_folder/folder_lock.h"
 #include "app/scene/scene_file.h"
 #include "app/scene_json/scenario_json.h"
-#include "app/series/course.h"
+#include "app/series/sampled_run.h"
 #include "app/series/series.h"
 #include "core/base/whole_file.h"
 #include "core/checkpoint/checkpoint.h"
@@ -110,13 +110,13 @@ TEST_F(JobPoolTest, AKilledRunGoesOnFromItsLastCheckpoint) {
   make_writable(killed.folder);
   write_whole(killed.folder.scene(), to_text(killed.scenario));
   Series series(killed.folder.series());
-  Course course(killed.scenario, {start_world(killed.scenario), {}, {}}, std::nullopt,
-                [&](const Row& row, const World&) { series.add(row); });
+  SampledRun partial(killed.scenario, {start_world(killed.scenario), {}, {}}, std::nullopt,
+                     [&](const Row& row, const World&) { series.add(row); });
   constexpr int kSteps = 30;
-  for (int i = 0; i < kSteps; ++i) course.advance();
+  for (int i = 0; i < kSteps; ++i) partial.advance();
   write_checkpoint(killed.folder.state(),
-                   {course.world(), course.protocol().state(), to_text(killed.scenario),
-                    to_bytes({series.rows(), 0, course.samples()})});
+                   {partial.world(), partial.protocol().state(), to_text(killed.scenario),
+                    to_bytes({series.rows(), 0, partial.samples()})});
   EXPECT_EQ(read_record(killed).status, JobStatus::interrupted);
   run({killed});
   const Json alone = read_record(whole).summary, summary = read_record(killed).summary;

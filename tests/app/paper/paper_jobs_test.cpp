@@ -101,7 +101,7 @@ TEST_F(PaperRuns, PlainContactDynamicsHasOneStepForEverything) {
   for (const Job& job : jobs.jobs()) {
     const StepSettings& step = job.scenario.step;
     EXPECT_EQ(step.dt, 2e-3) << job.id;
-    EXPECT_EQ(step.break_rule, BreakRule::geometric) << job.id;
+    EXPECT_EQ(step.break_rule, FailureCriterion::geometric) << job.id;
     EXPECT_FALSE(step.curvature_term) << job.id;
     EXPECT_FALSE(step.max_turn) << job.id;
     for (const Phase& phase : job.scenario.phases) EXPECT_FALSE(phase.dt) << job.id;

@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "app/json/json_text.h"
-#include "app/run_folder/distrust.h"
+#include "app/run_folder/validation.h"
 #include "tests/support/files.h"
 #include "tests/support/older_state.h"
 #include "tests/support/program_fixture.h"
@@ -244,11 +244,12 @@ TEST_F(ResumeTest, StrictRunsAreBelievedWithinTheirBoundOnly) {
 
 TEST(Distrust, OfEnergyThatStepsGained) {
   ProtocolState state{.external_work = -200, .energy_dissipated = 800, .energy_gained = 49};
-  EXPECT_EQ(distrust(state, 0, {}), "");
+  EXPECT_EQ(validation_failures(state, 0, {}), "");
   state.energy_gained = 51;
-  EXPECT_NE(distrust(state, 0, {}).find("gained an energy of 51 F_g d"), std::string::npos);
+  EXPECT_NE(validation_failures(state, 0, {}).find("gained an energy of 51 F_g d"),
+            std::string::npos);
   // Rounding at rest.
-  EXPECT_EQ(distrust({.energy_gained = 1e-9}, 0, {}), "");
+  EXPECT_EQ(validation_failures({.energy_gained = 1e-9}, 0, {}), "");
 }
 
 TEST_F(ResumeTest, TheSummarySaysWhatMayBeWrong) {

@@ -27,10 +27,10 @@ Target between(double low, double high, double tolerance) {
 
 TEST(Verdict, OfAValueIsTheDistanceToIt) {
   const Target target = between(0.68, 0.68, 0.05);
-  EXPECT_TRUE(judge(target, {.value = 0.68}).inside);
-  EXPECT_TRUE(judge(target, {.value = 0.73}).inside);  // at the end
-  EXPECT_TRUE(judge(target, {.value = 0.63}).inside);
-  const Verdict low = judge(target, {.value = 0.60});
+  EXPECT_TRUE(verdict_on(target, {.value = 0.68}).inside);
+  EXPECT_TRUE(verdict_on(target, {.value = 0.73}).inside);  // at the end
+  EXPECT_TRUE(verdict_on(target, {.value = 0.63}).inside);
+  const Verdict low = verdict_on(target, {.value = 0.60});
   EXPECT_FALSE(low.inside);
   EXPECT_NEAR(low.deviation, -0.08, 1e-12);
   EXPECT_NEAR(low.beyond, 0.03, 1e-12);
@@ -38,10 +38,10 @@ TEST(Verdict, OfAValueIsTheDistanceToIt) {
 
 TEST(Verdict, OfAnIntervalCountsFromItsNearerEnd) {
   const Target target = between(0.40, 0.43, 0.01);
-  EXPECT_EQ(judge(target, {.value = 0.42}).deviation, 0);
-  EXPECT_TRUE(judge(target, {.value = 0.435}).inside);
-  EXPECT_NEAR(judge(target, {.value = 0.435}).deviation, 0.005, 1e-12);
-  const Verdict loose = judge(target, {.value = 0.37});
+  EXPECT_EQ(verdict_on(target, {.value = 0.42}).deviation, 0);
+  EXPECT_TRUE(verdict_on(target, {.value = 0.435}).inside);
+  EXPECT_NEAR(verdict_on(target, {.value = 0.435}).deviation, 0.005, 1e-12);
+  const Verdict loose = verdict_on(target, {.value = 0.37});
   EXPECT_FALSE(loose.inside);
   EXPECT_NEAR(loose.deviation, -0.03, 1e-12);
   EXPECT_NEAR(loose.beyond, 0.02, 1e-12);
@@ -50,23 +50,23 @@ TEST(Verdict, OfAnIntervalCountsFromItsNearerEnd) {
 TEST(Verdict, OfABoundIsOpenOnTheOtherSide) {
   Target target = between(0.9, 0, 0);
   target.high.reset();
-  EXPECT_TRUE(judge(target, {.value = 5}).inside);
-  EXPECT_TRUE(judge(target, {.value = 0.9}).inside);
-  EXPECT_FALSE(judge(target, {.value = 0.89}).inside);
+  EXPECT_TRUE(verdict_on(target, {.value = 5}).inside);
+  EXPECT_TRUE(verdict_on(target, {.value = 0.9}).inside);
+  EXPECT_FALSE(verdict_on(target, {.value = 0.89}).inside);
 }
 
 TEST(Verdict, IsCloseWhereTwoStandardErrorsReachTheBoundOfTheTolerance) {
   const Target target = between(1, 1, 0.1);
-  EXPECT_FALSE(judge(target, {.value = 1, .standard_error = 0.04, .n = 10}).close);
-  EXPECT_TRUE(judge(target, {.value = 1, .standard_error = 0.06, .n = 10}).close);
-  EXPECT_TRUE(judge(target, {.value = 1.15, .standard_error = 0.03, .n = 10}).close);
-  EXPECT_FALSE(judge(target, {.value = 1.15}).close);
+  EXPECT_FALSE(verdict_on(target, {.value = 1, .standard_error = 0.04, .n = 10}).close);
+  EXPECT_TRUE(verdict_on(target, {.value = 1, .standard_error = 0.06, .n = 10}).close);
+  EXPECT_TRUE(verdict_on(target, {.value = 1.15, .standard_error = 0.03, .n = 10}).close);
+  EXPECT_FALSE(verdict_on(target, {.value = 1.15}).close);
   // Of two runs it is no measure.
-  EXPECT_FALSE(judge(target, {.value = 1, .standard_error = 0.06, .n = 2}).close);
+  EXPECT_FALSE(verdict_on(target, {.value = 1, .standard_error = 0.06, .n = 2}).close);
 }
 
 TEST(Verdict, NoNumberIsOutside) {
-  EXPECT_FALSE(judge(between(1, 1, 1), {.value = std::stod("nan")}).inside);
+  EXPECT_FALSE(verdict_on(between(1, 1, 1), {.value = std::stod("nan")}).inside);
 }
 
 TEST(Measured, IsTheMeanOverRealizations) {

@@ -6,7 +6,7 @@
 
 #include "app/commands/transcript.h"
 #include "app/json/json_text.h"
-#include "app/window/journal.h"
+#include "app/window/interaction_recording.h"
 #include "render/base/external_program.h"
 #include "tests/support/files.h"
 #include "tests/support/program_fixture.h"
@@ -85,15 +85,15 @@ TEST_F(WindowTest, WithoutItsModuleItSaysWhatToInstall) {
   EXPECT_NE(end.problem.find("libsdl2-dev"), std::string::npos) << end.problem;
 }
 
-TEST(Journal, KeepsStepsTogetherAndOnlyTheLastForceBetweenThem) {
-  Journal journal;
-  journal.add({{"command", "start"}});
-  journal.add_steps(3);
-  journal.add_steps(4);
-  journal.add({{"command", "apply"}, {"body", 1}, {"force", {1, 0}}});
-  journal.add({{"command", "apply"}, {"body", 1}, {"force", {2, 0}}});
-  journal.add_steps(1);
-  const Json session = journal.session(World{});
+TEST(InteractionRecording, KeepsStepsTogetherAndOnlyTheLastForceBetweenThem) {
+  InteractionRecording recording;
+  recording.add({{"command", "start"}});
+  recording.add_steps(3);
+  recording.add_steps(4);
+  recording.add({{"command", "apply"}, {"body", 1}, {"force", {1, 0}}});
+  recording.add({{"command", "apply"}, {"body", 1}, {"force", {2, 0}}});
+  recording.add_steps(1);
+  const Json session = recording.session(World{});
   EXPECT_EQ(session["commands"].size(), 4U);
   EXPECT_EQ(session["commands"][0], (Json{{"command", "run"}, {"steps", 7}}));
   EXPECT_EQ(session["commands"][1]["force"], (Json{2, 0}));

@@ -74,7 +74,7 @@ class Scene {
     world_.Step(dt, setting_.velocity_sweeps, setting_.position_sweeps);
     const float strength = kGravity * number(input_.at("cohesion_force"));
     for (BondJoint& bond : bonds_)
-      if (bond.joint != nullptr) judge(bond, strength, 1 / dt);
+      if (bond.joint != nullptr) break_if_overloaded(bond, strength, 1 / dt);
   }
 
   Json state() const {
@@ -157,7 +157,7 @@ class Scene {
   }
 
   // Takes a bond away that bears no more, or adapts its rolling friction to its pressure.
-  void judge(BondJoint& bond, float strength, float per_dt) {
+  void break_if_overloaded(BondJoint& bond, float strength, float per_dt) {
     const b2Vec2 normal = bond.joint->GetBodyA()->GetWorldVector(bond.normal);
     const float pressure = strength + b2Dot(bond.joint->GetReactionForce(per_dt), normal);
     const float bound = bond.rolling * pressure;

@@ -52,10 +52,10 @@ TEST(ContactCone, DirectionsSolveTheLinearisedProducts) {
             EXPECT_NEAR(x * dy + y * dx, tau - x * y + besides, 1e-9 * scale);
           });
         };
-        cone.head_for(tau, false);
+        cone.set_targets(tau, false);
         cone.find_direction({0.1, -0.2, 0.3});
         solves(0);
-        cone.head_further([](double, double, double, double) { return 0.5; });
+        cone.adjust_targets([](double, double, double, double) { return 0.5; });
         cone.find_direction({-0.3, 0, 0.1});
         solves(0.5);
       }
@@ -63,14 +63,14 @@ TEST(ContactCone, DirectionsSolveTheLinearisedProducts) {
 }
 
 // What the directions answer to a relative velocity is what the matrix is filled with.
-TEST(ContactCone, AnswersAVelocityByItsStiffness) {
+TEST(ContactCone, AnswersAVelocityByItsImpedance) {
   const Vec3 u(1e-3, 1, -1), du(0.1, -0.2, 0.3);
   ContactCone cone = cone_at({100, -20, 5}, u);
-  const Mat3 stiffness = cone.linearise(u, kProximal);
-  const Vec3 at_rest = cone.head_for(1e-3, false);
+  const Mat3 impedance = cone.linearise(u, kProximal);
+  const Vec3 at_rest = cone.set_targets(1e-3, false);
   cone.find_direction(du);
   const Vec3 dp(cone.dn, cone.slide.dx, cone.roll.dx);
-  EXPECT_LE((dp - (at_rest - stiffness * du)).norm(), 1e-9 * dp.norm());
+  EXPECT_LE((dp - (at_rest - impedance * du)).norm(), 1e-9 * dp.norm());
 }
 
 }  // namespace

@@ -14,13 +14,13 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 // The grain of disk_on_floor has mass 1 and inertia 1/8, dt = 0.1, force scale 1.
-Residual judge(const ContactProblem& problem, const Vec3& impulse) {
+Residual residual_of(const ContactProblem& problem, const Vec3& impulse) {
   ContactState state{.velocity = problem.free_velocity, .impulse = {impulse}};
   return residual(problem, state);
 }
 
 double natural(const ContactProblem& problem, const Vec3& impulse) {
-  return judge(problem, impulse).natural;
+  return residual_of(problem, impulse).natural;
 }
 
 TEST(Residual, IsZeroForADiskThatIsCaughtByTheFloor) {
@@ -94,8 +94,8 @@ TEST(Residual, MeasuresARollingTorqueThatIsTooLarge) {
 TEST(Residual, MeasuresTheGapErrorOfLoadedContactsOnly) {
   const ContactProblem problem = disk_on_floor({0, -2, 0}, 0.3, 0.05);
   // Opening velocity 0.01 over dt 0.1 is a gap of 1e-3, the tolerance.
-  EXPECT_NEAR(judge(problem, {2.01, 0, 0}).gap, 1, tolerance::rounding(1e3));
-  EXPECT_EQ(judge(problem, {0, 0, 0}).gap, 0);
+  EXPECT_NEAR(residual_of(problem, {2.01, 0, 0}).gap, 1, tolerance::rounding(1e3));
+  EXPECT_EQ(residual_of(problem, {0, 0, 0}).gap, 0);
 }
 
 TEST(Residual, DoesNotTrustTheVelocityThatASolverReports) {

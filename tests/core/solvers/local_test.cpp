@@ -19,7 +19,7 @@ TEST(Locality, ASagOfAHangingChainIsTakenBackWithoutAFactorisation) {
   run.advance(4);  // the first step is far from any memory
   run.world.disks.velocity[300].y() = -1e-4;
   run.advance();
-  EXPECT_EQ(run.last.solve.rung, Rung::locality);
+  EXPECT_EQ(run.last.solve.stage, SolverStage::local);
   EXPECT_EQ(run.last.solve.factorisations, 0);
   EXPECT_TRUE(run.last.converged);
   for (int k = 0; k < 300; ++k)
@@ -35,7 +35,7 @@ TEST(Locality, AtRestEveryStepTakesTheInheritedImpulses) {
   run.advance(20);
   for (int k = 0; k < 100; ++k) {
     run.advance();
-    ASSERT_EQ(run.last.solve.rung, Rung::start) << k;
+    ASSERT_EQ(run.last.solve.stage, SolverStage::start) << k;
   }
 }
 
@@ -52,7 +52,7 @@ TEST(Locality, GivesTheVelocitiesOfTheFullSolution) {
     Stepper stepper;
     const StepReport report = stepper.advance(other, run.step, full);
     run.advance();
-    if (run.last.solve.rung != Rung::locality || !report.converged) continue;
+    if (run.last.solve.stage != SolverStage::local || !report.converged) continue;
     ASSERT_TRUE(run.last.converged) << k;
     ++local;
     double worst = 0;
@@ -61,7 +61,7 @@ TEST(Locality, GivesTheVelocitiesOfTheFullSolution) {
     // Friction may leave more than one solution; then the residual alone decides.
     if (worst <= tolerance::solved(10)) ++compared;
   }
-  EXPECT_GE(local, 100) << "locality was hardly used";
+  EXPECT_GE(local, 100) << "the local solver was hardly used";
   EXPECT_GE(compared, 95 * local / 100);
 }
 
@@ -74,11 +74,12 @@ TEST(Locality, IsNotTriedWhereTheCallerKnowsBetter) {
   ContactState inherited;
   for (const Contact& contact : run.world.contacts) inherited.impulse.push_back(contact.impulse);
   ContactState state = inherited;
-  EXPECT_EQ(ContactSolver().solve(problem, run.solver, state).rung, Rung::locality);
+  EXPECT_EQ(ContactSolver().solve(problem, run.solver, state).stage, SolverStage::local);
   state = inherited;
-  const SolveReport told = ContactSolver().solve(problem, run.solver, state, Rung::interior_point);
+  const SolveReport told =
+      ContactSolver().solve(problem, run.solver, state, SolverStage::interior_point);
   EXPECT_TRUE(told.converged);
-  EXPECT_EQ(told.rung, Rung::interior_point);
+  EXPECT_EQ(told.stage, SolverStage::interior_point);
 }
 
 TEST(Locality, LeavesWhatItCannotSolveAsItWas) {
@@ -89,7 +90,7 @@ TEST(Locality, LeavesWhatItCannotSolveAsItWas) {
   run.advance(3);
   run.world.disks.velocity[20].y() = -1e-3;
   run.advance();
-  EXPECT_NE(run.last.solve.rung, Rung::locality);
+  EXPECT_NE(run.last.solve.stage, SolverStage::local);
   EXPECT_TRUE(run.last.converged);
 }
 

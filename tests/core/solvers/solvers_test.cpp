@@ -16,7 +16,7 @@ namespace {
 QUICKSAND_PER_SOLVER(Solver);
 
 // Of 200 problems with rolling or strong friction. Gauss-Seidel may run in circles there and an interior
-// point get stuck, which they must say; the ladder of both may not.
+// point get stuck, which they must say; the fallback chain may not.
 int may_give_up(Method method) { return method == Method::automatic ? 0 : 3; }
 
 TEST_P(Solver, AgreesWithTheReferenceWithoutFriction) {

@@ -45,7 +45,7 @@ TEST(WorldHash, IsTheSameForAnyNumberOfThreads) {
     Simulation run(soil);
     with_threads(threads, [&] { run.advance(3); });
     EXPECT_EQ(run.unconverged, 0);
-    EXPECT_EQ(run.last.solve.rung, Rung::interior_point);
+    EXPECT_EQ(run.last.solve.stage, SolverStage::interior_point);
     return world_hash(run.world);
   };
   const std::uint64_t alone = hash(1);

@@ -32,13 +32,13 @@ Scenario struck_hexagon(double speed) {
   return scene;
 }
 
-struct Judgement {
+struct Outcome {
   std::vector<BondBreak> breaks;
   SolveReport cost;
 };
 
-// Of the first step, solved to 1e-9, with the judgement's own solution to `tolerance`.
-Judgement judge_first_step(const Scenario& scene, double tolerance) {
+// Of the first step, solved to 1e-9, with the criterion's own solution to `tolerance`.
+Outcome failures_in_first_step(const Scenario& scene, double tolerance) {
   const World world = make_world(scene);
   std::vector<Pair> pairs;
   for (const Bond& bond : world.bonds.list) pairs.push_back(bond.pair);
@@ -56,39 +56,39 @@ Judgement judge_first_step(const Scenario& scene, double tolerance) {
   EXPECT_TRUE(solver.solve(problem, settings, state).converged);
   for (std::size_t c = 0; c < contacts.size(); ++c) contacts[c].impulse = state.impulse[c];
 
-  Judgement judgement;
-  judgement.cost.converged = true;
+  Outcome outcome;
+  outcome.cost.converged = true;
   settings.tolerance = tolerance;
-  EnergyRule rule;
-  judgement.breaks = rule.judge(world, contacts, scene.step, settings, solver, judgement.cost);
-  EXPECT_TRUE(judgement.cost.converged);
-  return judgement;
+  EnergyCriterion rule;
+  outcome.breaks = rule.failures(world, contacts, scene.step, settings, solver, outcome.cost);
+  EXPECT_TRUE(outcome.cost.converged);
+  return outcome;
 }
 
 // Those in front take the blow: the bonds behind are pulled, but do not open without it.
-TEST(EnergyRule, KeepsWhatHardlyOpens) {
-  const Judgement judgement = judge_first_step(struck_hexagon(10), 1e-9);
-  EXPECT_TRUE(judgement.breaks.empty());
-  EXPECT_GT(judgement.cost.factorisations, 0) << "no bond was suspected";
+TEST(EnergyCriterion, KeepsWhatHardlyOpens) {
+  const Outcome outcome = failures_in_first_step(struck_hexagon(10), 1e-9);
+  EXPECT_TRUE(outcome.breaks.empty());
+  EXPECT_GT(outcome.cost.factorisations, 0) << "no bond was suspected";
 }
 
 // A hexagon that hangs from one of its corners: its sudden weight pulls, which is no impact, and the blow is faint.
-TEST(EnergyRule, ClearsByARoughSolutionWhatALoadPulls) {
+TEST(EnergyCriterion, ClearsByARoughSolutionWhatALoadPulls) {
   Scenario scene = struck_hexagon(0.3);
   scene.solver.method = Method::interior_point;
   scene.disks[0].fixed = true;
   scene.gravity = Vec2(100, 0);
-  const Judgement judgement = judge_first_step(scene, 1e-9);
-  EXPECT_TRUE(judgement.breaks.empty());
-  EXPECT_GT(judgement.cost.factorisations, 0) << "no bond was suspected";
-  EXPECT_EQ(judge_first_step(scene, 1e-6).cost.factorisations, judgement.cost.factorisations)
+  const Outcome outcome = failures_in_first_step(scene, 1e-9);
+  EXPECT_TRUE(outcome.breaks.empty());
+  EXPECT_GT(outcome.cost.factorisations, 0) << "no bond was suspected";
+  EXPECT_EQ(failures_in_first_step(scene, 1e-6).cost.factorisations, outcome.cost.factorisations)
       << "it was solved to the tolerance";
 }
 
 // A row on a fixed disk, each faster than the one before, as if pulled long: the bond to the fixed disk, the
-// only weak one, must hold all of their momentum J, and opens with the speed J/n if it does not. The judgement
+// only weak one, must hold all of their momentum J, and opens with the speed J/n if it does not. The criterion's solution
 // starts from no load, which is no solution, however roughly it is to be solved.
-TEST(EnergyRule, BreaksWhatManyPullTogether) {
+TEST(EnergyCriterion, BreaksWhatManyPullTogether) {
   constexpr int kRow = 50;
   constexpr double kEnergy = kCohesion * kRange;
   for (const double share : {0.5, 2.0, 8.0}) {
@@ -101,7 +101,7 @@ TEST(EnergyRule, BreaksWhatManyPullTogether) {
     for (int k = 1; k <= kRow; ++k)
       scene.disks.push_back(
           {.position = {k, 0}, .velocity = {2 * momentum * k / (kRow * (kRow + 1)), 0}});
-    EXPECT_EQ(judge_first_step(scene, 1e-6).breaks.size(), share > 1 ? 1U : 0U) << share;
+    EXPECT_EQ(failures_in_first_step(scene, 1e-6).breaks.size(), share > 1 ? 1U : 0U) << share;
     Simulation run(scene);
     run.advance();
     EXPECT_EQ(run.bonds_broken, share > 1 ? 1 : 0) << share;
@@ -117,18 +117,19 @@ Scenario parting_pair(double speed) {
 }
 
 // It parts with J = m_red u and the energy J u/2, of which the bond takes its own, E = F_c d_c.
-TEST(EnergyRule, GivesWhatBreaksTheImpulseThatTakesItsEnergy) {
+TEST(EnergyCriterion, GivesWhatBreaksTheImpulseThatTakesItsEnergy) {
   const double energy = kCohesion * kRange;
   for (const double share : {1.05, 2.0, 50.0}) {
     const double speed = std::sqrt(4 * share * energy), impulse = speed / 2;
     const Scenario scene = parting_pair(speed);
-    const Judgement judgement = judge_first_step(scene, 1e-9);
-    ASSERT_EQ(judgement.breaks.size(), 1U) << share;
+    const Outcome outcome = failures_in_first_step(scene, 1e-9);
+    ASSERT_EQ(outcome.breaks.size(), 1U) << share;
     const double last = impulse * (1 - std::sqrt(1 - 1 / share)) / scene.step.dt;
-    EXPECT_NEAR(judgement.breaks[0].last_force, last, tolerance::solved(last)) << share;
+    EXPECT_NEAR(outcome.breaks[0].last_force, last, tolerance::solved(last)) << share;
   }
   for (const double share : {0.55, 0.95})
-    EXPECT_TRUE(judge_first_step(parting_pair(std::sqrt(4 * share * energy)), 1e-9).breaks.empty())
+    EXPECT_TRUE(
+        failures_in_first_step(parting_pair(std::sqrt(4 * share * energy)), 1e-9).breaks.empty())
         << share;
 }
 

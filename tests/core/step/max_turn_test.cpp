@@ -152,7 +152,7 @@ TEST_P(StarvedSolver, NeverBreaksABondInAnUnconvergedStep) {
           ASSERT_EQ(run.bonds_broken, before) << work << " " << share << " step " << k;
         }
       }
-      // Gauss-Seidel and the shortest attempts never get there, and say so; where all sticks, locality
+      // Gauss-Seidel and the shortest attempts never get there, and say so; where all sticks, the local solver
       // needs no more.
       if (work <= 1 && GetParam() != Method::automatic) {
         EXPECT_EQ(run.unconverged, 20) << work << " " << share;

@@ -139,7 +139,7 @@ TEST_P(Step, SettingsLimitTheWork) {
   run.solver.max_factorisations = 2;
   run.advance();
   EXPECT_LE(run.last.solve.iterations, 3);
-  // The ladder has six attempts where there are no halves.
+  // The fallback chain has six attempts where there are no halves.
   EXPECT_LE(run.last.solve.factorisations, 12);
 }
 

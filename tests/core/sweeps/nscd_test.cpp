@@ -127,7 +127,7 @@ TEST(Nscd, PackedSweepsAgreeWithTheContactLawOfTheResidual) {
   // Unequal radii couple tangential and rolling impulses.
   const Scenario scene = falling_cluster(Method::automatic, 40, 3, paper_law());
   Simulation run(by_nscd(scene, 20000, SweepOrder::random, 1e-2));
-  run.step.break_rule = BreakRule::linearised;
+  run.step.break_rule = FailureCriterion::linearised;
   for (int k = 0; k < 100; ++k) {
     run.advance(1);
     ASSERT_LT(run.last.solve.residual.natural, 1e-8) << k;

@@ -1,26 +1,27 @@
-#include "app/series/course.h"
+#include "app/series/sampled_run.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace quicksand {
 
-Course::Course(const Scenario& scenario, Checkpoint start, std::optional<double> every, Sink sink)
+SampledRun::SampledRun(const Scenario& scenario, Checkpoint start, std::optional<double> every,
+                       Sink sink)
     : protocol_(scenario, std::move(start.world), start.protocol),
       every_(every),
       sink_(std::move(sink)) {}
 
-void Course::go_on(const SamplesSoFar& samples) {
+void SampledRun::go_on(const SamplesSoFar& samples) {
   samples_ = samples;
   if (samples_.step == world().step) samples_.last.sample = measure(world());
 }
 
-std::string Course::phase_name() const {
+std::string SampledRun::phase_name() const {
   const Phase* phase = protocol_.phase();
   return phase != nullptr ? std::string(quicksand::phase_name(*phase)) : std::string("end");
 }
 
-Progress Course::advance() {
+Progress SampledRun::advance() {
   if (samples_.step < 0) sample();
   const ProtocolState before = protocol_.state();
   const std::int64_t step_before = world().step;
@@ -38,12 +39,12 @@ Progress Course::advance() {
   return progress;
 }
 
-void Course::sample_every(std::optional<double> every) {
+void SampledRun::sample_every(std::optional<double> every) {
   every_ = every;
   times_of_ = -1;
 }
 
-void Course::count(const ProtocolState& before) {
+void SampledRun::count(const ProtocolState& before) {
   const ProtocolState& now = protocol_.state();
   const SolveReport& solve = protocol_.last_step().solve;
   Row& pending = samples_.pending;
@@ -57,7 +58,7 @@ void Course::count(const ProtocolState& before) {
   pending.unconverged += now.unconverged_steps - before.unconverged_steps;
 }
 
-void Course::sample() {
+void SampledRun::sample() {
   const bool first = samples_.step < 0;
   if (!first && samples_.step == world().step && samples_.bodies == world().disks.size() &&
       samples_.healed == world().bonds.healed)

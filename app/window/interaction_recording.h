@@ -10,10 +10,10 @@
 
 namespace quicksand {
 
-class Journal {
+class InteractionRecording {
  public:
   // A command that succeeded. What only concerns a window, such as start and pause, is left out: the
-  // steps themselves are in the journal.
+  // steps themselves are in the recording.
   void add(const Json& command);
   // Steps that were made since the last command.
   void add_steps(std::int64_t steps);

@@ -1,4 +1,4 @@
-#include "app/gui/robot.h"
+#include "app/gui/ui_driver.h"
 
 #include <algorithm>
 #include <array>
@@ -27,20 +27,20 @@ constexpr std::array<std::string_view, 24> kKeys{
 
 }  // namespace
 
-Robot::Robot(Gui& gui, const Session& session, int width, int height, Perform perform)
+UiDriver::UiDriver(Gui& gui, const Session& session, int width, int height, Perform perform)
     : gui_(gui), session_(session), width_(width), height_(height), perform_(std::move(perform)) {}
 
-void Robot::resize(int width, int height) {
+void UiDriver::resize(int width, int height) {
   width_ = width;
   height_ = height;
 }
 
-void Robot::let_go() {
+void UiDriver::let_go() {
   input_ = {};
   commands_.clear();
 }
 
-void Robot::frame() {
+void UiDriver::frame() {
   const std::vector<Json> given = gui_.frame(session_, input_, width_, height_);
   commands_.insert(commands_.end(), given.begin(), given.end());
   input_.text.clear();
@@ -48,42 +48,42 @@ void Robot::frame() {
   if (perform_) perform_(given);
 }
 
-void Robot::begin() {
+void UiDriver::begin() {
   commands_.clear();
   if (gui_.width() != width_ || gui_.height() != height_) frame();
 }
 
-std::vector<Json> Robot::take() {
+std::vector<Json> UiDriver::take() {
   std::vector<Json> taken;
   std::swap(taken, commands_);
   return taken;
 }
 
-void Robot::move_to(const Vec2& pixel) {
+void UiDriver::move_to(const Vec2& pixel) {
   input_.mouse = pixel;
   frame();
 }
 
 // The frame after shows what the action led to, without the mouse upon it.
-void Robot::leave() {
+void UiDriver::leave() {
   move_to({-1, -1});
   frame();
 }
 
-void Robot::click_here() {
+void UiDriver::click_here() {
   input_.buttons[0] = true;
   frame();
   input_.buttons[0] = false;
   frame();
 }
 
-const Widget* Robot::find(const std::string& path) const {
+const Widget* UiDriver::find(const std::string& path) const {
   const auto all = gui_.widgets();
   const auto found = std::ranges::find(all, path, &Widget::path);
   return found == all.end() ? nullptr : &*found;
 }
 
-const Widget& Robot::shown(const std::string& path) {
+const Widget& UiDriver::shown(const std::string& path) {
   const Widget* widget = find(path);
   if (widget != nullptr) return *widget;
   // It may lie in a section that is folded, at any depth.
@@ -104,7 +104,7 @@ const Widget& Robot::shown(const std::string& path) {
   throw InputError(path, "there is no such widget" + suggestion(path, known));
 }
 
-void Robot::scroll_to(const std::string& path) {
+void UiDriver::scroll_to(const std::string& path) {
   // Two notches are enough to reveal the next widget, and never jump over one.
   for (int i = 0; i < kMostScrolls; ++i) {
     const Widget& widget = shown(path);
@@ -120,7 +120,7 @@ void Robot::scroll_to(const std::string& path) {
   }
 }
 
-Vec2 Robot::reach(const std::string& path) {
+Vec2 UiDriver::reach(const std::string& path) {
   // The last frame may show what has changed since, and a panel may unfold and scroll by itself.
   for (int i = 0; i < kSettling; ++i) frame();
   shown(path);
@@ -140,7 +140,7 @@ Vec2 Robot::reach(const std::string& path) {
   return place;
 }
 
-std::vector<Json> Robot::click(const std::string& path) {
+std::vector<Json> UiDriver::click(const std::string& path) {
   begin();
   reach(path);
   click_here();
@@ -148,20 +148,20 @@ std::vector<Json> Robot::click(const std::string& path) {
   return take();
 }
 
-std::vector<Json> Robot::hover(const std::string& path) {
+std::vector<Json> UiDriver::hover(const std::string& path) {
   begin();
   reach(path);
   frame();
   return take();
 }
 
-void Robot::type(const std::string& text) {
+void UiDriver::type(const std::string& text) {
   input_.text = text;
   frame();
 }
 
 // As a person replaces what stands in a field: opens it, selects all, types, enters.
-void Robot::set_number_or_text(const std::string& path, const std::string& text, bool number) {
+void UiDriver::set_number_or_text(const std::string& path, const std::string& text, bool number) {
   reach(path);
   if (number) input_.keys = {Key::control};
   click_here();
@@ -176,7 +176,7 @@ void Robot::set_number_or_text(const std::string& path, const std::string& text,
   leave();
 }
 
-std::vector<Json> Robot::set(const std::string& path, const Json& value) {
+std::vector<Json> UiDriver::set(const std::string& path, const Json& value) {
   begin();
   const Widget::Kind kind = shown(path).kind;
   const std::string text = text_of(value);
@@ -223,12 +223,12 @@ std::vector<Json> Robot::set(const std::string& path, const Json& value) {
   return take();
 }
 
-Vec2 Robot::place_of(const Place& place) {
+Vec2 UiDriver::place_of(const Place& place) {
   if (const auto* pixel = std::get_if<Vec2>(&place)) return *pixel;
   return reach(std::get<std::string>(place));
 }
 
-std::vector<Json> Robot::drag(const Place& from, const Place& to) {
+std::vector<Json> UiDriver::drag(const Place& from, const Place& to) {
   begin();
   // Where it goes first: reaching for it must not disturb what is dragged.
   const Vec2 end = place_of(to), start = place_of(from);
@@ -243,7 +243,7 @@ std::vector<Json> Robot::drag(const Place& from, const Place& to) {
   return take();
 }
 
-std::vector<Json> Robot::click_at(const Vec2& pixel) {
+std::vector<Json> UiDriver::click_at(const Vec2& pixel) {
   begin();
   move_to(pixel);
   click_here();
@@ -251,7 +251,7 @@ std::vector<Json> Robot::click_at(const Vec2& pixel) {
   return take();
 }
 
-std::vector<Json> Robot::wheel(const Vec2& pixel, double notches) {
+std::vector<Json> UiDriver::wheel(const Vec2& pixel, double notches) {
   begin();
   move_to(pixel);
   input_.wheel = notches;
@@ -260,7 +260,7 @@ std::vector<Json> Robot::wheel(const Vec2& pixel, double notches) {
   return take();
 }
 
-std::vector<Json> Robot::press(Key key) {
+std::vector<Json> UiDriver::press(Key key) {
   begin();
   input_.keys = {key};
   frame();
@@ -269,7 +269,7 @@ std::vector<Json> Robot::press(Key key) {
   return take();
 }
 
-std::vector<Json> Robot::press(std::string_view key) {
+std::vector<Json> UiDriver::press(std::string_view key) {
   const auto* const found = std::ranges::find(kKeys, key);
   if (found == kKeys.end()) {
     throw InputError("key", "there is no key \"" + std::string(key) + "\"" +
@@ -278,7 +278,7 @@ std::vector<Json> Robot::press(std::string_view key) {
   return press(static_cast<Key>(found - kKeys.begin()));
 }
 
-std::vector<Json> Robot::wait(int frames) {
+std::vector<Json> UiDriver::wait(int frames) {
   begin();
   for (int i = 0; i < frames; ++i) frame();
   return take();

@@ -1,4 +1,4 @@
-#include "app/run_folder/distrust.h"
+#include "app/run_folder/validation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,8 +32,8 @@ std::string nscd_note(const Scenario& scenario, const ProtocolState& state, std:
          spread(errors.penetration, " d") + ". The results depend on sweeps and time step";
 }
 
-std::string distrust(const ProtocolState& state, double present_overlap,
-                     const StrictBounds& bounds) {
+std::string validation_failures(const ProtocolState& state, double present_overlap,
+                                const StrictBounds& bounds) {
   std::string reasons;
   const auto add = [&](const std::string& reason) {
     reasons += (reasons.empty() ? "" : ", ") + reason;

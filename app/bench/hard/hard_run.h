@@ -23,9 +23,9 @@ Scenario bare_scene(bool gravity);
 // Friction 0.3, rolling friction 0.1, and bonds that hold between touching disks from the beginning.
 void bond_all(Scenario& scene, double cohesion);
 
-class Course {
+class HardRun {
  public:
-  explicit Course(const Scenario& scene);
+  explicit HardRun(const Scenario& scene);
 
   // Throws std::runtime_error with the program's own words if a step fails.
   void advance(int steps);

@@ -1,4 +1,4 @@
-#include "app/window/journal.h"
+#include "app/window/interaction_recording.h"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +18,7 @@ std::string_view name_of(const Json& command) {
 
 }  // namespace
 
-void Journal::add(const Json& command) {
+void InteractionRecording::add(const Json& command) {
   const std::string_view name = name_of(command);
   if (std::ranges::find(kOfTheWindow, name) != kOfTheWindow.end()) return;
   // While the mouse moves, only the last force before the next step counts.
@@ -29,7 +29,7 @@ void Journal::add(const Json& command) {
   commands_.push_back(command);
 }
 
-void Journal::add_steps(std::int64_t steps) {
+void InteractionRecording::add_steps(std::int64_t steps) {
   if (steps == 0) return;
   const bool goes_on = !commands_.empty() && name_of(commands_.back()) == "run" &&
                        commands_.back().size() == 2 && commands_.back().contains("steps");
@@ -40,7 +40,7 @@ void Journal::add_steps(std::int64_t steps) {
   }
 }
 
-Json Journal::session(const World& world) const {
+Json InteractionRecording::session(const World& world) const {
   Json commands = commands_;
   commands.push_back({{"command", "expect_hash"}, {"hash", text_of_hash(world_hash(world))}});
   return {{"description", "Recorded by hand in a window."}, {"commands", std::move(commands)}};

@@ -1,4 +1,4 @@
-#include "app/bench/hard/hard_course.h"
+#include "app/bench/hard/hard_run.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,16 +35,16 @@ void bond_all(Scenario& scene, double cohesion) {
   scene.initial_bonds = InitialBonds::touching;
 }
 
-Course::Course(const Scenario& scene)
+HardRun::HardRun(const Scenario& scene)
     : protocol_(with_one_phase(scene), make_world(scene)),
       start_(world().disks.position),
       tolerance_(scene.solver.tolerance),
       dt_(scene.step.dt) {}
 
-void Course::advance(int steps) { run_for(steps * dt_); }
+void HardRun::advance(int steps) { run_for(steps * dt_); }
 
 // By time: a step that is tried as two halves is not another one.
-void Course::run_for(double time) {
+void HardRun::run_for(double time) {
   const double end = world().time + time - dt_ / 2;
   while (world().time < end) {
     stop_if_interrupted();
@@ -55,28 +55,28 @@ void Course::run_for(double time) {
   }
 }
 
-double Course::displacement() const {
+double HardRun::displacement() const {
   double farthest = 0;
   for (std::size_t i = 0; i < start_.size(); ++i)
     farthest = std::max(farthest, (world().disks.position[i] - start_[i]).norm());
   return farthest;
 }
 
-Vec2 Course::force(Pair pair) const {
+Vec2 HardRun::force(Pair pair) const {
   for (const Contact& contact : world().contacts)
     if (contact.pair == pair) return contact.force(world().impulse_dt);
   return {0, 0};
 }
 
-double Course::load_on_walls() const {
+double HardRun::load_on_walls() const {
   double sum = 0;
   for (const Contact& contact : world().contacts)
     if (is_wall(contact.pair.b)) sum -= contact.force(world().impulse_dt).y();
   return sum;
 }
 
-Row Course::answer(const std::string& expected, const std::string& found, double off,
-                   double allowed, const std::string& unit, bool right) const {
+Row HardRun::answer(const std::string& expected, const std::string& found, double off,
+                    double allowed, const std::string& unit, bool right) const {
   Row row{.what = "answer", .method = "auto"};
   row.size = world().disks.size();
   row.contacts = static_cast<std::int64_t>(world().contacts.size());

@@ -1,4 +1,4 @@
-// The course of a scene: its protocol, step by step, and a sample whenever one is due.
+// A scene that is computed: its protocol, step by step, and a sample whenever one is due.
 #pragma once
 
 #include <cstdint>
@@ -24,14 +24,14 @@ struct SamplesSoFar {
   Row pending;              // counts since then
 };
 
-class Course {
+class SampledRun {
  public:
   // What becomes of a sample.
   using Sink = std::function<void(const Row&, const World&)>;
 
   // Goes on from `start`, which may be the beginning. `every`: time between samples instead of the
   // scene's [sqrt(d/g)].
-  Course(const Scenario& scenario, Checkpoint start, std::optional<double> every, Sink sink);
+  SampledRun(const Scenario& scenario, Checkpoint start, std::optional<double> every, Sink sink);
   // Takes over where the samples stood when `start` was written, before anything is computed.
   void go_on(const SamplesSoFar& samples);
   const SamplesSoFar& samples() const { return samples_; }

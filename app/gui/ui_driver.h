@@ -12,12 +12,12 @@
 
 namespace quicksand {
 
-class Robot {
+class UiDriver {
  public:
   // `perform` carries out what a frame returned, often nothing; the next frame shows the result. May be
   // empty. The picture has this size [px].
   using Perform = std::function<void(const std::vector<Json>&)>;
-  Robot(Gui& gui, const Session& session, int width, int height, Perform perform);
+  UiDriver(Gui& gui, const Session& session, int width, int height, Perform perform);
 
   void resize(int width, int height);
   // After an action that threw: no button or key is held any more, and the mouse is elsewhere.

@@ -1,5 +1,5 @@
-// The robot does what a person can do, and refuses what a person cannot.
-#include "app/gui/robot.h"
+// The driver does what a person can do, and refuses what a person cannot.
+#include "app/gui/ui_driver.h"
 
 #include <algorithm>
 
@@ -9,7 +9,7 @@
 namespace quicksand::test {
 namespace {
 
-using RobotTest = PanelFixture;
+using UiDriverTest = PanelFixture;
 
 // What the action says when it is refused.
 template <typename Action>
@@ -26,48 +26,48 @@ bool says(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-TEST_F(RobotTest, RefusesADisabledWidget) {
-  Robot& r = robot();  // no scene
+TEST_F(UiDriverTest, RefusesADisabledWidget) {
+  UiDriver& r = driver();  // no scene
   EXPECT_EQ(refusal([&] { r.click("Controls/Run"); }),
             "Controls/Run: this widget is disabled at present");
 }
 
-TEST_F(RobotTest, OffersTheNearestWidgetForAnUnknownOne) {
+TEST_F(UiDriverTest, OffersTheNearestWidgetForAnUnknownOne) {
   load();
-  Robot& r = robot();
+  UiDriver& r = driver();
   const std::string text = refusal([&] { r.click("Controls/Ruhn"); });
   EXPECT_TRUE(says(text, "did you mean \"Controls/Run\"?")) << text;
 }
 
-TEST_F(RobotTest, RefusesACoveredWidget) {
+TEST_F(UiDriverTest, RefusesACoveredWidget) {
   load();
-  Robot& r = robot(1, 900, 120);  // the list of scenes covers what is below it
+  UiDriver& r = driver(1, 900, 120);  // the list of scenes covers what is below it
   r.click("Scene/scene");
   ASSERT_NE(widget("Scene/scene/collapse"), nullptr) << "the list is open";
   const std::string text = refusal([&] { r.click("Picture"); });
   EXPECT_TRUE(says(text, "covers this widget")) << text;
 }
 
-TEST_F(RobotTest, RefusesAValueOfTheWrongKind) {
+TEST_F(UiDriverTest, RefusesAValueOfTheWrongKind) {
   load();
-  Robot& r = robot();
+  UiDriver& r = driver();
   EXPECT_TRUE(says(refusal([&] { r.set("View/bonds", 3); }), "takes true or false, not 3"));
   EXPECT_TRUE(says(refusal([&] { r.set("Controls/Steps per frame", "many"); }), "takes a number"));
   EXPECT_TRUE(says(refusal([&] { r.set("Controls/Run", true); }), "no value that can be set"));
 }
 
-TEST_F(RobotTest, OffersTheNearestChoiceOfACombo) {
+TEST_F(UiDriverTest, OffersTheNearestChoiceOfACombo) {
   load();
-  Robot& r = robot();
+  UiDriver& r = driver();
   const std::string text = refusal([&] { r.set("View/colour", "spead"); });
   EXPECT_TRUE(says(text, "did you mean \"View/colour/speed\"?")) << text;
   // The list is closed again.
   EXPECT_EQ(r.click("Controls/Step").size(), 1U);
 }
 
-TEST_F(RobotTest, OpensSectionsAndScrollsToAWidget) {
+TEST_F(UiDriverTest, OpensSectionsAndScrollsToAWidget) {
   load();
-  Robot& r = idle_robot(1, 700, 300);
+  UiDriver& r = idle_driver(1, 700, 300);
   EXPECT_EQ(widget("Parameters/Computing/tolerance"), nullptr);
   const std::vector<Json> commands = r.set("Parameters/Computing/tolerance", 1e-5);
   ASSERT_EQ(commands.size(), 1U);
@@ -75,10 +75,10 @@ TEST_F(RobotTest, OpensSectionsAndScrollsToAWidget) {
   EXPECT_EQ(r.click("Controls/Reset").size(), 1U) << "and back to the top";
 }
 
-TEST_F(RobotTest, EveryWidgetThatIsEnabledCanBeReached) {
+TEST_F(UiDriverTest, EveryWidgetThatIsEnabledCanBeReached) {
   load();
   perform({{"command", "run"}, {"steps", 2}});
-  Robot& r = idle_robot(1, 700, 420);
+  UiDriver& r = idle_driver(1, 700, 420);
   for (const char* section : {"Parameters", "Actions", "Inspect", "Parameters/Deposition",
                               "Parameters/Intruder", "Parameters/Piston", "Parameters/Computing"}) {
     r.set(section, "open");
@@ -97,9 +97,9 @@ TEST_F(RobotTest, EveryWidgetThatIsEnabledCanBeReached) {
   }
 }
 
-TEST_F(RobotTest, PathsAndIdsAreUnique) {
+TEST_F(UiDriverTest, PathsAndIdsAreUnique) {
   load();
-  Robot& r = idle_robot();
+  UiDriver& r = idle_driver();
   for (const char* section : {"Parameters", "Actions", "Inspect", "Parameters/Deposition",
                               "Parameters/Intruder", "Parameters/Piston", "Parameters/Computing"}) {
     r.set(section, "open");

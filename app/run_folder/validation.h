@@ -18,9 +18,9 @@ double worst_overlap(const ProtocolState& state, double present_overlap);
 // What the steps of a run by NSCD are, in a sentence: a method that does not converge by design. Empty for other runs.
 std::string nscd_note(const Scenario& scenario, const ProtocolState& state, std::int64_t steps);
 
-// Why the run is not to be believed, in a sentence; empty if nothing is wrong. `present_overlap`: deepest
+// Why validation of the run failed, in a sentence; empty if nothing is wrong. `present_overlap`: deepest
 // overlap of two bodies now [d].
-std::string distrust(const ProtocolState& state, double present_overlap,
-                     const StrictBounds& bounds);
+std::string validation_failures(const ProtocolState& state, double present_overlap,
+                                const StrictBounds& bounds);
 
 }  // namespace quicksand
