@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 namespace quicksand {
@@ -15,13 +16,19 @@ constexpr double kLinesPeriod = 10;      // [s]
 }  // namespace
 
 std::string duration_text(double seconds) {
-  std::array<char, 32> text{};
-  if (seconds < 100) {
-    std::snprintf(text.data(), text.size(), "%.0f s", seconds);
-  } else if (seconds < 6000) {
-    std::snprintf(text.data(), text.size(), "%.0f min", seconds / 60);
+  constexpr double kMinute = 60, kHour = 3600;
+  const double whole = std::round(seconds);
+  std::array<char, 64> text{};
+  if (seconds < 10) {
+    std::snprintf(text.data(), text.size(), "%.2g s", seconds);
+  } else if (whole < kMinute) {
+    std::snprintf(text.data(), text.size(), "%.0f s", whole);
+  } else if (whole < kHour) {
+    std::snprintf(text.data(), text.size(), "%.0f min %.0f s", std::floor(whole / kMinute),
+                  std::fmod(whole, kMinute));
   } else {
-    std::snprintf(text.data(), text.size(), "%.1f h", seconds / 3600);
+    std::snprintf(text.data(), text.size(), "%.0f h %.0f min", std::floor(whole / kHour),
+                  std::floor(std::fmod(whole, kHour) / kMinute));
   }
   return text.data();
 }

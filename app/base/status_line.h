@@ -31,7 +31,7 @@ class StatusLine {
   std::size_t width_ = 0;  // of what stands on the terminal's line
 };
 
-// "42 s", "3 min", "2.5 h".
+// "0.31 s", "42 s", "3 min 20 s", "2 h 5 min".
 std::string duration_text(double seconds);
 
 }  // namespace quicksand

@@ -60,9 +60,22 @@ std::string explain(const CLI::ParseError& error, const CLI::App& program,
 }
 
 std::vector<Command> add_commands(CLI::App& program) {
-  program.set_version_flag("--version", std::string("quicksand ") + build_info().version);
+  program.set_help_flag("-h,--help", "print this help");
+  program.set_version_flag("--version", std::string("quicksand ") + build_info().version,
+                           "print the version");
   program.require_subcommand(1);
-  program.footer("Example:\n  quicksand run assets/scenes/collapse.json");
+  program.footer(
+      "`quicksand COMMAND --help` tells the options of a command, with examples.\n\n"
+      "Exit status:\n"
+      "  0    fine\n"
+      "  1    the run failed; the message says how to go on\n"
+      "  2    bad input; the message says where and what is possible\n"
+      "  130  interrupted, with complete results\n\n"
+      "Environment:\n"
+      "  QUICKSAND_ASSETS   folder of the scenes and other files that come with the program\n\n"
+      "Examples:\n"
+      "  quicksand run assets/scenes/collapse.json\n"
+      "  quicksand run --help");
   return {add_run(program),       add_resume(program), add_check(program),    add_render(program),
           add_measure(program),   add_export(program), add_campaign(program), add_report(program),
           add_reproduce(program), add_bench(program),  add_session(program),  add_window(program),

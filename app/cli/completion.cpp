@@ -1,5 +1,5 @@
 // The completion script of bash.
-#include "app/cli/manual.h"
+#include "app/cli/completion.h"
 
 namespace quicksand {
 

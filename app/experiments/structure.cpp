@@ -130,7 +130,7 @@ class StructureOfSamples : public PaperExperiment {
       pool(all.forces, contact_forces(world));
       pool(all.tensions, bond_tensions(world));
       const std::vector<Pair> touching = touching_pairs(world);
-      all.counts.push_back(contact_counts(world, neighbours(world, touching)));
+      all.counts.push_back(contact_counts(world, count_neighbours(world, touching)));
       const std::vector<Slice> slices = height_profile(world, touching, thickness_);
       if (slices.size() > all.fractions.size()) all.fractions.resize(slices.size());
       for (std::size_t k = 0; k < slices.size(); ++k)

@@ -58,7 +58,7 @@ ExportedWorld::ExportedWorld(const World& exported)
 
 ExportedWorld::ExportedWorld(const World& exported, const std::vector<Pair>& touching)
     : world(exported),
-      counts(neighbours(exported, touching)),
+      counts(count_neighbours(exported, touching)),
       pressure(contact_pressure(exported)),
       links(links_of(exported, touching)),
       covered(covered_by(exported)) {}

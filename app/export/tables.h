@@ -31,7 +31,7 @@ class ExportedWorld {
   explicit ExportedWorld(const World& world);
 
   const World& world;
-  const Neighbours counts;             // (nd)
+  const NeighbourCounts counts;        // (nd)
   const std::vector<double> pressure;  // (nd) [F_g/d]
   const std::vector<Link> links;       // sorted by pair
   const Rectangle covered;             // by box and disks

@@ -4,7 +4,7 @@
 // belong to them as point data, those of lines as cell data.
 #include <bit>
 
-#include "app/export/base64.h"
+#include "app/base/base64.h"
 #include "app/export/formats.h"
 #include "app/json/json_reader.h"
 
@@ -19,9 +19,10 @@ void write_array(std::ostream& out, std::string_view name, DataColumn::Kind kind
   out << "<DataArray type=\"" << (kind == DataColumn::Kind::integer ? "Int64" : "Float64")
       << "\" Name=\"" << name << "\" NumberOfComponents=\"" << size << "\" format=\"binary\">";
   Base64 text(out);
-  text.add(std::uint64_t{8} * static_cast<std::uint64_t>(rows) * static_cast<std::uint64_t>(size));
+  text.add_word(std::uint64_t{8} * static_cast<std::uint64_t>(rows) *
+                static_cast<std::uint64_t>(size));
   for (int row = 0; row < rows; ++row)
-    for (int k = 0; k < size; ++k) text.add(value(row, k));
+    for (int k = 0; k < size; ++k) text.add_word(value(row, k));
   text.finish();
   out << "</DataArray>\n";
 }

@@ -36,6 +36,7 @@ PictureOptions::PictureOptions() : size(size_text(view)) {
 }
 
 void add_picture_options(CLI::App& command, PictureOptions& options) {
+  command.option_defaults()->group("Picture");
   for (std::size_t i = 0; i < view_words().size(); ++i) {
     const std::string name = option_of(view_words()[i].field);
     command
@@ -51,6 +52,7 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
     if (flag.field.of_runs)
       command.add_flag(option_of(flag.field), options.view.*flag.value,
                        std::string("draw ") + flag.field.help);
+  command.option_defaults()->group("Options");
 }
 
 std::string picture_words(const View& view) {

@@ -1,7 +1,6 @@
 #include "app/options/strict_options.h"
 
-#include "app/json/json_reader.h"
-#include "core/base/errors.h"
+#include "app/options/number_range.h"
 
 namespace quicksand {
 
@@ -10,19 +9,19 @@ void add_strict_options(CLI::App& command, StrictOptions& options) {
       "--strict", options.strict,
       "exit with 1 if a step did not converge, a bond broke in such a step, bodies overlapped, or "
       "steps gained energy");
+  strict->group("Validation");
   command
-      .add_option("--max-overlap", options.max_overlap, "deepest overlap that --strict accepts [d]")
+      .add_option("--max-overlap", options.bounds.max_overlap,
+                  "deepest overlap that --strict accepts [d]")
       ->type_name("LENGTH")
+      ->check(in_range(between(0, 1, "d")))
       ->capture_default_str()
-      ->needs(strict);
+      ->needs(strict)
+      ->group("Validation");
 }
 
 std::optional<StrictBounds> strict_from(const StrictOptions& options) {
-  if (!options.strict) return std::nullopt;
-  if (!(options.max_overlap >= 0 && options.max_overlap <= 1))
-    throw InputError("--max-overlap " + number_text(options.max_overlap),
-                     "must be a length from 0 to 1 d");
-  return StrictBounds{options.max_overlap};
+  return options.strict ? std::optional(options.bounds) : std::nullopt;
 }
 
 }  // namespace quicksand

@@ -1,4 +1,4 @@
-// The options that say what a run must keep to be believed, the same for every command that computes one.
+// The options for the validation of a run, the same for every command that computes one.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,12 +10,12 @@ namespace quicksand {
 
 struct StrictOptions {
   bool strict = false;
-  double max_overlap = StrictBounds{}.max_overlap;  // [d]
+  StrictBounds bounds;
 };
 
 void add_strict_options(CLI::App& command, StrictOptions& options);
 
-// Nothing without --strict. Throws InputError if the bound is none.
+// Nothing without --strict.
 std::optional<StrictBounds> strict_from(const StrictOptions& options);
 
 }  // namespace quicksand

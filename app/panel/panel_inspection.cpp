@@ -53,7 +53,7 @@ void show_contacts(const PanelFrame& frame, int body) {
     const double dt = world.impulse_dt;
     const bool loaded = dt > 0;
     cell(body_text(world, other), false);
-    cell(loaded ? short_number(contact.impulse.x() / dt - contact.cohesion) : "–", true);
+    cell(loaded ? short_number(contact.normal_force(dt)) : "–", true);
     cell(loaded ? short_number(contact.impulse.y() / dt) : "–", true);
     const Bond* bond = world.bonds.find(contact.pair);
     cell(bond == nullptr ? "none" : bond->state == BondState::active ? "active" : "broken", true);

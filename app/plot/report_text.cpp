@@ -1,7 +1,6 @@
 #include "app/plot/report_text.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cstddef>
 
@@ -157,26 +156,6 @@ std::string file_name_text(std::string_view text) {
   name.resize(std::min(name.size(), kLongest));
   while (!name.empty() && name.back() == '_') name.pop_back();
   return name.empty() ? "unnamed" : name;
-}
-
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view kLetters =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  constexpr std::size_t kGroup = 3;
-  std::string text;
-  text.reserve((bytes.size() + 2) / kGroup * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += kGroup) {
-    const std::size_t left = std::min(kGroup, bytes.size() - i);
-    unsigned bits = 0;
-    for (std::size_t k = 0; k < kGroup; ++k) {
-      bits = bits << 8U | (k < left ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    }
-    std::array<char, 4> group{};
-    for (unsigned k = 0; k < 4; ++k) group.at(k) = kLetters[bits >> (18 - 6 * k) & 63U];
-    std::fill(group.begin() + static_cast<std::ptrdiff_t>(left) + 1, group.end(), '=');
-    text.append(group.data(), group.size());
-  }
-  return text;
 }
 
 }  // namespace quicksand

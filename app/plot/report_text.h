@@ -28,6 +28,4 @@ std::string csv_text(std::string_view text);
 // A name that is safe in file names and links: a to z, 0 to 9 and underscores; never empty.
 std::string file_name_text(std::string_view text);
 
-std::string base64(std::string_view bytes);
-
 }  // namespace quicksand

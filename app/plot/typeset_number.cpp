@@ -88,17 +88,4 @@ std::string typeset_unit(std::string_view unit) {
   return "[" + text + "]";
 }
 
-std::string typeset_duration(double seconds) {
-  constexpr double kMinute = 60;
-  constexpr double kHour = 3600;
-  if (seconds < kMinute) return typeset(seconds, 3) + " s";
-  const double whole = std::round(seconds);
-  if (whole < kHour) {
-    return fixed(std::floor(whole / kMinute), 0) + " min " + fixed(std::fmod(whole, kMinute), 0) +
-           " s";
-  }
-  return fixed(std::floor(whole / kHour), 0) + " h " +
-         fixed(std::floor(std::fmod(whole, kHour) / kMinute), 0) + " min";
-}
-
 }  // namespace quicksand

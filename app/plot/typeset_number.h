@@ -18,7 +18,4 @@ std::string typeset_with_error(double value, std::optional<double> standard_erro
 // "[F_g/d]"; empty for "1", the unit of plain numbers. Roots are typeset: "[√(d/g)]".
 std::string typeset_unit(std::string_view unit);
 
-// "12 s", "3 min 20 s", "2 h 5 min".
-std::string typeset_duration(double seconds);
-
 }  // namespace quicksand

@@ -21,8 +21,7 @@ void describe(Fields& f, RunOptions& options) {
   f.flag({"frames", "whether pictures are drawn"}, options.frames);
   f.number({"checkpoint_every", "wall time between checkpoints"},
            between(0, kLongestCheckpointTime, "s"), options.checkpoint_every);
-  f.optional_object({"strict", "what a run must keep to be believed"}, options.strict,
-                    describe_strict);
+  f.optional_object({"strict", "bounds of the validation"}, options.strict, describe_strict);
   f.object({"view", "how pictures look"},
            [&](Fields& inner) { describe_view_of_run(inner, options.view); });
 }

@@ -117,7 +117,7 @@ Measurements measure_state(const StateFile& state, const MeasureChoices& choices
   m.choices = choices;
   m.slice = slice;
   const std::vector<Pair> touching = touching_pairs(world);
-  m.counts = contact_counts(world, neighbours(world, touching));
+  m.counts = contact_counts(world, count_neighbours(world, touching));
   const std::vector<int> everywhere(static_cast<std::size_t>(world.disks.size()), 0);
   m.regions.push_back({"whole", regions_of(world, touching, everywhere, 1)[0]});
   if (m.row.sample.has_intruder) {

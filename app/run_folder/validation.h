@@ -1,4 +1,4 @@
-// What makes a run that went through to its end one that should not be believed.
+// Validation of a run that went through to its end.
 #pragma once
 
 #include <string>

@@ -145,7 +145,7 @@ World start_world(const Scenario& scenario) {
   world.walls = std::move(state.walls);
   world.bonds = std::move(state.bonds);
   world.contacts = std::move(state.contacts);
-  world.way = std::move(state.way);
+  world.trajectory = std::move(state.trajectory);
   world.impulse_dt = state.impulse_dt;
   world.time = state.time;
   world.step = state.step;

@@ -4,6 +4,7 @@ namespace quicksand {
 
 void add_scene_options(CLI::App& command, SceneRequest& request) {
   command.add_option("scene", request.file, "scene file")->type_name("SCENE.json")->required();
+  command.option_defaults()->group("Scene");
   command
       .add_option("--set", request.overrides,
                   "change a value of the scene, as in step.dt=1e-3 or phases[1].force=2e4; null "
@@ -13,6 +14,7 @@ void add_scene_options(CLI::App& command, SceneRequest& request) {
   command.add_option("--seed", request.seed, "of the random numbers, instead of the scene's")
       ->type_name("N")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 53U).description(""));
+  command.option_defaults()->group("Options");
 }
 
 }  // namespace quicksand

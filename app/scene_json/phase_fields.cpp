@@ -15,6 +15,7 @@ namespace {
 // In the order of Phase::kind's alternatives.
 constexpr std::string_view kPhases[] = {"deposit", "settle", "push",  "pull",
                                         "shear",   "heal",   "piston"};
+static_assert(std::size(kPhases) == std::variant_size_v<decltype(Phase::kind)>);
 
 constexpr std::string_view kBondingTouches[] = {"first_touch", "every_touch"};
 constexpr std::string_view kPushEnds[] = {"rest", "intruder_rest"};
@@ -121,26 +122,25 @@ void set_kind(Phase& phase, int type) {
   set_kind(phase, type, std::make_index_sequence<std::variant_size_v<decltype(Phase::kind)>>{});
 }
 
+// A kind without a line here does not compile.
+struct KindFields {
+  Fields& f;
+  const Scenario& scenario;
+
+  void operator()(DepositPhase& p) const { describe_deposit(f, p, scenario.box); }
+  void operator()(SettlePhase& p) const { describe_settle(f, p); }
+  void operator()(PushPhase& p) const { describe_push(f, p, scenario.grain_law); }
+  void operator()(PullPhase& p) const { describe_pull(f, p, scenario.grain_law); }
+  void operator()(ShearPhase& p) const { describe_shear(f, p, scenario.grain_law); }
+  void operator()(HealPhase& p) const { describe_heal(f, p); }
+  void operator()(PistonPhase& p) const { describe_piston(f, p, scenario.grain_law); }
+};
+
 }  // namespace
 
 void describe_kind(Fields& f, Phase& phase, const Scenario& scenario) {
-  const auto type = phase.kind.index();
-  if (type == 0) {
-    describe_deposit(f, std::get<DepositPhase>(phase.kind), scenario.box);
-  } else if (type == 1) {
-    describe_settle(f, std::get<SettlePhase>(phase.kind));
-  } else if (type == 2) {
-    describe_push(f, std::get<PushPhase>(phase.kind), scenario.grain_law);
-  } else if (type == 3) {
-    describe_pull(f, std::get<PullPhase>(phase.kind), scenario.grain_law);
-  } else if (type == 4) {
-    describe_shear(f, std::get<ShearPhase>(phase.kind), scenario.grain_law);
-  } else if (type == 5) {
-    describe_heal(f, std::get<HealPhase>(phase.kind));
-    return;  // it takes no time
-  } else {
-    describe_piston(f, std::get<PistonPhase>(phase.kind), scenario.grain_law);
-  }
+  std::visit(KindFields{f, scenario}, phase.kind);
+  if (std::holds_alternative<HealPhase>(phase.kind)) return;  // it takes no time
   f.number({"dt", "time step of this phase; step.dt if absent"},
            between(kLeastStep, 1, "sqrt(d/g)"), phase.dt);
   f.number({"solver_tolerance",

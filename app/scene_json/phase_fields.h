@@ -21,11 +21,12 @@ void describe_bonding(Fields& f, bool& bonding, BondingTouch& bonds);
 void describe_force(Fields& f, const char* help, double least, double& force,
                     const ContactLaw& law);
 
-// loading_fields.cpp
+// search_fields.cpp
 void describe_pull(Fields& f, PullPhase& pull, const ContactLaw& law);
 void describe_shear(Fields& f, ShearPhase& shear, const ContactLaw& law);
 void describe_adiabatic(Fields& f, DepositPhase& deposit);
 void describe_threshold(Fields& f, PushPhase& push);
+// loading_fields.cpp
 void describe_heal(Fields& f, HealPhase& phase);
 void describe_piston(Fields& f, PistonPhase& phase, const ContactLaw& law);
 

@@ -141,7 +141,7 @@ void describe_method(Fields& f, StepSettings& step) {
 void describe_step(Fields& f, StepSettings& step) {
   f.number({"dt", "time step; a phase may have its own"}, between(kLeastStep, 1, "sqrt(d/g)"),
            step.dt);
-  f.choice({"break_rule", "when a bond breaks: by the energy of an impact, or by its gap alone"},
+  f.choice({"break_rule", "failure criterion of bonds: by the energy of an impact, or by the gap alone"},
            kBreakRules, step.break_rule);
   f.flag({"curvature_term", "second-order gap of bonded contacts, which lets bonded pairs rotate"},
          step.curvature_term);

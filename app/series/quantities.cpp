@@ -47,7 +47,8 @@ const Quantity kQuantities[] = {
     {"active_bond_fraction", "1", "active bonds over touching contacts",
      [](const Row& r) { return or_none(r.sample.active_bond_fraction); }},
     {"remaining_bond_fraction", "1",
-     "active bonds over initial bonds: those that were active when the intruder or piston came",
+     "active bonds over initial bonds: those that were active when the intruder or piston came, or "
+     "at the start with `initial_bonds`",
      [](const Row& r) { return or_none(r.sample.remaining_bond_fraction); }},
     {"bonds_active", "1", "number of active bonds",
      [](const Row& r) -> Value { return r.sample.bonds_active; }},
@@ -86,7 +87,7 @@ const Quantity kQuantities[] = {
        return or_none(r.sample.around_intruder.channel.remaining_bond_fraction);
      }},
     {"intact_grains", "1",
-     "number of grains farther from the intruder's way than 6 of its diameters",
+     "number of grains farther from the intruder's trajectory than 6 of its diameters",
      [](const Row& r) { return of_intruder(r, r.sample.around_intruder.intact.grains); }},
     {"intact_coordination", "1",
      "mean number of touching neighbours of a grain in the intact region",
@@ -104,7 +105,7 @@ const Quantity kQuantities[] = {
     {"velocity_change", "1",
      "worst change of velocity in a last iteration since the last sample, over the mean velocity, "
      "where it is known",
-     [](const Row& r) -> Value { return r.velocity_change; }, true},
+     [](const Row& r) { return r.velocity_change > 0 ? Value(r.velocity_change) : Value(); }, true},
     {"iterations", "1", "iterations of the solver since the last sample",
      [](const Row& r) -> Value { return r.iterations; }, true},
     {"factorisations", "1", "factorisations of the solver since the last sample",

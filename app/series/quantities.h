@@ -16,10 +16,11 @@ namespace quicksand {
 // One sample with what the steps since the last sample tell.
 struct Row {
   Sample sample;
-  std::string phase;                // name of the phase that the sample belongs to
-  double residual = 0;              // worst since the last sample [1]
-  double gap_error = 0;             // worst since the last sample, over the tolerance [1]
-  double velocity_change = 0;       // worst since the last sample, over the mean velocity [1]
+  std::string phase;     // name of the phase that the sample belongs to
+  double residual = 0;   // worst since the last sample [1]
+  double gap_error = 0;  // worst since the last sample, over the tolerance [1]
+  double velocity_change =
+      0;  // worst known since the last sample, over the mean; 0: none known [1]
   std::int64_t iterations = 0;      // of the solver since the last sample [1]
   std::int64_t factorisations = 0;  // of the solver since the last sample [1]
   std::int64_t unconverged = 0;     // steps since the last sample [1]

@@ -162,6 +162,7 @@ std::vector<ParameterGroup> parameters_of(const Scenario& scenario) {
   if (computing.parameters.size() == 2) computing.parameters.back().label = "step method";
   add(computing, all, "nscd", Names{"sweeps", "order"});
   add(computing, all, "step", Names{"dt", "max_turn", "break_rule"});
+  computing.parameters.back().label = "failure criterion";
   add(computing, all, "solver", Names{"method", "tolerance"});
   return {std::move(contacts),
           group_of<DepositPhase>("Deposition", scenario, all,

@@ -20,9 +20,11 @@ struct Contact {
   double turning =
       0;  // kappa by which the step of a bond was solved, see turning_rate(); not kept [g]
 
-  // Resultant force on b, given the step that the impulses were computed with [F_g].
+  // Both given the step that the impulses were computed with: R_n, positive where it pushes apart, and the resultant
+  // force on b [F_g].
+  double normal_force(double dt) const { return impulse.x() / dt - cohesion; }
   Vec2 force(double dt) const {
-    return (impulse.x() / dt - cohesion) * normal + impulse.y() / dt * perpendicular(normal);
+    return normal_force(dt) * normal + impulse.y() / dt * perpendicular(normal);
   }
 };
 

@@ -98,7 +98,7 @@ bool possible(const LogHistogram& histogram) {
          std::ranges::all_of(histogram.counts, [](std::int64_t n) { return n >= 0; });
 }
 
-const char* impossible(const World& world) {
+const char* inconsistency(const World& world) {
   if (world.box.sides > Sides::walls || !not_negative(world.box.width) ||
       !finite(world.box.height) || (world.box.sides != Sides::open && world.box.width == 0))
     return "no such box";
@@ -113,19 +113,19 @@ const char* impossible(const World& world) {
     return "the bonds are not those of these bodies";
   if (!all_possible(world.contacts) || !pairs_in_order(world, world.contacts))
     return "the contacts are not those of these bodies";
-  if (!all_finite(world.way.places) || !finite(world.way.surface))
-    return "the intruder's way is not one of numbers";
+  if (!all_finite(world.trajectory.places) || !finite(world.trajectory.surface))
+    return "the intruder's trajectory is not one of numbers";
   if (!finite(world.time) || !not_negative(world.impulse_dt)) return "a time is not a number";
   return nullptr;
 }
 
 }  // namespace
 
-const char* impossible(const Checkpoint& checkpoint) {
-  if (const char* problem = impossible(checkpoint.world)) return problem;
+const char* inconsistency(const Checkpoint& checkpoint) {
+  if (const char* problem = inconsistency(checkpoint.world)) return problem;
   const ProtocolState& protocol = checkpoint.protocol;
   if (protocol.search.base)
-    if (const char* problem = impossible(*protocol.search.base)) return problem;
+    if (const char* problem = inconsistency(*protocol.search.base)) return problem;
   if (protocol.phase < 0 ||
       !finite(protocol.phase_start, protocol.rest_since, protocol.trial_start))
     return "the protocol stands nowhere";

@@ -7,6 +7,6 @@ namespace quicksand {
 
 // Null if the world and the protocol could be those of a run, otherwise what is wrong. The lists of
 // bonds and contacts must be sorted and name bodies that exist.
-const char* impossible(const Checkpoint& checkpoint);
+const char* inconsistency(const Checkpoint& checkpoint);
 
 }  // namespace quicksand

@@ -4,9 +4,11 @@
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <span>
 #include <system_error>
 
+#include "core/base/fnv.h"
 #include "core/base/memory.h"
 #include "core/base/whole_file.h"
 #include "core/checkpoint/archive.h"
@@ -107,8 +109,8 @@ void describe_world(Archive& archive, World& world) {
   archive.value("step", world.step);
   archive.value("random", world.random.state);
   archive.added("rebonding", world.rebonding);
-  archive.array("way", world.way.places);
-  archive.value("way_surface", world.way.surface);
+  archive.array("way", world.trajectory.places);
+  archive.value("way_surface", world.trajectory.surface);
 }
 
 template <class Archive, class State>
@@ -258,9 +260,7 @@ constexpr std::uint8_t kEightBytes = 0x48;
 constexpr std::size_t kSealSize = 9;
 
 std::uint64_t checksum(std::span<const std::uint8_t> bytes) {
-  std::uint64_t hash = 0xCBF29CE484222325ULL;
-  for (const std::uint8_t byte : bytes) hash = (hash ^ byte) * 0x100000001B3ULL;
-  return hash;
+  return std::accumulate(bytes.begin(), bytes.end(), kFnvStart, fnv1a);
 }
 
 void add_seal(std::vector<std::uint8_t>& bytes) {
@@ -333,7 +333,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
     Reader(json).array("samples", checkpoint.samples);
     if (json.contains("base"))
       checkpoint.protocol.search.base = std::make_shared<const World>(world_from(json.at("base")));
-    if (const char* problem = impossible(checkpoint)) throw std::runtime_error(problem);
+    if (const char* problem = inconsistency(checkpoint)) throw std::runtime_error(problem);
     return checkpoint;
   } catch (const OtherVersion&) {
     throw;

@@ -9,7 +9,6 @@
 #include "core/problem/delassus.h"
 #include "core/problem/projection.h"
 #include "core/problem/residual.h"
-#include "core/sweeps/relaxation.h"
 
 namespace quicksand {
 
@@ -221,7 +220,7 @@ bool InteriorPoint::finish(const ContactProblem& problem, const SolverSettings& 
 
 SolveReport InteriorPoint::relax(const ContactProblem& problem, const SolverSettings& settings,
                                  ContactState& state) {
-  SolveReport report = solve_relaxation(problem, settings, state);
+  SolveReport report = solve_relaxation(problem, settings, state, relaxation_);
   if (!report.converged) return report;
   matrix_.attach(problem);
   finish(problem, settings, state, report);
@@ -237,8 +236,8 @@ bool InteriorPoint::try_relaxation(Path& path, int sweeps) {
       static_cast<int>(std::min<std::int64_t>(sweeps, settings.max_iterations - report.iterations));
   // Newton's method on modes that relaxation has decided gains nothing where velocities have settled.
   const bool settled = have_settled(report, settings);
-  SolveReport relaxed =
-      settled ? solve_relaxation(problem, few, relaxed_) : relax(problem, few, relaxed_);
+  SolveReport relaxed = settled ? solve_relaxation(problem, few, relaxed_, relaxation_)
+                                : relax(problem, few, relaxed_);
   if (settled) relaxed.velocity_change = report.velocity_change;
   report.iterations += relaxed.iterations;
   report.factorisations += relaxed.factorisations;

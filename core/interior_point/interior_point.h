@@ -23,6 +23,7 @@
 #include "core/interior_point/newton_on_modes.h"
 #include "core/problem/contact_problem.h"
 #include "core/problem/solver_settings.h"
+#include "core/sweeps/relaxation.h"
 
 namespace quicksand {
 
@@ -34,7 +35,7 @@ class InteriorPoint {
   SolveReport solve(const ContactProblem& problem, const SolverSettings& settings, double shift,
                     ContactState& state);
 
-  // Relaxes state.impulse (see solve_relaxation.h); where that converges, some iterations of Newton's method
+  // Relaxes state.impulse (see core/sweeps/relaxation.h); where that converges, some iterations of Newton's method
   // on the modes follow, which also tell the change of velocity.
   SolveReport relax(const ContactProblem& problem, const SolverSettings& settings,
                     ContactState& state);
@@ -83,6 +84,7 @@ class InteriorPoint {
   std::vector<Vec3> change_;       // (nb)
   std::vector<Vec3> best_;         // (nc)
   ContactState relaxed_;
+  RelaxationScratch relaxation_;
 };
 
 }  // namespace quicksand

@@ -8,6 +8,7 @@
 
 #include "core/base/errors.h"
 #include "core/measures/measures.h"
+#include "core/world/extent.h"
 
 namespace quicksand {
 
@@ -31,8 +32,8 @@ std::vector<double> normal_forces(const World& world, Take take) {
   if (world.impulse_dt == 0) return forces;
   for (const Contact& contact : world.contacts) {
     if (has_intruder(world, contact.pair)) continue;
-    const double force = contact.impulse.x() / world.impulse_dt - contact.cohesion;
-    if (const std::optional<double> taken = take(contact, force)) forces.push_back(*taken);
+    const std::optional<double> taken = take(contact, contact.normal_force(world.impulse_dt));
+    if (taken) forces.push_back(*taken);
   }
   return forces;
 }
@@ -147,14 +148,11 @@ Histogram bond_tensions(const World& world) {
 
 std::vector<Slice> height_profile(const World& world, std::span<const Pair> touching,
                                   double thickness) {
+  const double highest = packing_top(world);
   double bottom = world.box.floor ? 0 : std::numeric_limits<double>::infinity();
-  double highest = -std::numeric_limits<double>::infinity();
-  for (int i = 0; i < world.disks.size(); ++i) {
-    if (world.disks.role[i] != Role::grain) continue;
-    const double y = world.disks.position[i].y(), r = world.disks.radius[i];
-    highest = std::max(highest, y + r);
-    if (!world.box.floor) bottom = std::min(bottom, y - r);
-  }
+  for (int i = 0; i < world.disks.size() && !world.box.floor; ++i)
+    if (world.disks.role[i] == Role::grain)
+      bottom = std::min(bottom, world.disks.position[i].y() - world.disks.radius[i]);
   if (highest <= bottom || !std::isfinite(highest)) return {};
   const double first = std::floor(bottom / thickness), last = std::ceil(highest / thickness);
   constexpr double kMostSlices = 10000;

@@ -56,16 +56,9 @@ Energies energies(const World& world) {
   return sum;
 }
 
-Vec2 momentum(const World& world) {
-  Vec2 sum(0, 0);
-  for (int i = 0; i < world.disks.size(); ++i)
-    if (!world.disks.fixed(i)) sum += world.disks.mass[i] * world.disks.velocity[i].head<2>();
-  return sum;
-}
-
-Neighbours neighbours(const World& world, std::span<const Pair> touching) {
+NeighbourCounts count_neighbours(const World& world, std::span<const Pair> touching) {
   const auto nd = static_cast<std::size_t>(world.disks.size());
-  Neighbours n;
+  NeighbourCounts n;
   for (auto* counts : {&n.active, &n.broken, &n.initial, &n.initial_active, &n.touching, &n.loaded})
     counts->assign(nd, 0);
   const auto count = [&](std::vector<int>& counts, Pair pair) {
@@ -88,9 +81,11 @@ Neighbours neighbours(const World& world, std::span<const Pair> touching) {
   return n;
 }
 
-Neighbours neighbours(const World& world) { return neighbours(world, touching_pairs(world)); }
+NeighbourCounts count_neighbours(const World& world) {
+  return count_neighbours(world, touching_pairs(world));
+}
 
-ContactCounts contact_counts(const World& world, const Neighbours& neighbours) {
+ContactCounts contact_counts(const World& world, const NeighbourCounts& neighbours) {
   ContactCounts counts;
   int grains = 0;
   for (int i = 0; i < world.disks.size(); ++i) {
@@ -116,7 +111,7 @@ std::vector<double> contact_pressure(const World& world) {
         force / (2 * std::numbers::pi * world.disks.radius[body]);
   };
   for (const Contact& contact : world.contacts) {
-    const double force = contact.impulse.x() / world.impulse_dt - contact.cohesion;
+    const double force = contact.normal_force(world.impulse_dt);
     if (force <= 0) continue;
     add(contact.pair.a, force);
     if (!is_wall(contact.pair.b)) add(contact.pair.b, force);
@@ -143,14 +138,6 @@ double volume_fraction(const World& world, double y_low, double y_high) {
     area += area_below(r, y_high - y) - area_below(r, y_low - y);
   }
   return area / (world.box.width * (y_high - y_low));
-}
-
-std::vector<double> volume_fraction_profile(const World& world, double height, int bins) {
-  std::vector<double> profile;
-  profile.reserve(static_cast<std::size_t>(bins));
-  for (int k = 0; k < bins; ++k)
-    profile.push_back(volume_fraction(world, height * k / bins, height * (k + 1) / bins));
-  return profile;
 }
 
 WeightAbove weight_above_intruder(const World& world, const MeasureChoices& choices) {
@@ -211,7 +198,7 @@ Sample measure(const World& world, const MeasureChoices& choices) {
   std::vector<Pair> touching;
   std::ranges::copy_if(near, std::back_inserter(touching),
                        [&](Pair pair) { return touches(world, pair); });
-  const ContactCounts counts = contact_counts(world, neighbours(world, touching));
+  const ContactCounts counts = contact_counts(world, count_neighbours(world, touching));
   s.coordination = counts.touching;
   s.coordination_loaded = counts.loaded;
 
@@ -242,7 +229,8 @@ Sample measure(const World& world, const MeasureChoices& choices) {
     s.intruder_position = world.disks.position[intruder];
     s.intruder_velocity = world.disks.velocity[intruder].head<2>();
     s.resistance = contact_force(world, intruder).y();
-    s.depth = way_so_far(world).surface - (s.intruder_position.y() - world.disks.radius[intruder]);
+    s.depth =
+        trajectory_so_far(world).surface - (s.intruder_position.y() - world.disks.radius[intruder]);
     s.weight_above = weight_above_intruder(world, choices);
     s.around_intruder = around_intruder(world, touching, choices);
   }

@@ -18,21 +18,18 @@ struct Energies {
 };
 Energies energies(const World& world);
 
-// Total momentum (p_x, p_y) of the disks [m sqrt(g d)].
-Vec2 momentum(const World& world);
-
 // Pairs whose gap is at most the cohesion range of their law, or 5e-5 d without cohesion, at the present
 // positions, whether a step was made or not; sorted.
 std::vector<Pair> touching_pairs(const World& world);
 
 // Counts for each disk (nd): active bonds, broken bonds, initial bonds, touching contacts, loaded
 // contacts (compressed, or an active bond). Walls count as neighbours.
-struct Neighbours {
+struct NeighbourCounts {
   std::vector<int> active, broken, initial, initial_active, touching, loaded;
 };
-Neighbours neighbours(const World& world);
+NeighbourCounts count_neighbours(const World& world);
 // The same, if touching_pairs(world) is known already.
-Neighbours neighbours(const World& world, std::span<const Pair> touching);
+NeighbourCounts count_neighbours(const World& world, std::span<const Pair> touching);
 
 // Mean neighbours of a grain by what counts as a contact: any that touches, one that carries (compressed, or an
 // active bond), an active bond; and the share of grains that touch nothing, which count in these means. Zeros
@@ -40,7 +37,7 @@ Neighbours neighbours(const World& world, std::span<const Pair> touching);
 struct ContactCounts {
   double touching = 0, loaded = 0, bonded = 0, without = 0;
 };
-ContactCounts contact_counts(const World& world, const Neighbours& neighbours);
+ContactCounts contact_counts(const World& world, const NeighbourCounts& neighbours);
 
 // Mean contact force pressure on each disk: sum of compressive normal forces over the
 // circumference [F_g/d].
@@ -51,8 +48,6 @@ Vec2 contact_force(const World& world, int body);
 
 // Area of the disks between two heights over the area of the box there, clipped exactly.
 double volume_fraction(const World& world, double y_low, double y_high);
-// Volume fraction in `bins` equal slices from 0 to `height`.
-std::vector<double> volume_fraction_profile(const World& world, double height, int bins);
 
 // Grains above the intruder, as a share of the weight of all grains [1]: straight above it, no farther
 // to a side than its radius, and all that are higher. Zero where there is no intruder.

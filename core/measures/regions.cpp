@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/world/intruder_way.h"
+#include "core/world/intruder_trajectory.h"
 
 namespace quicksand {
 
@@ -70,7 +70,7 @@ AroundIntruder around_intruder(const World& world, std::span<const Pair> touchin
   const double radius = world.disks.radius[intruder];
   const double channel = radius + choices.channel_margin;
   const double intact = 2 * radius * choices.intact_distance;
-  const std::vector<double> distances = distances_from_way(world, std::max(channel, intact));
+  const std::vector<double> distances = distances_from_trajectory(world, std::max(channel, intact));
   std::vector<int> region;
   std::ranges::transform(distances, std::back_inserter(region), [&](double distance) {
     return distance < channel ? 0 : distance >= intact ? 1 : -1;

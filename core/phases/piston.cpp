@@ -1,24 +1,14 @@
 // The phase "piston": a horizontal wall with mass presses from above. Its force rises linearly in time.
-#include <algorithm>
 #include <limits>
 #include <numbers>
 #include <optional>
 
 #include "core/phases/running_phase.h"
+#include "core/world/extent.h"
 
 namespace quicksand {
 
 namespace {
-
-// The top of all bodies, intruders included; 0 if there are none [d].
-double highest_point(const Disks& disks) {
-  std::optional<double> top;
-  for (int i = 0; i < disks.size(); ++i) {
-    const double of_disk = disks.position[i].y() + disks.radius[i];
-    top = std::max(top.value_or(of_disk), of_disk);
-  }
-  return top.value_or(0);
-}
 
 // Share of the box below the piston that the disks fill; infinite where there is no room left.
 double filled_below(const World& world) {
@@ -37,7 +27,7 @@ class Piston final : public RunningPhaseOf<PistonPhase> {
     World& world = stage.world;
     stage.form_bonds(settings().bonding, settings().bonds);
     if (world.bonds.initial == 0) world.bonds.mark_initial();
-    world.walls.push_back({.point = {0, highest_point(world.disks)},
+    world.walls.push_back({.point = {0, highest_point(world)},
                            .normal = {0, -1},
                            .mass = settings().mass,
                            .role = WallRole::piston});

@@ -85,7 +85,7 @@ void Protocol::take_push_force() {
 void Protocol::apply(int body, const Vec2& force) { world_.disks.applied[body].head<2>() = force; }
 
 bool Protocol::make_step(const Phase& phase) {
-  record_way(world_);
+  record_trajectory(world_);
   StepSettings step = scenario_.step;
   step.dt = phase.dt.value_or(step.dt);
   if (!step.max_turn) return try_step(step, step.max_halvings);

@@ -18,7 +18,8 @@ struct Stage {
   void form_bonds(bool bonding, BondingTouch touch = BondingTouch::first);
   bool due(double moment) const;       // whether the world's time has reached it
   bool lasted(double duration) const;  // whether the present phase has, or its trial
-  double since_start() const { return world.time - state.phase_start; }  // [sqrt(d/g)]
+  // Since the phase began, whatever the trial. [sqrt(d/g)]
+  double since_start() const { return world.time - state.phase_start; }
 
   // The following are to be asked after each step.
   // Whether all bodies, and walls with mass, have been slower than `speed` for `duration`.

@@ -206,7 +206,7 @@ SolveReport LocalSolver::solve(const ContactProblem& problem, const SolverSettin
     frozen_.resize(role_.size());
     std::ranges::transform(role_, frozen_.begin(), [](Role r) { return r == Role::frozen; });
     clusters_.join(problem, frozen_);
-    clusters_.weigh(problem, state.impulse);
+    clusters_.find_mass_properties(problem, state.impulse);
     find_components(problem);
     if (!solve_components(problem, settings, state.impulse, report)) break;
     clusters_.spread(cluster_velocity_, state.velocity);

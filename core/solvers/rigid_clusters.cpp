@@ -95,7 +95,8 @@ void RigidClusters::join(const ContactProblem& problem, const std::vector<char>&
   first_.push_back(order_.size());
 }
 
-void RigidClusters::weigh(const ContactProblem& problem, const std::vector<Vec3>& impulse) {
+void RigidClusters::find_mass_properties(const ContactProblem& problem,
+                                         const std::vector<Vec3>& impulse) {
   // What bodies get from contacts that are neither in a tree nor between clusters.
   lack_.assign(cluster_.size(), Vec3::Zero());
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
@@ -107,10 +108,10 @@ void RigidClusters::weigh(const ContactProblem& problem, const std::vector<Vec3>
   const auto clusters = static_cast<int>(first_.size()) - 1;
   inverse_mass_.resize(static_cast<std::size_t>(clusters));
   free_velocity_.resize(static_cast<std::size_t>(clusters));
-  for (int k = 0; k < clusters; ++k) weigh_cluster(problem, k);
+  for (int k = 0; k < clusters; ++k) find_mass_properties_of(problem, k);
 }
 
-void RigidClusters::weigh_cluster(const ContactProblem& problem, int cluster) {
+void RigidClusters::find_mass_properties_of(const ContactProblem& problem, int cluster) {
   const std::span members(order_.data() + first_[cluster], order_.data() + first_[cluster + 1]);
   const int root = members.front();
   const Vec3& im_root = problem.inverse_mass[root];

@@ -25,7 +25,7 @@ class RigidClusters {
 
   // Masses and free velocities of the clusters, with the impulses (nc) of contacts inside clusters that
   // are not in a tree.
-  void weigh(const ContactProblem& problem, const std::vector<Vec3>& impulse);
+  void find_mass_properties(const ContactProblem& problem, const std::vector<Vec3>& impulse);
 
   int size() const { return static_cast<int>(inverse_mass_.size()); }
   int cluster_of(int body) const { return cluster_[body]; }
@@ -49,7 +49,7 @@ class RigidClusters {
   void list_frozen(const ContactProblem& problem, const std::vector<char>& frozen);
   void grow_tree(const ContactProblem& problem, int root);
   void attach(const ContactRow& row, int parent, int child);
-  void weigh_cluster(const ContactProblem& problem, int cluster);
+  void find_mass_properties_of(const ContactProblem& problem, int cluster);
 
   std::vector<int> start_, contact_at_;             // frozen contacts by body
   std::vector<int> cluster_;                        // (nb)

@@ -3,23 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/bodies/sorted_cursor.h"
+#include "core/step/lengths.h"
+
 namespace quicksand {
 
 namespace {
 
-// Pairs farther apart than this are contacts only if their free velocities close the gap. [d]
-constexpr double kAlwaysWithin = 5e-3;
-// Others may become faster by what happens in the step: so many times their free velocity. A contact
-// that stays open costs far less than to solve again with one that was missed: in a collapse, 2 % more
+// Pairs beyond kAlwaysWithin may become faster by what happens in the step: so many times their free velocity. A
+// contact that stays open costs far less than to solve again with one that was missed: in a collapse, 2 % more
 // contacts save two thirds of the repeats.
 constexpr double kForesight = 2;
-// Gaps below this, and this share of what is admissible, are taken for none. To close what rounding opens
-// costs a packing at rest two solutions, one that moves and one that stops, whose impulses hand the
-// same motion on; it would never come to rest exactly.
-constexpr double kLeastGap = 1e-10;      // [d]
-constexpr double kLeastGapShare = 2e-5;  // over the admissible gap error
-// Admissible gap error of a loaded contact: a tenth of the cohesion range where there is one.
-constexpr double kPlainGapTolerance = 1e-3;  // [d]
 
 }  // namespace
 
@@ -87,13 +81,12 @@ void find_contacts(const World& world, const std::vector<Pair>& candidates,
   contacts.clear();
   const double reach = contact_reach(world, free_velocity, dt);
   const double scale = world.impulse_dt > 0 ? dt / world.impulse_dt : 0;
-  auto old = world.contacts.begin();
-  auto bond = world.bonds.list.begin();
+  SortedCursor<const Contact> old_contacts(world.contacts);
+  SortedCursor<const Bond> bonds(world.bonds.list);
   for (const Pair& pair : candidates) {
-    while (bond != world.bonds.list.end() && bond->pair < pair) ++bond;
-    while (old != world.contacts.end() && old->pair < pair) ++old;
-    const bool bonded =
-        bond != world.bonds.list.end() && bond->pair == pair && bond->state == BondState::active;
+    const Bond* bond = bonds.at(pair);
+    const Contact* old = old_contacts.at(pair);
+    const bool bonded = bond && bond->state == BondState::active;
     Vec2 normal;
     const double gap = world.gap(pair, &normal);
     if (gap > reach) continue;
@@ -110,7 +103,7 @@ void find_contacts(const World& world, const std::vector<Pair>& candidates,
     const ContactLaw& law = world.law(pair);
     if (bonded) contact.cohesion = law.cohesion_force.value_or(0);
     if (contact.cohesion > 0) contact.turning = turning_rate(world, contact, world.disks.velocity);
-    if (old == world.contacts.end() || old->pair != pair) {
+    if (!old) {
       if (new_bond == NewBond::balanced) contact.impulse.x() = dt * contact.cohesion;
       continue;
     }
@@ -126,17 +119,16 @@ void find_contacts(const World& world, const std::vector<Pair>& candidates,
 int add_missed_contacts(const World& world, const std::vector<Pair>& candidates,
                         const std::vector<Vec3>& velocity, double dt, double tolerance,
                         std::vector<Contact>& contacts) {
-  const auto known = static_cast<std::ptrdiff_t>(contacts.size());
-  std::ptrdiff_t next = 0;
+  std::vector<Contact> missed;
+  SortedCursor<const Contact> known(contacts);
   for (const Pair& pair : candidates) {
-    while (next < known && contacts[static_cast<std::size_t>(next)].pair < pair) ++next;
-    if (next < known && contacts[static_cast<std::size_t>(next)].pair == pair) continue;
+    if (known.at(pair)) continue;
     const Vec3 u = velocity[problem_body(world, pair.b)] - velocity[pair.a];
-    const double way = dt * u.head<2>().norm();
-    if (way < kAlwaysWithin) continue;  // what is nearer is a contact already
+    const double path = dt * u.head<2>().norm();
+    if (path < kAlwaysWithin) continue;  // what is nearer is a contact already
     Contact contact{.pair = pair};
     contact.gap = world.gap(pair, &contact.normal);
-    if (contact.gap + tolerance > way) continue;
+    if (contact.gap + tolerance > path) continue;
     double after = 0;
     if (is_wall(pair.b)) {
       after = contact.gap + dt * contact.normal.dot(u.head<2>());
@@ -144,11 +136,11 @@ int add_missed_contacts(const World& world, const std::vector<Pair>& candidates,
       const Vec2 s = world.separation(pair.a, pair.b);
       after = (s + dt * u.head<2>()).norm() - (s.norm() - contact.gap);
     }
-    if (after < -tolerance && world.movable(pair)) contacts.push_back(contact);
+    if (after < -tolerance && world.movable(pair)) missed.push_back(contact);
   }
-  std::inplace_merge(contacts.begin(), contacts.begin() + known, contacts.end(),
-                     [](const Contact& p, const Contact& q) { return p.pair < q.pair; });
-  return static_cast<int>(static_cast<std::ptrdiff_t>(contacts.size()) - known);
+  const auto first_missed = contacts.insert(contacts.end(), missed.begin(), missed.end());
+  std::ranges::inplace_merge(contacts, first_missed, {}, &Contact::pair);
+  return static_cast<int>(missed.size());
 }
 
 bool correct_turning(const World& world, const std::vector<Vec3>& velocity, double dt,
@@ -163,15 +155,67 @@ bool correct_turning(const World& world, const std::vector<Vec3>& velocity, doub
   return true;
 }
 
+namespace {
+
+ContactRow row_of(const World& world, const Contact& contact, const StepSettings& step) {
+  const auto [a, b] = contact.pair;
+  const ContactLaw& law = world.law(contact.pair);
+  ContactRow row{.a = a, .b = problem_body(world, b), .normal = contact.normal};
+  const double radius = world.disks.radius[a];
+  row.spin_a.y() = row.arm = radius;
+  row.friction = law.friction.value_or(0);
+  if (is_wall(b)) {
+    row.rolling = rolling_length_on_wall(law.rolling_friction.value_or(0), radius);
+  } else {
+    const double other = world.disks.radius[b];
+    row.spin_b.y() = -other;
+    row.arm = (radius + other) / 2;
+    row.rolling = rolling_length(law.rolling_friction.value_or(0), radius, other);
+  }
+  row.gap_tolerance =
+      contact.cohesion == 0 ? kPlainGapTolerance : kBondGapShare * law.cohesion_range;
+  if (std::abs(contact.gap) > std::min(kLeastGap, kLeastGapShare * row.gap_tolerance))
+    row.offset.x() = contact.gap / step.dt;
+  row.cohesive = contact.cohesion > 0;
+  if (row.cohesive && step.curvature_term) row.offset.x() += step.dt * contact.turning / 2;
+  return row;
+}
+
+// Forces are measured relative to the strongest bond, or the mean force or momentum of a body.
+void set_scales(const World& world, const std::vector<Vec3>& free_velocity, double strongest_bond,
+                ContactProblem& problem) {
+  const Disks& disks = world.disks;
+  const double dt = problem.dt;
+  double force = 0, mass = 0;
+  int mobile = 0;
+  const auto add = [&](double of_body, const Vec2& change, const Vec2& start) {
+    ++mobile;
+    mass += of_body;
+    force += of_body * std::sqrt(std::max(change.squaredNorm(), start.squaredNorm())) / dt;
+  };
+  for (int i = 0; i < disks.size(); ++i)
+    if (!disks.fixed(i))
+      add(disks.mass[i], (free_velocity[i] - disks.velocity[i]).head<2>(),
+          disks.velocity[i].head<2>());
+  for (std::size_t k = 0; k < world.walls.size(); ++k)
+    if (const Wall& wall = world.walls[k]; wall.mass != 0)
+      add(wall.mass, free_velocity[disks.position.size() + k].head<2>() - wall.velocity,
+          wall.velocity);
+  problem.velocity_scale = force > 0 ? dt * force / mass : 1;
+  if (mobile > 0) force /= mobile;
+  problem.force_scale = std::max(strongest_bond, force);
+  if (problem.force_scale == 0) problem.force_scale = 1;
+}
+
+}  // namespace
+
 void build_problem(const World& world, const std::vector<Contact>& contacts,
                    const std::vector<Vec3>& free_velocity, const StepSettings& step,
                    ContactProblem& problem) {
-  const Disks& disks = world.disks;
-  const double dt = step.dt;
-  problem.dt = dt;
-  problem.inverse_mass.assign(disks.inverse_mass.begin(), disks.inverse_mass.end());
+  problem.dt = step.dt;
+  problem.inverse_mass.assign(world.disks.inverse_mass.begin(), world.disks.inverse_mass.end());
   for (const Wall& wall : world.walls) problem.inverse_mass.push_back(wall.inverse_mass());
-  if (world.drag) apply_drag(*world.drag, world.disks, dt, problem.inverse_mass);
+  if (world.drag) apply_drag(*world.drag, world.disks, step.dt, problem.inverse_mass);
   problem.free_velocity = free_velocity;
 
   const auto has = [&](auto term) {
@@ -183,62 +227,16 @@ void build_problem(const World& world, const std::vector<Contact>& contacts,
   problem.contacts.resize(contacts.size());
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const Contact& contact = contacts[c];
-    const Pair pair = contact.pair;
-    const ContactLaw& law = world.law(pair);
-    ContactRow& row = problem.contacts[c];
-    row = {.a = pair.a, .b = problem_body(world, pair.b), .normal = contact.normal};
-    const double radius = disks.radius[pair.a];
-    row.spin_a.y() = row.arm = radius;
-    row.friction = law.friction.value_or(0);
-    if (is_wall(pair.b)) {
-      row.rolling = rolling_length_on_wall(law.rolling_friction.value_or(0), radius);
-    } else {
-      const double other = disks.radius[pair.b];
-      row.spin_b.y() = -other;
-      row.arm = (radius + other) / 2;
-      row.rolling = rolling_length(law.rolling_friction.value_or(0), radius, other);
-    }
-    row.gap_tolerance = contact.cohesion == 0 ? kPlainGapTolerance : 0.1 * law.cohesion_range;
-    if (std::abs(contact.gap) > std::min(kLeastGap, kLeastGapShare * row.gap_tolerance))
-      row.offset.x() = contact.gap / dt;
-    row.cohesive = contact.cohesion > 0;
+    const ContactRow& row = problem.contacts[c] = row_of(world, contact, step);
     if (!row.cohesive) continue;
-
     strongest_bond = std::max(strongest_bond, contact.cohesion);
-    if (step.curvature_term) row.offset.x() += dt * contact.turning / 2;
-    const Vec3 attraction(dt * contact.cohesion, 0, 0);
+    const Vec3 attraction(step.dt * contact.cohesion, 0, 0);
     problem.free_velocity[row.a] -=
         problem.inverse_mass[row.a].cwiseProduct(momentum_of_a(row, attraction));
     problem.free_velocity[row.b] -=
         problem.inverse_mass[row.b].cwiseProduct(momentum_of_b(row, attraction));
   }
-
-  // Forces are measured relative to the strongest bond, or the mean force or momentum of a body.
-  double force = 0, mass = 0;
-  int mobile = 0;
-  for (int i = 0; i < disks.size(); ++i) {
-    if (disks.fixed(i)) continue;
-    ++mobile;
-    mass += disks.mass[i];
-    force += disks.mass[i] *
-             std::sqrt(std::max((free_velocity[i] - disks.velocity[i]).head<2>().squaredNorm(),
-                                disks.velocity[i].head<2>().squaredNorm())) /
-             dt;
-  }
-  for (std::size_t k = 0; k < world.walls.size(); ++k) {
-    const Wall& wall = world.walls[k];
-    if (wall.mass == 0) continue;
-    ++mobile;
-    mass += wall.mass;
-    const Vec2 free = free_velocity[disks.position.size() + k].head<2>();
-    force +=
-        wall.mass *
-        std::sqrt(std::max((free - wall.velocity).squaredNorm(), wall.velocity.squaredNorm())) / dt;
-  }
-  problem.velocity_scale = force > 0 ? dt * force / mass : 1;
-  if (mobile > 0) force /= mobile;
-  problem.force_scale = std::max(strongest_bond, force);
-  if (problem.force_scale == 0) problem.force_scale = 1;
+  set_scales(world, free_velocity, strongest_bond, problem);
 }
 
 }  // namespace quicksand

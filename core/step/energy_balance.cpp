@@ -1,5 +1,7 @@
 #include "core/step/energy_balance.h"
 
+#include "core/bodies/sorted_cursor.h"
+
 namespace quicksand {
 
 namespace {
@@ -35,7 +37,7 @@ void add_walls(const World& world, const std::vector<Vec3>& velocity, double dt,
 void add_contacts(const World& world, const std::vector<Contact>& contacts,
                   const ContactProblem& problem, const std::vector<Vec3>& velocity, double dt,
                   EnergyBalance& energy) {
-  auto bond = world.bonds.list.begin();
+  SortedCursor<const Bond> bonds(world.bonds.list);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const Contact& contact = contacts[c];
     const ContactRow& row = problem.contacts[c];
@@ -49,9 +51,8 @@ void add_contacts(const World& world, const std::vector<Contact>& contacts,
           momentum_of_b(row, impulse).dot((im.array() == 0).select(vb.array(), 0.0).matrix());
     }
     if (contact.cohesion == 0) continue;
-    while (bond != world.bonds.list.end() && bond->pair < contact.pair) ++bond;
-    const bool lasts = bond != world.bonds.list.end() && bond->pair == contact.pair &&
-                       bond->state == BondState::active;
+    const Bond* bond = bonds.at(contact.pair);
+    const bool lasts = bond && bond->state == BondState::active;
     // The gap that a bond leaves behind where it breaks is lost. The offset has the turning of the pair.
     const double opened = dt * (row.offset.x() + relative_velocity(row, va, vb).x());
     energy.change += contact.cohesion * ((lasts ? opened : 0) - contact.gap);

@@ -52,6 +52,7 @@ class EnergyCriterion {
     double impact = 0;          // J by the step's tension [m sqrt(g d)]
     double energy_left = 0;     // E [F_g d]
     double least_impact = 0;    // that breaks the bond of a free pair, sqrt(2 E/W) [m sqrt(g d)]
+    bool spent = false;         // bears nearly F_c
     double own_impact = 0;      // J [m sqrt(g d)]
     double opening = 0;         // u_open [sqrt(g d)]
   };

@@ -4,20 +4,17 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/bodies/sorted_cursor.h"
 #include "core/solvers/contact_solver.h"
 #include "core/step/assemble.h"
 #include "core/step/energy_criterion.h"
+#include "core/step/lengths.h"
 #include "core/world/neighbors.h"
 
 namespace quicksand {
 
 namespace {
 
-// Overlap that a pair outside the problem may reach before the step is solved again with it. [d]
-constexpr double kMissTolerance = 1e-7;
-// By which a bond's gap may be off because it turns otherwise than foreseen, as when a collision stops it: what is too
-// narrow overlaps, and is pushed apart in the next step. A tenth of this makes no run more accurate. [d]
-constexpr double kTurnTolerance = 1e-3;
 constexpr int kMaxRepeats = 10;
 
 int first_not_finite(const std::vector<Vec3>& velocity) {
@@ -108,7 +105,6 @@ void Stepper::solve_contacts(World& world, const StepSettings& step, const Solve
 // Breaks and forms bonds by the solved step.
 void Stepper::update_bonds(World& world, const StepSettings& step, StepReport& report) {
   Scratch& s = *scratch_;
-  auto bond = world.bonds.list.begin();
   const auto tear = [&](Bond& torn) {
     if (!report.converged && !step.nscd) {
       ++report.breaks_withheld;
@@ -118,25 +114,23 @@ void Stepper::update_bonds(World& world, const StepSettings& step, StepReport& r
     ++report.bonds_broken;
   };
   // Bonds that are no contacts: wider open than any reach, by a range that was made shorter.
-  const auto pass_to = [&](const Pair* pair) {
-    for (; bond != world.bonds.list.end() && (!pair || bond->pair < *pair); ++bond)
-      if (bond->state == BondState::active && world.movable(bond->pair)) tear(*bond);
+  const auto tear_if_active = [&](Bond& bond) {
+    if (bond.state == BondState::active && world.movable(bond.pair)) tear(bond);
   };
+  SortedCursor<Bond> bonds(world.bonds.list);
   s.formed.clear();
   for (std::size_t c = 0; c < s.contacts.size(); ++c) {
     const ContactRow& row = s.problem.contacts[c];
     const Pair pair = s.contacts[c].pair;
-    pass_to(&pair);
-    const bool listed = bond != world.bonds.list.end() && bond->pair == pair;
-    if (!listed) {
+    Bond* const known = bonds.at(pair, tear_if_active);
+    if (!known) {
       const bool touched = s.state.impulse[c].x() > 0;
       if (world.bonding && touched && world.law(pair).cohesion_force) s.formed.push_back(pair);
       continue;
     }
-    Bond& known = *bond++;
-    if (known.state == BondState::broken) {
+    if (known->state == BondState::broken) {
       if (world.rebonding && s.state.impulse[c].x() > 0 && world.law(pair).cohesion_force) {
-        world.bonds.form_again(known);
+        world.bonds.form_again(*known);
         ++report.bonds_formed;
       }
       continue;
@@ -150,9 +144,9 @@ void Stepper::update_bonds(World& world, const StepSettings& step, StepReport& r
     }
     const bool by_energy = std::ranges::binary_search(s.breaks, pair, {}, &BondBreak::pair);
     if (!by_energy && gap <= world.law(pair).cohesion_range) continue;
-    tear(known);
+    tear(*known);
   }
-  pass_to(nullptr);
+  std::ranges::for_each(bonds.rest(), tear_if_active);
   world.bonds.broken += report.bonds_broken;
   report.bonds_formed += static_cast<std::int64_t>(s.formed.size());
   if (!s.formed.empty()) world.bonds.form(s.formed);

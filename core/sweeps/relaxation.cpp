@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "core/problem/residual.h"
 #include "core/sweeps/relax_contact.h"
@@ -17,13 +18,15 @@ constexpr double kViolatedShare = 0.9;
 // A set of contacts that is emptied while others come in.
 class WorkList {
  public:
-  explicit WorkList(std::size_t size) : words_((size + 63) / 64), size_(size) {}
+  WorkList(std::size_t size, std::vector<std::uint64_t>& words) : words_(words), size_(size) {
+    words_.assign((size + 63) / 64, 0);
+  }
   void add(std::size_t c) { words_[c / 64] |= std::uint64_t{1} << (c % 64); }
   void add_all() {
     for (std::size_t c = 0; c < size_; ++c) add(c);
   }
   // Goes through the contacts in it, roughly in their order, and takes out each before visit(c), which ends
-  // the way by false. Returns whether there was any.
+  // the sweep by false. Returns whether there was any.
   template <class Visit>
   bool sweep(Visit visit) {
     bool any = false;
@@ -38,15 +41,16 @@ class WorkList {
   }
 
  private:
-  std::vector<std::uint64_t> words_;
+  std::vector<std::uint64_t>& words_;
   std::size_t size_;
 };
 
 // The contacts of each mobile body.
 class ContactsOfBody {
  public:
-  explicit ContactsOfBody(const ContactProblem& problem)
-      : start_(problem.inverse_mass.size() + 1, 0) {
+  ContactsOfBody(const ContactProblem& problem, RelaxationScratch& scratch)
+      : start_(scratch.start), list_(scratch.of_body) {
+    start_.assign(problem.inverse_mass.size() + 1, 0);
     const auto visit = [&](auto use) {
       for (std::size_t c = 0; c < problem.contacts.size(); ++c)
         for (const int body : {problem.contacts[c].a, problem.contacts[c].b})
@@ -55,8 +59,8 @@ class ContactsOfBody {
     visit([&](int body, std::size_t) { ++start_[body + 1]; });
     for (std::size_t b = 1; b < start_.size(); ++b) start_[b] += start_[b - 1];
     list_.resize(start_.back());
-    std::vector<std::size_t> end(start_.begin(), start_.end() - 1);
-    visit([&](int body, std::size_t c) { list_[end[body]++] = c; });
+    scratch.end.assign(start_.begin(), start_.end() - 1);
+    visit([&](int body, std::size_t c) { list_[scratch.end[body]++] = c; });
   }
   template <class Visit>
   void visit(int body, Visit visit) const {
@@ -64,13 +68,14 @@ class ContactsOfBody {
   }
 
  private:
-  std::vector<std::size_t> start_, list_;
+  std::vector<std::size_t>& start_;
+  std::vector<std::size_t>& list_;
 };
 
 }  // namespace
 
 SolveReport solve_relaxation(const ContactProblem& problem, const SolverSettings& settings,
-                             ContactState& state) {
+                             ContactState& state, RelaxationScratch& scratch) {
   SolveReport report;
   const auto converged_now = [&] {
     report.residual = residual(problem, state);
@@ -80,8 +85,9 @@ SolveReport solve_relaxation(const ContactProblem& problem, const SolverSettings
   if (converged_now() || settings.max_iterations <= 0) return report;
   report.stage = SolverStage::polish;
   const std::size_t nc = problem.contacts.size();
-  const std::vector<Vec3> inverse = inverse_delassus(problem);
-  const ContactsOfBody contacts(problem);
+  const std::vector<Vec3>& inverse = scratch.inverse_delassus =
+      inverse_delassus(problem, std::move(scratch.inverse_delassus));
+  const ContactsOfBody contacts(problem, scratch);
   const double admissible = kViolatedShare * settings.tolerance * problem.force_scale * problem.dt;
   const auto is_off = [&](std::size_t c) {
     const ContactRow& row = problem.contacts[c];
@@ -93,7 +99,7 @@ SolveReport solve_relaxation(const ContactProblem& problem, const SolverSettings
   };
   const std::size_t most = nc * static_cast<std::size_t>(settings.max_iterations);
   std::size_t seen = 0, solved = 0;
-  WorkList list(nc);
+  WorkList list(nc, scratch.to_be_looked_at);
   with_components(problem, [&]<int Components> {
     do {
       list.add_all();

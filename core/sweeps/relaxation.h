@@ -6,14 +6,31 @@
 // are off by less than the tolerance need not be handed around.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
 #include "core/problem/contact_problem.h"
 #include "core/problem/solver_settings.h"
 
 namespace quicksand {
 
+// The memory of a relaxation, for whoever makes many.
+struct RelaxationScratch {
+  std::vector<Vec3> inverse_delassus;          // (nc)
+  std::vector<std::size_t> start, end;         // (nb + 1), (nb) of a body's contacts in of_body
+  std::vector<std::size_t> of_body;            // contacts, body by body
+  std::vector<std::uint64_t> to_be_looked_at;  // a bit a contact
+};
+
 // Until the residual is below the tolerance, or as many contacts have been looked at as in
 // settings.max_iterations sweeps; counts `iterations` in sweeps.
 SolveReport solve_relaxation(const ContactProblem& problem, const SolverSettings& settings,
-                             ContactState& state);
+                             ContactState& state, RelaxationScratch& scratch);
+inline SolveReport solve_relaxation(const ContactProblem& problem, const SolverSettings& settings,
+                                    ContactState& state) {
+  RelaxationScratch scratch;
+  return solve_relaxation(problem, settings, state, scratch);
+}
 
 }  // namespace quicksand

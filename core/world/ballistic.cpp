@@ -11,8 +11,7 @@ namespace {
 Vec2 drawn_in(const World& world, const Landing& met, double radius, double capture) {
   if (is_wall(met.touched)) return met.centre - capture * world.wall(met.touched).normal;
   Vec2 apart = met.centre - world.disks.position[met.touched];
-  if (world.box.sides == Sides::periodic)
-    apart.x() -= world.box.width * std::nearbyint(apart.x() / world.box.width);
+  apart.x() -= world.box.image_shift(apart.x());
   const double touching = radius + world.disks.radius[met.touched];
   return met.centre - capture / (touching + capture) * apart;
 }
@@ -73,10 +72,9 @@ std::optional<Landing> LandingSite::first_met(double x, double radius, double ca
     offer(wall.point.y() + (radius + capture - along) / wall.normal.y(),
           kWallBase + static_cast<int>(k));
   }
-  const double width = world_.box.sides == Sides::periodic ? world_.box.width : 0;
   const auto offer_disk = [&](int i) {
     double dx = x - world_.disks.position[i].x();
-    if (width > 0) dx -= width * std::nearbyint(dx / width);
+    dx -= world_.box.image_shift(dx);
     const double reach = radius + world_.disks.radius[i] + capture;
     if (std::abs(dx) >= reach) return;
     const double y = world_.disks.position[i].y() + std::sqrt(reach * reach - dx * dx);

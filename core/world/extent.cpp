@@ -5,15 +5,23 @@
 
 namespace quicksand {
 
-double packing_top(const World& world) {
+namespace {
+
+double top_of(const Disks& disks, bool intruders) {
   std::optional<double> top;
-  for (int i = 0; i < world.disks.size(); ++i) {
-    if (world.disks.role[i] != Role::grain) continue;
-    const double of_grain = world.disks.position[i].y() + world.disks.radius[i];
-    top = std::max(top.value_or(of_grain), of_grain);
+  for (int i = 0; i < disks.size(); ++i) {
+    if (disks.role[i] == Role::intruder && !intruders) continue;
+    const double of_disk = disks.position[i].y() + disks.radius[i];
+    top = std::max(top.value_or(of_disk), of_disk);
   }
   return top.value_or(0);
 }
+
+}  // namespace
+
+double packing_top(const World& world) { return top_of(world.disks, false); }
+
+double highest_point(const World& world) { return top_of(world.disks, true); }
 
 double weight_above(const World& world, double height) {
   if (!world.gravity) return 0;

@@ -1,4 +1,4 @@
-// How high the grains lie, and what they weigh.
+// How high the disks lie, and what they weigh.
 #pragma once
 
 #include "core/world/world.h"
@@ -7,6 +7,8 @@ namespace quicksand {
 
 // Top of the grains (intruders left out) [d]; 0 if there are none.
 double packing_top(const World& world);
+// The same with intruders [d].
+double highest_point(const World& world);
 
 // Weight of all grains whose centres are above this height [F_g]; 0 without gravity.
 double weight_above(const World& world, double height);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/base/fnv.h"
 #include "core/world/neighbors.h"
 
 namespace quicksand {
@@ -16,9 +17,7 @@ const ContactLaw& World::law(Pair pair) const {
 
 Vec2 World::separation(int a, int b) const {
   Vec2 s = disks.position[b] - disks.position[a];
-  // Rounding is a call to the library, and few pairs are across the sides.
-  if (box.sides == Sides::periodic && std::abs(s.x()) > box.width / 2)
-    s.x() -= box.width * std::nearbyint(s.x() / box.width);
+  s.x() -= box.image_shift(s.x());
   return s;
 }
 
@@ -71,7 +70,7 @@ namespace {
 class Hash {
  public:
   void add(std::uint64_t word) {
-    value_ = (value_ ^ word) * 0x100000001B3ULL;
+    value_ = fnv1a(value_, word);
     value_ ^= value_ >> 29U;
   }
   void add(double x) {
@@ -95,7 +94,7 @@ class Hash {
   std::uint64_t value() const { return value_; }
 
  private:
-  std::uint64_t value_ = 0xCBF29CE484222325ULL;
+  std::uint64_t value_ = kFnvStart;
 };
 
 }  // namespace

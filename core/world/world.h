@@ -14,7 +14,7 @@
 #include "core/bodies/disks.h"
 #include "core/bodies/drag.h"
 #include "core/bodies/walls.h"
-#include "core/world/intruder_way.h"
+#include "core/world/intruder_trajectory.h"
 
 namespace quicksand {
 
@@ -24,7 +24,8 @@ struct World {
   std::optional<Drag> drag;
   ContactLaw grain_law, wall_law, intruder_law;
   Disks disks;
-  std::vector<Wall> walls;
+  std::vector<Wall>
+      walls;  // the box's floor and two sides, as far as it has them, then the scene's, a piston last
   Bonds bonds;
   bool bonding = false;           // whether first touches form bonds now
   bool rebonding = false;         // ... and so does each touch of a pair whose bond is broken
@@ -34,7 +35,7 @@ struct World {
   std::int64_t step = 0;
   Random random;
   std::optional<Random> sweep_random;  // of the order of sweeps, from the first that draws on
-  IntruderWay way;                     // decides nothing of the future, so it is not in the hash
+  IntruderTrajectory trajectory;       // decides nothing of the future, so it is not in the hash
 
   const ContactLaw& law(Pair pair) const;
   // Centre of b seen from the centre of a, through the nearest periodic image [d] (disks only).

@@ -45,7 +45,7 @@ ColouredGrains by_value(const World& world, const View& view, const std::vector<
 }
 
 ColouredGrains by_initial_bonds(const World& world, const View& view) {
-  const Neighbours count = neighbours(world);
+  const NeighbourCounts count = count_neighbours(world);
   const Colour none = palette(view.theme).no_value;
   ColouredGrains grains;
   grains.scale = {.title = "Initial bonds left",
@@ -84,9 +84,9 @@ ColouredGrains colour_grains(const World& world, const View& view) {
   const Palette& colours = palette(view.theme);
   switch (view.colouring) {
     case Colouring::active_bonds:
-      return by_count(neighbours(world).active, colours.bonds, "Active bonds");
+      return by_count(count_neighbours(world).active, colours.bonds, "Active bonds");
     case Colouring::coordination:
-      return by_count(neighbours(world).touching, colours.counts, "Contacts");
+      return by_count(count_neighbours(world).touching, colours.counts, "Contacts");
     case Colouring::initial_bonds:
       return by_initial_bonds(world, view);
     case Colouring::speed:

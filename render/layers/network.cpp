@@ -41,11 +41,6 @@ void at_each_image(const World& world, const Panel& panel, const Link& link, Dra
                 });
 }
 
-// Normal component of the resultant, positive if it pushes apart [F_g].
-double normal_force(const Contact& contact, double dt) {
-  return contact.impulse.x() / dt - contact.cohesion;
-}
-
 }  // namespace
 
 double bond_width(double pixels_per_diameter) {
@@ -61,7 +56,7 @@ double force_scale(const World& world, const View& view) {
   std::vector<double> forces;
   if (world.impulse_dt > 0) {
     for (const Contact& contact : world.contacts) {
-      const double force = std::abs(normal_force(contact, world.impulse_dt));
+      const double force = std::abs(contact.normal_force(world.impulse_dt));
       if (force > 0 && std::isfinite(force)) forces.push_back(force);
     }
   }
@@ -90,7 +85,7 @@ void draw_forces(DrawList& list, const World& world, const View& view, const Pan
   // Tension above compression: it is rarer.
   for (const bool tensile : {false, true}) {
     for (const Contact& contact : world.contacts) {
-      const double force = normal_force(contact, world.impulse_dt);
+      const double force = contact.normal_force(world.impulse_dt);
       const double width =
           std::min(std::abs(force) * pixels_per_force, kWidestForce * panel.camera.scale());
       if ((force < 0) != tensile || !(width >= kThinnestForce)) continue;

@@ -28,7 +28,10 @@ found=$(prefix/bin/quicksand list scenes | head -1)
 echo "  $found"
 [ "$(realpath "$found")" = "$(realpath prefix/share/quicksand/assets/scenes/cantilever.json)" ]
 prefix/bin/quicksand check prefix/share/quicksand/assets/scenes/chain.json >/dev/null
-test -s prefix/share/man/man1/quicksand.1
+if grep -q '^help2man:FILEPATH=/' "$build/CMakeCache.txt"; then
+  grep -qF 'Exit status' prefix/share/man/man1/quicksand.1
+  grep -qF 'checkpoint\-every' prefix/share/man/man1/quicksand-run.1
+fi
 test -s prefix/share/bash-completion/completions/quicksand
 
 echo "a program links the installed library"

@@ -20,10 +20,10 @@ program=$(echo quicksand_*.deb)
 development=$(echo quicksand-dev_*.deb)
 dpkg-deb -c "$program" >contents
 for file in bin/quicksand share/quicksand/assets/scenes/collapse.json \
-            share/quicksand/assets/schemas/scene.schema.json share/man/man1/quicksand.1 \
-            share/bash-completion/completions/quicksand; do
+            share/quicksand/assets/schemas/scene.schema.json share/bash-completion/completions/quicksand; do
   expect " ./usr/$file" contents
 done
+! grep -q '^help2man:FILEPATH=/' "$build/CMakeCache.txt" || expect share/man/man1/quicksand-run.1 contents
 dpkg-deb -c "$development" >contents
 for file in include/quicksand/core/world/world.h lib/libquicksand_core.a \
             lib/cmake/quicksand/quicksand-config.cmake; do

@@ -56,7 +56,7 @@ TEST_P(Column, HasTheSameForcesWhenTheTimeStepChanges) {
   }
 }
 
-// Inherited impulses scale with the step, so a column at rest starts from its solution.
+// The impulses of the warm start scale with the step, so a column at rest starts from its solution.
 TEST_P(Column, NeedsNoIterationAtRestEvenWhenTheTimeStepChanges) {
   Simulation run(column(GetParam(), 10));
   run.advance(3);

@@ -199,7 +199,7 @@ int bench_command(Request& request) {
 
 Command add_bench(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
-      "bench", "measure speed against error, hard cases and costs, with a report");
+      "bench", "Measure speed against error, hard cases and costs, with a report.");
   const auto request = std::make_shared<Request>();
   std::string names;
   for (const Part& part : parts()) names += (names.empty() ? "" : ", ") + std::string(part.name);
@@ -210,7 +210,20 @@ Command add_bench(CLI::App& program) {
       ->type_name("PART");
   command->add_option("--out", request->options.out, "folder of results and states [out/bench]")
       ->type_name("DIR");
+  command->add_flag("--list", request->list, "list the parts");
+  command->add_flag("--quiet", request->quiet, "no progress");
+  command->option_defaults()->group("Measurements");
   command->add_flag("--quick", request->options.quick, "small systems, under three minutes");
+  command
+      ->add_option("--repeats", request->options.repeats,
+                   "of each measurement, 1 to 1000 [each case's own]")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000).description(""));
+  command->add_option("--method", request->options.method, "contact solver of the goals [auto]")
+      ->type_name("NAME");
+  command->add_flag("--fresh", request->options.fresh, "prepare the stored states anew");
+  command->add_flag("--peers", request->with_peers, "other programs too, where installed");
+  command->option_defaults()->group("Comparison");
   command
       ->add_option("--against", request->against,
                    "results.json of an earlier run: show how the times have changed")
@@ -218,21 +231,11 @@ Command add_bench(CLI::App& program) {
   command
       ->add_option("--compare", request->compare,
                    "measure nothing, show the second results.json over the first")
-      ->type_name("FILE FILE")
+      ->type_name("FILE")
       ->expected(2);
-  command
-      ->add_option("--repeats", request->options.repeats, "of each measurement [each case's own]")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1000));
-  command->add_option("--method", request->options.method, "contact solver of the goals [auto]")
-      ->type_name("NAME");
-  command->add_flag("--fresh", request->options.fresh, "prepare the stored states anew");
-  command->add_flag("--peers", request->with_peers, "other programs too, where installed");
-  command->add_flag("--list", request->list, "list the parts");
-  command->add_flag("--quiet", request->quiet, "no progress");
   command->footer(
       "DIR receives results.csv, results.json, report.html, report.md and plots/.\n\n"
-      "Example:\n  quicksand bench --quick --out out/bench\n"
+      "Examples:\n  quicksand bench --quick --out out/bench\n"
       "  quicksand bench precision --quick --against out/bench/results.json --out out/now");
   return {command, [request] { return bench_command(*request); }};
 }

@@ -209,7 +209,7 @@ int run(const CampaignArguments& options) {
 
 Command add_campaign(CLI::App& program) {
   CLI::App* command =
-      program.add_subcommand("campaign", "run a scene many times, with parameters and seeds");
+      program.add_subcommand("campaign", "Run a scene many times, with parameters and seeds.");
   const auto options = std::make_shared<CampaignArguments>();
   command->add_option("file", options->file, "campaign file")
       ->type_name("CAMPAIGN.json")
@@ -217,19 +217,21 @@ Command add_campaign(CLI::App& program) {
   command->add_option("--out", options->out, "folder of the results [out/<campaign name>]")
       ->type_name("DIR");
   add_threads_option(*command, options->threads, kThreadsOfRuns);
+  command->add_flag("--quiet", options->quiet, "print nothing but where the results are");
+  command->option_defaults()->group("Cluster");
   command->add_option("--engine", options->engine, "local, or slurm: an array job [local]")
       ->type_name("ENGINE");
   command->add_flag("--wait", options->wait, "with slurm: return when all runs have ended");
+  CLI::Option* task =
+      command->add_option("--task", options->task, "compute this chunk of the runs only")
+          ->type_name("N");
+  command->option_defaults()->group("Instead of computing");
   CLI::Option* dry_run =
       command->add_flag("--dry-run", options->dry_run, "check all scenes and list the runs");
   CLI::Option* status =
       command->add_flag("--status", options->status, "say what is done and merge results.csv");
-  command->add_option("--task", options->task, "compute this chunk of the runs only")
-      ->type_name("N")
-      ->excludes(dry_run)
-      ->excludes(status);
+  task->excludes(dry_run)->excludes(status);
   dry_run->excludes(status);
-  command->add_flag("--quiet", options->quiet, "print nothing but where the results are");
   command->footer(
       "DIR receives a folder a run in runs/, results.csv (a row a run) and campaign.json. The "
       "same\n"
@@ -237,8 +239,9 @@ Command add_campaign(CLI::App& program) {
       "more\n"
       "values of the grid's first parameter it computes what is new. Ctrl-C ends all runs after "
       "their present step.\n\n"
-      "Example:\n"
-      "  quicksand campaign assets/campaigns/packing.json --threads 2");
+      "Examples:\n"
+      "  quicksand campaign assets/campaigns/packing.json --threads 2\n"
+      "  quicksand campaign assets/campaigns/packing.json --engine slurm --wait");
   return {command, [options] { return run(*options); }};
 }
 

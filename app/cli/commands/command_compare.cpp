@@ -27,7 +27,7 @@ int compare(const CompareArguments& options) {
 }  // namespace
 
 Command add_compare(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("compare", "tell whether two pictures look the same");
+  CLI::App* command = program.add_subcommand("compare", "Tell whether two pictures look the same.");
   const auto options = std::make_shared<CompareArguments>();
   command->add_option("picture", options->ours, "PNG file")->type_name("A.png")->required();
   command->add_option("reference", options->reference, "PNG file that it should look like")
@@ -35,9 +35,9 @@ Command add_compare(CLI::App& program) {
       ->required();
   command
       ->add_option("--tolerance", options->tolerance,
-                   "largest difference of a channel of a pixel [1/255]")
+                   "largest difference of a channel of a pixel, 0 to 255")
       ->type_name("N")
-      ->check(CLI::Range(0, 255))
+      ->check(CLI::Range(0, 255).description(""))
       ->capture_default_str();
   command
       ->add_option("--difference", options->difference,
@@ -45,7 +45,8 @@ Command add_compare(CLI::App& program) {
       ->type_name("D.png");
   command->footer(
       "Exit code: 0 if they look the same, 1 if not, 2 if one is no picture.\n\n"
-      "Example:\n  quicksand compare out/tour/04_push.png reference/04_push.png");
+      "Examples:\n  quicksand compare out/tour/04_push.png reference/04_push.png\n"
+      "  quicksand compare now.png before.png --tolerance 0 --difference changes.png");
   return {command, [options] { return compare(*options); }};
 }
 

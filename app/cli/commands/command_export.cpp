@@ -42,7 +42,7 @@ std::string words() {
 
 Command add_export(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
-      "export", "write states in formats of ParaView, OVITO, spreadsheets and NumPy");
+      "export", "Write states in formats of ParaView, OVITO, spreadsheets and NumPy.");
   const auto options = std::make_shared<ExportArguments>();
   command->add_option("states", options->states, "checkpoints of runs, in the order of their times")
       ->type_name("STATE.cbor")
@@ -60,8 +60,9 @@ Command add_export(CLI::App& program) {
       "(disks.pvd). `quicksand list columns` says what is in them, and in which units. Without a\n"
       "step before the state, forces are zero. Lines between the centres of contacts go the\n"
       "nearest way, through periodic sides where that is shorter.\n\n"
-      "Example:\n"
-      "  quicksand export out/collapse/state.cbor --format vtk --out out/collapse/vtk");
+      "Examples:\n"
+      "  quicksand export out/collapse/state.cbor --format vtk --out out/collapse/vtk\n"
+      "  quicksand export out/collapse/state.cbor --format xyz --out collapse.xyz");
   return {command, [options] { return export_states(*options); }};
 }
 

@@ -10,7 +10,7 @@
 #include "app/base/nearest_name.h"
 #include "app/campaign/campaign.h"
 #include "app/cli/commands.h"
-#include "app/cli/manual.h"
+#include "app/cli/completion.h"
 #include "app/commands/command_table.h"
 #include "app/export/tables.h"
 #include "app/play/session_reference.h"
@@ -85,8 +85,6 @@ void list_scene_reference(const CLI::App&) { std::fputs(scene_reference().c_str(
 
 void list_session_reference(const CLI::App&) { std::fputs(session_reference().c_str(), stdout); }
 
-void list_man(const CLI::App& program) { std::fputs(man_page(program).c_str(), stdout); }
-
 void list_completion(const CLI::App& program) {
   std::fputs(bash_completion(program).c_str(), stdout);
 }
@@ -107,7 +105,6 @@ constexpr auto kListings = std::to_array<Listing>(
      {"session_schema", "JSON schema of sessions", list_session_schema},
      {"scene_reference", "every key of a scene, as Markdown", list_scene_reference},
      {"session_reference", "every command of sessions, as Markdown", list_session_reference},
-     {"man", "the manual page", list_man},
      {"completion", "completion of options for bash", list_completion}});
 
 std::string listing_names() {
@@ -137,11 +134,11 @@ int list(const std::string& what, const CLI::App& program) {
 Command add_list(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "list",
-      "list what there is to choose from: scenes, colours, quantities, commands, references");
+      "List what there is to choose from: scenes, colours, quantities, commands, references.");
   const auto what = std::make_shared<std::string>();
   command->add_option("what", *what, listing_names() + "; without it: all of them, in a line each")
       ->type_name("WHAT");
-  command->footer("Example:\n  quicksand list\n  quicksand list quantities");
+  command->footer("Examples:\n  quicksand list\n  quicksand list quantities");
   return {command, [what, &program] { return list(*what, program); }};
 }
 

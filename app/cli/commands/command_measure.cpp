@@ -1,11 +1,11 @@
 // quicksand measure: numbers of a checkpoint, over regions, over height and as distributions.
-#include <cmath>
 #include <cstdio>
 #include <memory>
 
 #include "app/base/exit_code.h"
 #include "app/cli/commands.h"
 #include "app/json/json_reader.h"
+#include "app/options/number_range.h"
 #include "app/run_folder/measurements.h"
 #include "core/base/errors.h"
 
@@ -21,23 +21,6 @@ struct MeasureArguments {
   double slice = 5;  // [d]
 };
 
-void require(bool right, const std::string& option, double value, const std::string& range) {
-  if (!right) throw InputError(option + " " + number_text(value), "must be a number " + range);
-}
-
-void check(const MeasureArguments& options) {
-  const MeasureChoices& c = options.choices;
-  constexpr double kFar = 1e6;
-  require(options.slice >= 0.1 && options.slice <= kFar, "--slice", options.slice,
-          "from 0.1 to 1e+06 [d]");
-  require(c.channel_margin >= 0 && c.channel_margin <= kFar, "--channel-margin", c.channel_margin,
-          "from 0 to 1e+06 [d]");
-  require(c.intact_distance >= 0 && c.intact_distance <= kFar, "--intact-distance",
-          c.intact_distance, "from 0 to 1e+06 [diameters of the intruder]");
-  require(std::abs(c.above_begins) <= kFar, "--above-begins", c.above_begins,
-          "from -1e+06 to 1e+06 [radii of the intruder]");
-}
-
 // The regions must not overlap: which of both a grain is in would be our choice.
 void check_regions(const MeasureArguments& options, const World& world) {
   const int intruder = world.intruder();
@@ -51,7 +34,6 @@ void check_regions(const MeasureArguments& options, const World& world) {
 }
 
 int measure_and_report(const MeasureArguments& options) {
-  check(options);
   const StateFile state = read_state(options.state);
   check_regions(options, state.checkpoint.world);
   const Measurements m = measure_state(state, options.choices, options.slice);
@@ -65,36 +47,40 @@ int measure_and_report(const MeasureArguments& options) {
 
 Command add_measure(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
-      "measure", "measure the state of a run: regions, profile, angles, forces");
+      "measure", "Measure the state of a run: regions, profile, angles, forces.");
   const auto options = std::make_shared<MeasureArguments>();
+  constexpr double kFar = 1e6;
   command->add_option("state", options->state, "checkpoint of a run")
       ->type_name("STATE.cbor")
       ->required();
   command->add_option("--out", options->out, "folder that receives measures.json and CSV files")
       ->type_name("DIR");
   command->add_flag("--json", options->json, "print measures.json instead of a table");
+  command->option_defaults()->group("Regions");
   command->add_option("--slice", options->slice, "thickness of the profile's slices [d]")
       ->type_name("LENGTH")
+      ->check(in_range(between(0.1, kFar, "d")))
       ->capture_default_str();
   command
-      ->add_option(
-          "--channel-margin", options->choices.channel_margin,
-          "the channel: centres nearer to the way of the intruder's centre than its radius "
-          "and this [d]")
+      ->add_option("--channel-margin", options->choices.channel_margin,
+                   "the channel: centres nearer to the trajectory of the intruder's centre than "
+                   "its radius and this [d]")
       ->type_name("LENGTH")
+      ->check(in_range(between(0, kFar, "d")))
       ->capture_default_str();
   command
       ->add_option("--intact-distance", options->choices.intact_distance,
-                   "the intact region: centres farther from that way than this [diameters of the "
-                   "intruder]")
+                   "the intact region: centres farther from that trajectory than this [diameters "
+                   "of the intruder]")
       ->type_name("NUMBER")
+      ->check(in_range(between(0, kFar, "diameters of the intruder")))
       ->capture_default_str();
   command
-      ->add_option(
-          "--above-begins", options->choices.above_begins,
-          "where above the intruder begins, over its centre: 1 its top, -1 its lowest point "
-          "[radii of the intruder]")
+      ->add_option("--above-begins", options->choices.above_begins,
+                   "where above the intruder begins, over its centre: 1 its top, -1 its lowest "
+                   "point [radii of the intruder]")
       ->type_name("NUMBER")
+      ->check(in_range(between(-kFar, kFar, "radii of the intruder")))
       ->capture_default_str();
   command->footer(
       "Regions: the whole specimen; the channel that the intruder swept; what is intact because it "
@@ -104,8 +90,9 @@ Command add_measure(CLI::App& program) {
       "a region by the share of its grains in it.\n"
       "DIR receives measures.json, profile.csv, bond_angles.csv, contact_orientations.csv,\n"
       "contact_forces.csv and bond_tensions.csv.\n\n"
-      "Example:\n"
-      "  quicksand measure out/collapse/state.cbor --out out/collapse/measures");
+      "Examples:\n"
+      "  quicksand measure out/collapse/state.cbor\n"
+      "  quicksand measure out/collapse/state.cbor --out out/collapse/measures --slice 2");
   return {command, [options] { return measure_and_report(*options); }};
 }
 

@@ -36,7 +36,7 @@ int render(const RenderArguments& options) {
 }  // namespace
 
 Command add_render(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("render", "draw the state of a run");
+  CLI::App* command = program.add_subcommand("render", "Draw the state of a run.");
   const auto options = std::make_shared<RenderArguments>();
   command->add_option("state", options->state, "checkpoint of a run")
       ->type_name("STATE.cbor")
@@ -46,7 +46,8 @@ Command add_render(CLI::App& program) {
       ->required();
   add_picture_options(*command, options->picture);
   command->footer(
-      "Example:\n  quicksand render out/collapse/state.cbor --out collapse.png --theme dark "
+      "Examples:\n  quicksand render out/collapse/state.cbor --out collapse.png\n"
+      "  quicksand render out/collapse/state.cbor --out collapse.png --theme dark "
       "--bonds");
   return {command, [options] { return render(*options); }};
 }

@@ -44,7 +44,7 @@ int report(const ReportArguments& options) {
 
 Command add_report(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
-      "report", "a page about a finished run, or about several side by side");
+      "report", "Write a page about a finished run, or about several side by side.");
   const auto options = std::make_shared<ReportArguments>();
   command->add_option("runs", options->folders, "folders of runs")->type_name("DIR")->required();
   command
@@ -56,7 +56,8 @@ Command add_report(CLI::App& program) {
       "script,\n"
       "PNG and SVG of each) and pictures/. Plots need gnuplot; without it their data and scripts\n"
       "are written.\n\n"
-      "Example:\n  quicksand report out/collapse out/strong --out out/comparison");
+      "Examples:\n  quicksand report out/collapse\n"
+      "  quicksand report out/collapse out/strong --out out/comparison");
   return {command, [options] { return report(*options); }};
 }
 

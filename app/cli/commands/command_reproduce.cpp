@@ -64,9 +64,9 @@ std::vector<Chosen> chosen(const ReproduceArguments& options) {
     return std::ranges::find(options.figures, name) != options.figures.end();
   };
   if (options.plain && asked(kOfRules))
-    throw InputError(
-        "--plain",
-        "leaves nothing to compare for the figure break_rule, which varies the rule itself");
+    throw InputError("--plain",
+                     "leaves nothing to compare for the figure break_rule, which varies the "
+                     "failure criterion itself");
   if (options.method == kNscd && asked(kOfRules))
     throw InputError("--method nscd",
                      "has one failure criterion; figure break_rule compares those "
@@ -333,7 +333,7 @@ Command add_reproduce(CLI::App& program) {
   command->add_option("figures", options->figures, "all if none is given; one or more of: " + names)
       ->type_name("FIGURE");
   command
-      ->add_option("--realizations", options->realizations, "samples of each kind [10; quick: 2]")
+      ->add_option("--realizations", options->realizations, "specimens of each kind [10; quick: 2]")
       ->type_name("N");
   command->add_option("--width", options->width, "of the box [51 d; quick: 24 d]")->type_name("W");
   command->add_option("--height", options->height, "of the box [199 d; quick: 50 d]")
@@ -385,7 +385,8 @@ Command add_reproduce(CLI::App& program) {
       "DIR receives report.html, report.md, plots/ and a folder for each run; where it holds runs "
       "of\n"
       "other settings, they stay and nothing is computed.\n\n"
-      "Example:\n  quicksand reproduce --quick --out out/quick");
+      "Examples:\n  quicksand reproduce --quick --out out/quick\n"
+      "  quicksand reproduce penetration --method nscd --realizations 3 --out out/nscd");
   return {command, [options] { return reproduce(*options); }};
 }
 

@@ -74,7 +74,7 @@ int resume(const ResumeArguments& asked) {
 
 Command add_resume(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
-      "resume", "go on with a run that was killed, interrupted or out of disk space");
+      "resume", "Go on with a run that was killed, interrupted or out of disk space.");
   const auto options = std::make_shared<ResumeArguments>();
   command->add_option("folder", options->folder, "folder of the run")->type_name("DIR")->required();
   add_threads_option(*command, options->threads, kThreadsOfOneRun);
@@ -83,8 +83,9 @@ Command add_resume(CLI::App& program) {
   command->footer(
       "The results are those of a run that nothing had stopped. Rows and frames after the last\n"
       "checkpoint are computed again; without a usable checkpoint the run starts again.\n\n"
-      "Example:\n"
-      "  quicksand resume out/collapse");
+      "Examples:\n"
+      "  quicksand resume out/collapse\n"
+      "  quicksand resume out/collapse --strict --threads 2");
   return {command, [options] { return resume(*options); }};
 }
 

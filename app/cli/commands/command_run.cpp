@@ -3,12 +3,11 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/run_outcome.h"
-#include "app/json/json_reader.h"
+#include "app/options/number_range.h"
 #include "app/options/picture_options.h"
 #include "app/options/strict_options.h"
 #include "app/options/threads_option.h"
 #include "app/scene/scene_options.h"
-#include "core/base/errors.h"
 #include "core/base/parallel.h"
 #include "core/scene/scenario.h"
 
@@ -28,16 +27,6 @@ struct RunArguments {
 };
 
 int run(RunArguments& options) {
-  if (options.every && !(*options.every > 0 && *options.every <= kLongestSampleTime)) {
-    throw InputError(
-        "--every " + number_text(*options.every),
-        "must be a time above 0, at most " + number_text(kLongestSampleTime) + " sqrt(d/g)");
-  }
-  const double pause = options.run.checkpoint_every;
-  if (!(pause >= 0 && pause <= kLongestCheckpointTime)) {
-    throw InputError("--checkpoint-every " + number_text(pause),
-                     "must be a time from 0 to " + number_text(kLongestCheckpointTime) + " s");
-  }
   options.run.view = view_from(options.picture);
   options.run.every = options.every;
   options.run.frames = !options.no_frames;
@@ -54,38 +43,42 @@ int run(RunArguments& options) {
 
 Command add_run(CLI::App& program) {
   CLI::App* command =
-      program.add_subcommand("run", "run a scene: frames, numbers and a checkpoint");
+      program.add_subcommand("run", "Run a scene and write pictures, numbers and checkpoints.");
   const auto options = std::make_shared<RunArguments>();
-  add_scene_options(*command, options->scene);
   command->add_option("--out", options->run.out, "folder of the results [out/<scene name>]")
       ->type_name("DIR");
   command->add_flag("--overwrite", options->overwrite, "replace the run that the folder holds");
-  command
-      ->add_option("--every", options->every,
-                   "time between samples and frames [sqrt(d/g)], instead of the scene's")
-      ->type_name("TIME");
   command
       ->add_option("--continue", options->continued_from,
                    "go on from the state of an earlier run of this scene, with other step, solver "
                    "or phases; `resume` goes on with the same")
       ->type_name("STATE.cbor");
+  add_threads_option(*command, options->threads, kThreadsOfOneRun);
+  command->add_flag("--quiet", options->run.quiet, "print nothing but where the results are");
+  add_scene_options(*command, options->scene);
+  command->option_defaults()->group("Times of output");
+  command
+      ->add_option("--every", options->every,
+                   "time between samples and frames [sqrt(d/g)], instead of the scene's")
+      ->type_name("TIME")
+      ->check(in_range(above(0, kLongestSampleTime, "sqrt(d/g)")));
   command
       ->add_option("--checkpoint-every", options->run.checkpoint_every,
                    "wall time between checkpoints [s]; there is one at each end of a phase, too")
       ->type_name("SECONDS")
+      ->check(in_range(between(0, kLongestCheckpointTime, "s")))
       ->capture_default_str();
   command->add_flag("--no-frames", options->no_frames, "compute without pictures");
-  add_threads_option(*command, options->threads, kThreadsOfOneRun);
-  command->add_flag("--quiet", options->run.quiet, "print nothing but where the results are");
   add_strict_options(*command, options->strict);
   add_picture_options(*command, options->picture);
   command->footer(
       "DIR receives scene.json, run.json, frames/, film.png (animated, for a browser), film.mp4 "
       "(with\n"
       "ffmpeg), series.csv, summary.json and state.cbor. Ctrl-C ends a run after the present step "
-      "with complete "
-      "results;\n`quicksand resume DIR` goes on, after a kill or a power cut, too.\n\n"
-      "Example:\n"
+      "with\n"
+      "complete results; `quicksand resume DIR` goes on, after a kill or a power cut, too.\n\n"
+      "Examples:\n"
+      "  quicksand run assets/scenes/collapse.json\n"
       "  quicksand run assets/scenes/collapse.json --out out/strong "
       "--set phases[1].force_over_cohesion=3");
   return {command, [options] { return run(*options); }};

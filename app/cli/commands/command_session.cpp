@@ -1,4 +1,5 @@
 // quicksand session: plays a file of commands, or listens to commands on standard input.
+#include <limits>
 #include <memory>
 
 #include "app/cli/commands.h"
@@ -10,7 +11,7 @@ namespace quicksand {
 
 Command add_session(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
-      "session", "play a file of commands, or take commands from standard input");
+      "session", "Play a file of commands, or take commands from standard input.");
   const auto options = std::make_shared<PlayOptions>();
   const auto threads = std::make_shared<std::int64_t>(0);
   command
@@ -18,13 +19,13 @@ Command add_session(CLI::App& program) {
                    "session file; - takes a command a line from standard input")
       ->type_name("FILE.json|-")
       ->required();
-  command->add_option("--out", options->out, "folder that receives every file; out/NAME if absent")
+  command->add_option("--out", options->out, "folder that receives every file [out/<session name>]")
       ->type_name("DIR");
   command->add_flag("--keep-going", options->keep_going,
                     "go on after a command failed, and list all failures at the end");
   command->add_option("--stop-after", options->stop_after, "stop after so many commands")
       ->type_name("N")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(0, std::numeric_limits<int>::max()).description(""));
   add_threads_option(*command, *threads, kThreadsOfOneRun);
   command->add_flag("--quiet", options->quiet, "show no progress");
   command->footer(
@@ -35,7 +36,7 @@ Command add_session(CLI::App& program) {
       "themselves), 2 if the file is malformed, 130 after Ctrl-C (the state is in "
       "interrupted.cbor).\n"
       "`quicksand list commands` tells what there is to say.\n\n"
-      "Example:\n"
+      "Examples:\n"
       "  quicksand session assets/sessions/what_if.json\n"
       "  echo '{\"command\": \"load\", \"scene\": \"chain\"}' | quicksand session -");
   return {command, [options, threads] {

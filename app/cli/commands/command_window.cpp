@@ -9,7 +9,7 @@ namespace quicksand {
 
 Command add_window(CLI::App& program) {
   CLI::App* command =
-      program.add_subcommand("window", "watch and steer a simulation in a window (needs SDL2)");
+      program.add_subcommand("window", "Watch and steer a simulation in a window (needs SDL2).");
   const auto options = std::make_shared<WindowOptions>();
   const auto size = std::make_shared<std::string>("1280x720");
   command
@@ -23,8 +23,7 @@ Command add_window(CLI::App& program) {
                    "write what was done by hand as a session file that replays to the same state")
       ->type_name("FILE.json");
   command
-      ->add_option("--out", options->out,
-                   "folder that receives states and recordings; out/window if absent")
+      ->add_option("--out", options->out, "folder that receives states and recordings [out/window]")
       ->type_name("DIR");
   command->add_option("--scale", options->scale, "size of letters and controls, 0.5 to 4")
       ->type_name("NUMBER")
@@ -32,7 +31,9 @@ Command add_window(CLI::App& program) {
   command->add_option("--size", *size, "of the window in pixels")
       ->type_name("WxH")
       ->capture_default_str();
-  command->footer("Example:\n  quicksand window collapse --record by_hand.json");
+  command->footer(
+      "Examples:\n  quicksand window\n"
+      "  quicksand window collapse --record by_hand.json");
   return {command, [options, size] {
             read_size(*size, options->width, options->height);
             return run_window(*options);

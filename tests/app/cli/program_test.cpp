@@ -5,6 +5,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <sstream>
 #include <thread>
 
 #include "app/json/json_text.h"
@@ -41,14 +42,19 @@ int rows(const std::string& csv) {
   return static_cast<int>(std::count(csv.begin(), csv.end(), '\n')) - 1;
 }
 
-TEST_F(ProgramTest, HelpOfEveryCommandEndsWithAnExample) {
+TEST_F(ProgramTest, HelpOfEveryCommandEndsWithTwoExamples) {
   for (const char* command :
        {"run", "resume", "check", "render", "measure", "export", "campaign", "report", "reproduce",
         "bench", "session", "window", "compare", "list"}) {
     const Outcome help = quicksand({command, "--help"});
     EXPECT_EQ(help.exit_code, 0);
-    EXPECT_NE(help.out.find(std::string("Example:\n  quicksand ") + command), std::string::npos)
-        << help.out;
+    const std::size_t examples = help.out.find("\nExamples:\n  ");
+    ASSERT_NE(examples, std::string::npos) << help.out;
+    std::istringstream own(help.out.substr(examples + 11));
+    int count = 0;
+    for (std::string line; std::getline(own, line); ++count)
+      EXPECT_NE(line.find(std::string("quicksand ") + command), std::string::npos) << line;
+    EXPECT_EQ(count, 2) << help.out;
   }
 }
 

@@ -18,7 +18,7 @@ TEST(PoolProgressTest, TheTimeLeftCountsWhatRunningRunsHaveDone) {
   const std::vector<RunUnderWay> running = {{"sample.piston/00", "piston", 0.43, 0.5, 0.5}};
   // In 300 s one run and a half; two and a half are left.
   EXPECT_EQ(progress.text(running, 300),
-            "1 of 4 runs done, 1 running  about 8 min left  (sample.piston/00: piston 43 %)");
+            "1 of 4 runs done, 1 running  about 8 min 20 s left  (sample.piston/00: piston 43 %)");
 }
 
 TEST(PoolProgressTest, RunsThatWereFoundDoneSayNothingOfTheTimeLeft) {

@@ -10,65 +10,12 @@
 #include "app/commands/command_table.h"
 #include "app/json/json_text.h"
 #include "core/checkpoint/checkpoint.h"
-#include "tests/support/files.h"
-#include "tests/support/program_fixture.h"
+#include "tests/app/play/session_fixture.h"
 
 namespace quicksand::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Two bonded grains, the upper one held.
-const char* const kHanging = R"({
-  "gravity": {}, "box": {"width": 0, "height": 6, "sides": "open"},
-  "contact": {"friction": 0.3, "rolling_friction": 0.1, "cohesion_force": 10},
-  "bodies": [{"position": [0, 5], "fixed": true}, {"position": [0, 4]}],
-  "initial_bonds": "touching", "step": {"dt": 1e-3},
-  "phases": [{"type": "settle", "max_time": 10, "until_rest": false}]})";
-
-class SessionTest : public ProgramFixture {
- protected:
-  // Plays these commands, each as text, one a line from line 2 on.
-  Outcome play(const std::vector<std::string>& commands,
-               std::vector<std::string> options = {}) const {
-    std::string text = "{\"commands\": [\n";
-    for (std::size_t i = 0; i < commands.size(); ++i) {
-      text += commands[i] + (i + 1 < commands.size() ? ",\n" : "\n");
-    }
-    folder_.write("session.json", text + "]}");
-    options.insert(options.begin(), {"session", "session.json", "--out", "out"});
-    return quicksand(options);
-  }
-
-  std::vector<Json> transcript() const {
-    std::ifstream file(at("out/transcript.jsonl"));
-    std::vector<Json> lines;
-    for (std::string line; std::getline(file, line);) lines.push_back(Json::parse(line));
-    return lines;
-  }
-
-  static std::string load() {
-    return R"({"command": "load", "scene": )" + Json::parse(kHanging).dump() + "}";
-  }
-};
-
-// A single bond needs one sweep, so that NSCD leaves the hanging grain where the exact method does.
-TEST_F(SessionTest, TheMethodOfTheStepChangesInARunAndIsReplayed) {
-  const std::vector<std::string> commands{
-      load(),
-      R"({"command": "run", "steps": 10})",
-      R"({"command": "set", "path": "method", "value": "nscd"})",
-      R"({"command": "set", "path": "nscd.sweeps", "value": 5})",
-      R"({"command": "run", "steps": 10})",
-      R"({"command": "expect", "quantity": "bonds_broken", "at_most": 0})",
-      R"({"command": "set", "path": "method", "value": "exact"})",
-      R"({"command": "run", "steps": 10})"};
-  ASSERT_EQ(play(commands).exit_code, 0);
-  const std::vector<Json> first = transcript();
-  EXPECT_EQ(first[2]["result"]["holds"], "now");
-  ASSERT_EQ(play(commands).exit_code, 0);
-  EXPECT_EQ(transcript().back()["hash"], first.back()["hash"]);
-}
 
 TEST_F(SessionTest, ComputesMeasuresAndWritesATranscript) {
   const Outcome played =
@@ -85,6 +32,26 @@ TEST_F(SessionTest, ComputesMeasuresAndWritesATranscript) {
   EXPECT_EQ(lines[1]["line"], 3);
   EXPECT_EQ(lines[4]["result"]["ended_by"], "condition");
   EXPECT_EQ(lines[5]["hash"], lines[4]["hash"]);
+}
+
+// The fixed grain at (0, 5) is outside of the lens, the hanging one at (0, 4) inside.
+TEST_F(SessionTest, AForceOnARegionActsOnTheGrainsThatItHolds) {
+  ASSERT_EQ(play({load(),
+                  R"({"command": "apply", "inside": {"center": [0, 4.1], "half_axes": [2, 0.5]},
+                      "force": [0, -9.1]})",
+                  R"({"command": "run", "until": {"quantity": "bonds_broken", "at_least": 1}})"})
+                .exit_code,
+            0);
+  EXPECT_EQ(transcript()[1]["result"]["bodies"], 1);
+  const std::string empty =
+      R"({"command": "apply", "inside": {"center": [9, 9], "half_axes": [1, 1]}, "force": [0, 1]})";
+  const Outcome refused = play({load(), empty});
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_NE(refused.err.find("no grain has its centre there"), std::string::npos) << refused.err;
+  const Outcome both = play({load(), R"({"command": "apply", "body": 1, "force": [0, 1],
+      "inside": {"center": [0, 4], "half_axes": [1, 1]}})"});
+  EXPECT_EQ(both.exit_code, 2);
+  EXPECT_NE(both.err.find("give only one"), std::string::npos) << both.err;
 }
 
 TEST_F(SessionTest, TheSameCommandsGiveTheSameWorld) {
@@ -111,54 +78,6 @@ TEST_F(SessionTest, ARestoredStateGoesOnAsIfNothingHadHappened) {
   const std::vector<Json> lines = transcript();
   EXPECT_EQ(lines[7]["hash"], lines[3]["hash"]);
   EXPECT_NE(lines[5]["hash"], lines[3]["hash"]);
-}
-
-TEST_F(SessionTest, AChangedLawHoldsAtOnceAndAChangedBoxAfterAReset) {
-  const Outcome played =
-      play({load(), R"({"command": "run", "steps": 10})",
-            R"({"command": "set", "path": "contact.cohesion_force", "value": 0.5})",
-            R"({"command": "run", "time": 0.5})",
-            R"({"command": "expect", "quantity": "bonds_broken", "at_least": 1})",
-            R"({"command": "set", "path": "box.height", "value": 9})", R"({"command": "reset"})",
-            R"({"command": "run", "steps": 1})"});
-  ASSERT_EQ(played.exit_code, 0) << played.err;
-  const std::vector<Json> lines = transcript();
-  EXPECT_EQ(lines[2]["result"]["holds"], "now");
-  EXPECT_EQ(lines[5]["result"]["holds"], "from the next reset on");
-  EXPECT_EQ(lines[7]["step"], 1);
-}
-
-// The piston of a phase under way has its mass; its force may change.
-TEST_F(SessionTest, WhatAPhaseHasSetUpChangesWithAReset) {
-  Json scene = Json::parse(kHanging);
-  scene["box"] = {{"width", 5}, {"height", 6}, {"sides", "periodic"}};
-  scene["phases"] = {{{"type", "piston"}, {"mass", 3}, {"force", 1}}};
-  const Outcome played = play({R"({"command": "load", "scene": )" + scene.dump() + "}",
-                               R"({"command": "set", "path": "phases[0].mass", "value": 4})",
-                               R"({"command": "run", "steps": 2})",
-                               R"({"command": "set", "path": "phases[0].mass", "value": 5})",
-                               R"({"command": "set", "path": "phases[0].force", "value": 2})"});
-  ASSERT_EQ(played.exit_code, 0) << played.err;
-  const std::vector<Json> lines = transcript();
-  EXPECT_EQ(lines[1]["result"]["holds"], "now") << "it has not begun";
-  EXPECT_EQ(lines[3]["result"]["holds"], "from the next reset on");
-  EXPECT_EQ(lines[4]["result"]["holds"], "now");
-}
-
-TEST_F(SessionTest, APhaseBegunByHandComesBeforeThoseOfTheScene) {
-  const Outcome played = play(
-      {R"({"command": "load", "scene": "collapse", "set": {"phases[0].height": 3, "box.width": 10}})",
-       R"({"command": "run", "phase_end": true})",
-       R"({"command": "piston", "mass": 10, "force": 100, "ramp_time": 0, "max_time": 0.1})",
-       R"({"command": "run", "phase_end": true})",
-       R"({"command": "push", "force": 1, "max_time": 0.02})",
-       R"({"command": "run", "phase_end": true})"});
-  ASSERT_EQ(played.exit_code, 0) << played.err;
-  const std::vector<Json> lines = transcript();
-  EXPECT_EQ(lines[1]["result"]["phase"], "push");
-  EXPECT_EQ(lines[2]["result"]["phase"], 1);
-  EXPECT_EQ(lines[3]["result"]["phase"], "push");
-  EXPECT_EQ(lines[5]["result"]["phase"], "push");  // the scene's own, not begun before
 }
 
 TEST_F(SessionTest, TheFirstFailureStopsItAndSaysHowToComeBack) {
@@ -302,37 +221,6 @@ TEST_F(SessionTest, CompareSaysWhetherPicturesLookTheSame) {
   EXPECT_TRUE(fs::exists(at("d.png")));
   EXPECT_EQ(quicksand({"compare", "out/a.png", "session.json"}).exit_code, 2);
   EXPECT_EQ(quicksand({"compare", "out/a.png", "none.png"}).exit_code, 2);
-}
-
-TEST_F(SessionTest, WhatSaysTheSameInOtherTermsIsReplaced) {
-  const Outcome played = play(
-      {R"({"command": "load", "scene": "collapse"})",
-       R"({"command": "set", "path": "phases[1].force_over_cohesion", "value": 3})",
-       R"({"command": "set", "path": "gravity.magnitude", "value": 2})",
-       R"({"command": "set", "path": "gravity.tilt", "value": 10})",
-       R"({"command": "set", "path": "gravity.tilt", "value": 20})", R"({"command": "save"})"});
-  ASSERT_EQ(played.exit_code, 0) << played.err;
-  const Json scene = parse_json(read_checkpoint(at("out/state.cbor")).scene);
-  EXPECT_EQ(scene["phases"][1]["force"], 3e4);
-  EXPECT_EQ(scene["gravity"]["tilt"], 20);
-  EXPECT_EQ(scene["gravity"]["magnitude"], 2);
-}
-
-// The phases that are still to come would make place for it, but it begins now.
-TEST_F(SessionTest, AWordHasNoBounds) {
-  const Outcome played =
-      play({load(), R"({"command": "run", "until": {"quantity": "phase", "at_least": 1}})"});
-  EXPECT_EQ(played.exit_code, 2);
-  EXPECT_NE(played.err.find("is a word and has no bounds"), std::string::npos) << played.err;
-}
-
-TEST_F(SessionTest, APistonNeedsSomethingToPressWhereItBegins) {
-  const Outcome played =
-      play({R"({"command": "load", "scene": "collapse"})",
-            R"({"command": "piston", "mass": 10, "force": 0, "ramp_time": 0, "max_time": 1})"});
-  EXPECT_EQ(played.exit_code, 1);
-  EXPECT_NE(played.err.find("nothing that the piston could press"), std::string::npos)
-      << played.err;
 }
 
 TEST_F(SessionTest, CutShortItLeavesWhatItsUserSaved) {

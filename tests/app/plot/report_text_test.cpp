@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "app/base/base64.h"
+#include "app/base/status_line.h"
 #include "app/plot/typeset_number.h"
 #include "app/report/provenance.h"
 
@@ -48,7 +50,7 @@ TEST(ReportText, FileNamesAreSafe) {
   EXPECT_EQ(file_name_text("\xff/"), "unnamed");
 }
 
-TEST(ReportText, Base64IsThatOfTheStandard) {
+TEST(Base64, IsThatOfTheStandard) {
   EXPECT_EQ(base64(""), "");
   EXPECT_EQ(base64("f"), "Zg==");
   EXPECT_EQ(base64("fo"), "Zm8=");
@@ -82,9 +84,10 @@ TEST(TypesetNumber, IsShortWithoutAnError) {
 TEST(TypesetNumber, UnitsAreInBracketsAndDurationsInWords) {
   EXPECT_EQ(typeset_unit("1"), "");
   EXPECT_EQ(typeset_unit("sqrt(d/g)"), "[√(d/g)]");
-  EXPECT_EQ(typeset_duration(12.34), "12.3 s");
-  EXPECT_EQ(typeset_duration(200), "3 min 20 s");
-  EXPECT_EQ(typeset_duration(7500), "2 h 5 min");
+  EXPECT_EQ(duration_text(0.312), "0.31 s");
+  EXPECT_EQ(duration_text(12.34), "12 s");
+  EXPECT_EQ(duration_text(200), "3 min 20 s");
+  EXPECT_EQ(duration_text(7500), "2 h 5 min");
 }
 
 TEST(Provenance, CommandsCanBePastedIntoAShell) {

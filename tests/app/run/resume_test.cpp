@@ -210,7 +210,7 @@ TEST_F(ResumeTest, AFullDiskStopsARunThatGoesOnWhenThereIsSpace) {
   umount(at("broken").c_str());
 }
 
-TEST_F(ResumeTest, StrictRunsThatCannotBeBelievedExitWithOne) {
+TEST_F(ResumeTest, StrictRunsThatFailValidationExitWithOne) {
   const std::vector<std::string> careless{"run",
                                           "small.json",
                                           "--no-frames",
@@ -228,12 +228,12 @@ TEST_F(ResumeTest, StrictRunsThatCannotBeBelievedExitWithOne) {
   const Outcome run = quicksand(strict);
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_NE(run.err.find("steps did not converge"), std::string::npos) << run.err;
-  // It has finished all the same, and is judged again.
+  // It has finished all the same, and is validated again.
   EXPECT_EQ(parse_json(contents(at("out/small/summary.json")))["finished"], true);
   EXPECT_EQ(quicksand({"resume", "out/small"}).exit_code, 1);
 }
 
-TEST_F(ResumeTest, StrictRunsAreBelievedWithinTheirBoundOnly) {
+TEST_F(ResumeTest, StrictRunsPassValidationWithinTheirBoundOnly) {
   const Outcome fine = quicksand({"run", "small.json", "--no-frames", "--strict"});
   EXPECT_EQ(fine.exit_code, 0) << fine.err;
   const Outcome resumed = quicksand({"resume", "out/small", "--strict", "--max-overlap", "0"});
@@ -242,7 +242,7 @@ TEST_F(ResumeTest, StrictRunsAreBelievedWithinTheirBoundOnly) {
   EXPECT_EQ(quicksand({"resume", "out/small", "--max-overlap", "0"}).exit_code, 2);
 }
 
-TEST(Distrust, OfEnergyThatStepsGained) {
+TEST(Validation, FailsOnEnergyThatStepsGained) {
   ProtocolState state{.external_work = -200, .energy_dissipated = 800, .energy_gained = 49};
   EXPECT_EQ(validation_failures(state, 0, {}), "");
   state.energy_gained = 51;

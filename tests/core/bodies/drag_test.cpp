@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "core/measures/measures.h"
 #include "core/scene/scenario.h"
 #include "tests/support/core/methods.h"
 #include "tests/support/core/scenes.h"

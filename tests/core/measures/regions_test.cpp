@@ -8,7 +8,7 @@
 #include "core/phases/protocol.h"
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
-#include "core/world/intruder_way.h"
+#include "core/world/intruder_trajectory.h"
 #include "tests/support/core/methods.h"
 #include "tests/support/core/scenes.h"
 #include "tests/support/core/tolerance.h"
@@ -87,7 +87,7 @@ World pierced_row() {
   World world = bonded_row();
   const int intruder =
       world.disks.add({.position = {4.5, -8}, .radius = 1, .role = Role::intruder});
-  for (double y = 8; y > -8; y -= 0.3) world.way.places.push_back({4.5, y});
+  for (double y = 8; y > -8; y -= 0.3) world.trajectory.places.push_back({4.5, y});
   world.disks.position[4].y() = -2;  // torn out, with both its bonds
   world.bonds.find({3, 4})->state = BondState::broken;
   world.bonds.find({4, 5})->state = BondState::broken;

@@ -13,7 +13,7 @@
 namespace quicksand {
 namespace {
 
-TEST(Locality, ASagOfAHangingChainIsTakenBackWithoutAFactorisation) {
+TEST(LocalSolver, ASagOfAHangingChainIsTakenBackWithoutAFactorisation) {
   Simulation run(hanging_chain(Method::automatic, 300, 1e4));
   run.solver.tolerance = 1e-6;
   run.advance(4);  // the first step is far from any memory
@@ -28,8 +28,8 @@ TEST(Locality, ASagOfAHangingChainIsTakenBackWithoutAFactorisation) {
 }
 
 // Its places are not exact numbers. If the gaps that rounding opens were closed, every third step would
-// take the inherited impulses, one would move and one would stop.
-TEST(Locality, AtRestEveryStepTakesTheInheritedImpulses) {
+// take the impulses of the warm start, one would move and one would stop.
+TEST(LocalSolver, AtRestEveryStepTakesTheWarmStart) {
   Simulation run(rotated(hanging_chain(Method::automatic, 300, 1e4), 0.3));
   run.solver.tolerance = 1e-6;
   run.advance(20);
@@ -40,7 +40,7 @@ TEST(Locality, AtRestEveryStepTakesTheInheritedImpulses) {
 }
 
 // The same steps of a collapsing packing solved over clusters and in full.
-TEST(Locality, GivesTheVelocitiesOfTheFullSolution) {
+TEST(LocalSolver, GivesTheVelocitiesOfTheFullSolution) {
   Simulation run(falling_cluster(Method::automatic, 120, 3, paper_law(300)));
   run.world.bonding = true;
   run.solver.tolerance = 1e-9;
@@ -66,23 +66,23 @@ TEST(Locality, GivesTheVelocitiesOfTheFullSolution) {
 }
 
 // What a much harder problem of the same step needed is not tried from the easy end again.
-TEST(Locality, IsNotTriedWhereTheCallerKnowsBetter) {
+TEST(LocalSolver, IsNotTriedWhereTheCallerKnowsBetter) {
   Simulation run(hanging_chain(Method::automatic, 300, 1e4));
   run.advance(4);
   run.world.disks.velocity[300].y() = -1e-4;
   const ContactProblem problem = next_problem(run.world, run.step);
-  ContactState inherited;
-  for (const Contact& contact : run.world.contacts) inherited.impulse.push_back(contact.impulse);
-  ContactState state = inherited;
+  ContactState start;
+  for (const Contact& contact : run.world.contacts) start.impulse.push_back(contact.impulse);
+  ContactState state = start;
   EXPECT_EQ(ContactSolver().solve(problem, run.solver, state).stage, SolverStage::local);
-  state = inherited;
+  state = start;
   const SolveReport told =
       ContactSolver().solve(problem, run.solver, state, SolverStage::interior_point);
   EXPECT_TRUE(told.converged);
   EXPECT_EQ(told.stage, SolverStage::interior_point);
 }
 
-TEST(Locality, LeavesWhatItCannotSolveAsItWas) {
+TEST(LocalSolver, LeavesWhatItCannotSolveAsItWas) {
   // Without rolling friction nothing is rigid.
   Scenario scene = hanging_chain(Method::automatic, 20, 1e4);
   scene.grain_law.rolling_friction.reset();

@@ -21,7 +21,7 @@ struct Clustered {
       impulse.push_back(Vec3{between(0, 1), between(-1, 1), between(-1, 1)});
     }
     clusters.join(problem, frozen);
-    clusters.weigh(problem, impulse);
+    clusters.find_mass_properties(problem, impulse);
     for (int k = 0; k < clusters.size(); ++k)
       of_cluster.push_back(clusters.inverse_mass(k).isZero(0)
                                ? clusters.free_velocity(k)

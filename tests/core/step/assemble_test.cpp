@@ -131,7 +131,7 @@ TEST(ContactProblem, BodiesThatCannotMoveHaveNoContact) {
   EXPECT_EQ(b.contacts[0].pair, (Pair{0, 1}));
 }
 
-TEST(ContactProblem, ImpulsesAreInheritedByPairAndScaleWithTheStep) {
+TEST(ContactProblem, WarmStartsAreByPairAndScaleWithTheStep) {
   World world = make_world(pile());
   world.impulse_dt = 1e-2;
   world.contacts = {{.pair = {0, 1}, .impulse = {0.5, 0.2, 0.1}, .cohesion = 7}};
@@ -142,7 +142,7 @@ TEST(ContactProblem, ImpulsesAreInheritedByPairAndScaleWithTheStep) {
 }
 
 // Friction that is not modelled any more must not act on.
-TEST(ContactProblem, InheritsOnlyWhatTheLawHas) {
+TEST(ContactProblem, WarmStartsHaveOnlyWhatTheLawHas) {
   World world = make_world(pile());
   world.impulse_dt = 1e-2;
   world.contacts = {{.pair = {0, 1}, .impulse = {0.5, 0.2, 0.1}, .cohesion = 7}};

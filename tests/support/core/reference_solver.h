@@ -1,4 +1,4 @@
-// Solves a tiny contact problem by trying every combination of contact modes: the judge of the
+// Solves a tiny contact problem by trying every combination of contact statuses: the reference of the
 // solvers that shares no idea with them.
 #pragma once
 

@@ -45,6 +45,13 @@ Vec2 contact_force_on(const World& world, int body) {
   return sum;
 }
 
+Vec2 momentum(const World& world) {
+  Vec2 sum(0, 0);
+  for (int i = 0; i < world.disks.size(); ++i)
+    if (!world.disks.fixed(i)) sum += world.disks.mass[i] * world.disks.velocity[i].head<2>();
+  return sum;
+}
+
 double mechanical_energy(const World& world) {
   const Energies e = energies(world);
   double stretched = 0;

@@ -37,6 +37,8 @@ Progress finish_phase(Protocol& protocol);
 Vec2 contact_force_on(const World& world, int body);
 // Force of the last step in the contact of a pair, on its second body; zero if there is none [F_g].
 Vec2 contact_force(const World& world, Pair pair);
+// Total momentum (p_x, p_y) of the disks that are not fixed [m sqrt(g d)].
+Vec2 momentum(const World& world);
 // Body number of the k-th wall.
 constexpr int wall_body(int k) { return kWallBase + k; }
 // Energy that may do work: kinetic, rotational, potential, and that of stretched bonds.

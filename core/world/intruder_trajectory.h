@@ -10,7 +10,7 @@ namespace quicksand {
 
 struct World;
 
-struct IntruderWay {
+struct IntruderTrajectory {
   std::vector<Vec2> places;  // of its centre, the first where it was placed, not wrapped [d]
   double surface = 0;        // top of the packing when it was placed [d]
 };
@@ -18,14 +18,14 @@ struct IntruderWay {
 // Adds the place where the intruder is, if it has moved by more than a quarter of its radius since the
 // last one, and the packing's top with the first. Does nothing where there is no intruder. To be
 // called before each step: then the first place is the one where it was put.
-void record_way(World& world);
+void record_trajectory(World& world);
 
-// The way up to the present place, which is its last. An intruder that nobody recorded was placed where
+// The trajectory up to the present place, which is its last. An intruder that nobody recorded was placed where
 // it is. No places where there is no intruder.
-IntruderWay way_so_far(const World& world);
+IntruderTrajectory trajectory_so_far(const World& world);
 
-// Distance of each disk's centre from the way, through the nearest periodic image (nd) [d]; where it is
-// not below `at_most`, or there is no way, `at_most`.
-std::vector<double> distances_from_way(const World& world, double at_most);
+// Distance of each disk's centre from the trajectory, through the nearest periodic image (nd) [d]; where it is
+// not below `at_most`, or there is no trajectory, `at_most`.
+std::vector<double> distances_from_trajectory(const World& world, double at_most);
 
 }  // namespace quicksand

@@ -1,4 +1,4 @@
-#include "core/world/intruder_way.h"
+#include "core/world/intruder_trajectory.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -20,7 +20,7 @@ double distance_from_segment(const Vec2& p, const Vec2& from, const Vec2& to) {
   return (p - from - share * along).norm();
 }
 
-// A part of the way with the box around it, so that most grains need not look at its segments.
+// A part of the trajectory with the box around it, so that most grains need not look at its segments.
 struct Stretch {
   std::span<const Vec2> places;
   Eigen::AlignedBox2d around;
@@ -47,35 +47,35 @@ double nearer(const Stretch& stretch, const Vec2& p, double nearest) {
 
 }  // namespace
 
-void record_way(World& world) {
+void record_trajectory(World& world) {
   const int intruder = world.intruder();
   if (intruder < 0) return;
-  IntruderWay& way = world.way;
+  IntruderTrajectory& trajectory = world.trajectory;
   const Vec2& place = world.disks.position[intruder];
-  if (way.places.empty()) {
-    way.surface = packing_top(world);
+  if (trajectory.places.empty()) {
+    trajectory.surface = packing_top(world);
   } else {
     const double least = world.disks.radius[intruder] / 4;
-    if ((place - way.places.back()).squaredNorm() <= least * least) return;
+    if ((place - trajectory.places.back()).squaredNorm() <= least * least) return;
   }
-  way.places.push_back(place);
+  trajectory.places.push_back(place);
 }
 
-IntruderWay way_so_far(const World& world) {
+IntruderTrajectory trajectory_so_far(const World& world) {
   const int intruder = world.intruder();
   if (intruder < 0) return {};
-  IntruderWay way = world.way;
-  if (way.places.empty()) way.surface = packing_top(world);
-  way.places.push_back(world.disks.position[intruder]);
-  return way;
+  IntruderTrajectory trajectory = world.trajectory;
+  if (trajectory.places.empty()) trajectory.surface = packing_top(world);
+  trajectory.places.push_back(world.disks.position[intruder]);
+  return trajectory;
 }
 
-std::vector<double> distances_from_way(const World& world, double at_most) {
+std::vector<double> distances_from_trajectory(const World& world, double at_most) {
   std::vector<double> distances(static_cast<std::size_t>(world.disks.size()), at_most);
-  IntruderWay way = way_so_far(world);
-  if (way.places.empty()) return distances;
-  if (way.places.size() == 1) way.places.push_back(way.places.front());
-  const std::vector<Stretch> stretches = stretches_of(way.places);
+  IntruderTrajectory trajectory = trajectory_so_far(world);
+  if (trajectory.places.empty()) return distances;
+  if (trajectory.places.size() == 1) trajectory.places.push_back(trajectory.places.front());
+  const std::vector<Stretch> stretches = stretches_of(trajectory.places);
   const bool periodic = world.box.sides == Sides::periodic;
   const double width = world.box.width;
   for (std::size_t i = 0; i < distances.size(); ++i) {
@@ -91,7 +91,7 @@ std::vector<double> distances_from_way(const World& world, double at_most) {
       }
       // A point of the stretch is nearest to an image that is at most half a box beside it.
       const double centre = stretch.around.center().x();
-      const Vec2 image = p + Vec2(width * std::nearbyint((centre - p.x()) / width), 0);
+      const Vec2 image = p + Vec2(world.box.image_shift(centre - p.x()), 0);
       const double extent = stretch.around.sizes().x();
       const int reach = static_cast<int>(std::min(1 + extent / (2 * width), 1e9));
       for (int k = -reach; k <= reach; ++k)

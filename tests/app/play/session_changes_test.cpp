@@ -1,0 +1,108 @@
+// What a session changes while it runs: laws, method, phases.
+#include <gtest/gtest.h>
+
+#include "core/checkpoint/checkpoint.h"
+#include "tests/app/play/session_fixture.h"
+
+namespace quicksand::test {
+namespace {
+
+// A single bond needs one sweep, so that NSCD leaves the hanging grain where the exact method does.
+TEST_F(SessionTest, TheMethodOfTheStepChangesInARunAndIsReplayed) {
+  const std::vector<std::string> commands{
+      load(),
+      R"({"command": "run", "steps": 10})",
+      R"({"command": "set", "path": "method", "value": "nscd"})",
+      R"({"command": "set", "path": "nscd.sweeps", "value": 5})",
+      R"({"command": "run", "steps": 10})",
+      R"({"command": "expect", "quantity": "bonds_broken", "at_most": 0})",
+      R"({"command": "set", "path": "method", "value": "exact"})",
+      R"({"command": "run", "steps": 10})"};
+  ASSERT_EQ(play(commands).exit_code, 0);
+  const std::vector<Json> first = transcript();
+  EXPECT_EQ(first[2]["result"]["holds"], "now");
+  ASSERT_EQ(play(commands).exit_code, 0);
+  EXPECT_EQ(transcript().back()["hash"], first.back()["hash"]);
+}
+
+TEST_F(SessionTest, AChangedLawHoldsAtOnceAndAChangedBoxAfterAReset) {
+  const Outcome played =
+      play({load(), R"({"command": "run", "steps": 10})",
+            R"({"command": "set", "path": "contact.cohesion_force", "value": 0.5})",
+            R"({"command": "run", "time": 0.5})",
+            R"({"command": "expect", "quantity": "bonds_broken", "at_least": 1})",
+            R"({"command": "set", "path": "box.height", "value": 9})", R"({"command": "reset"})",
+            R"({"command": "run", "steps": 1})"});
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  const std::vector<Json> lines = transcript();
+  EXPECT_EQ(lines[2]["result"]["holds"], "now");
+  EXPECT_EQ(lines[5]["result"]["holds"], "from the next reset on");
+  EXPECT_EQ(lines[7]["step"], 1);
+}
+
+// The piston of a phase under way has its mass; its force may change.
+TEST_F(SessionTest, WhatAPhaseHasSetUpChangesWithAReset) {
+  Json scene = Json::parse(kHanging);
+  scene["box"] = {{"width", 5}, {"height", 6}, {"sides", "periodic"}};
+  scene["phases"] = {{{"type", "piston"}, {"mass", 3}, {"force", 1}}};
+  const Outcome played = play({R"({"command": "load", "scene": )" + scene.dump() + "}",
+                               R"({"command": "set", "path": "phases[0].mass", "value": 4})",
+                               R"({"command": "run", "steps": 2})",
+                               R"({"command": "set", "path": "phases[0].mass", "value": 5})",
+                               R"({"command": "set", "path": "phases[0].force", "value": 2})"});
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  const std::vector<Json> lines = transcript();
+  EXPECT_EQ(lines[1]["result"]["holds"], "now") << "it has not begun";
+  EXPECT_EQ(lines[3]["result"]["holds"], "from the next reset on");
+  EXPECT_EQ(lines[4]["result"]["holds"], "now");
+}
+
+TEST_F(SessionTest, APhaseBegunByHandComesBeforeThoseOfTheScene) {
+  const Outcome played = play(
+      {R"({"command": "load", "scene": "collapse", "set": {"phases[0].height": 3, "box.width": 10}})",
+       R"({"command": "run", "phase_end": true})",
+       R"({"command": "piston", "mass": 10, "force": 100, "ramp_time": 0, "max_time": 0.1})",
+       R"({"command": "run", "phase_end": true})",
+       R"({"command": "push", "force": 1, "max_time": 0.02})",
+       R"({"command": "run", "phase_end": true})"});
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  const std::vector<Json> lines = transcript();
+  EXPECT_EQ(lines[1]["result"]["phase"], "push");
+  EXPECT_EQ(lines[2]["result"]["phase"], 1);
+  EXPECT_EQ(lines[3]["result"]["phase"], "push");
+  EXPECT_EQ(lines[5]["result"]["phase"], "push");  // the scene's own, not begun before
+}
+
+TEST_F(SessionTest, WhatSaysTheSameInOtherTermsIsReplaced) {
+  const Outcome played = play(
+      {R"({"command": "load", "scene": "collapse"})",
+       R"({"command": "set", "path": "phases[1].force_over_cohesion", "value": 3})",
+       R"({"command": "set", "path": "gravity.magnitude", "value": 2})",
+       R"({"command": "set", "path": "gravity.tilt", "value": 10})",
+       R"({"command": "set", "path": "gravity.tilt", "value": 20})", R"({"command": "save"})"});
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  const Json scene = parse_json(read_checkpoint(at("out/state.cbor")).scene);
+  EXPECT_EQ(scene["phases"][1]["force"], 3e4);
+  EXPECT_EQ(scene["gravity"]["tilt"], 20);
+  EXPECT_EQ(scene["gravity"]["magnitude"], 2);
+}
+
+// The phases that are still to come would make place for it, but it begins now.
+TEST_F(SessionTest, AWordHasNoBounds) {
+  const Outcome played =
+      play({load(), R"({"command": "run", "until": {"quantity": "phase", "at_least": 1}})"});
+  EXPECT_EQ(played.exit_code, 2);
+  EXPECT_NE(played.err.find("is a word and has no bounds"), std::string::npos) << played.err;
+}
+
+TEST_F(SessionTest, APistonNeedsSomethingToPressWhereItBegins) {
+  const Outcome played =
+      play({R"({"command": "load", "scene": "collapse"})",
+            R"({"command": "piston", "mass": 10, "force": 0, "ramp_time": 0, "max_time": 1})"});
+  EXPECT_EQ(played.exit_code, 1);
+  EXPECT_NE(played.err.find("nothing that the piston could press"), std::string::npos)
+      << played.err;
+}
+
+}  // namespace
+}  // namespace quicksand::test
