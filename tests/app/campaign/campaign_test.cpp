@@ -1,12 +1,9 @@
 // `quicksand campaign` as a user meets it: here, after a kill, and on a cluster.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
-#include <functional>
 #include <sstream>
-#include <thread>
 
 #include "app/base/shell_text.h"
 #include "app/campaign/slurm.h"
@@ -15,6 +12,7 @@
 #include "tests/support/files.h"
 #include "tests/support/older_state.h"
 #include "tests/support/program_fixture.h"
+#include "tests/support/wait_for.h"
 
 namespace quicksand::test {
 namespace {
@@ -90,10 +88,6 @@ std::string physics(const std::string& csv) {
   return rest;
 }
 
-void wait_until(const std::function<bool()>& done) {
-  while (!done()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-}
-
 TEST_F(CampaignTest, LeavesATableWithARowARunWhateverTheNumberOfThreads) {
   const Outcome one = quicksand({"campaign", "many.json", "--threads", "1", "--out", "one"});
   ASSERT_EQ(one.exit_code, 0) << one.err;
@@ -166,7 +160,8 @@ TEST_F(CampaignTest, SlowAfterAKillFinishedRunsAreNotRepeated) {
   write_long();
   ASSERT_EQ(quicksand({"campaign", "many.json", "--out", "whole"}).exit_code, 0);
   Program program({"campaign", "many.json", "--threads", "1"}, folder_.path());
-  wait_until([&] { return fs::exists(at("out/many/runs/00000_1/series.csv")); });
+  wait_for("the second run's series",
+           [&] { return fs::exists(at("out/many/runs/00000_1/series.csv")); });
   program.signal(SIGKILL);
   EXPECT_EQ(program.wait().exit_code, 128 + SIGKILL);
   EXPECT_FALSE(fs::exists(at("out/many/runs/00000_1/summary.json")));
@@ -206,7 +201,7 @@ TEST_F(CampaignTest, SlowInterruptedRunsGoOnFromTheirStates) {
     const std::string series = contents(at("out/many/runs/" + run + "/series.csv"));
     return std::count(series.begin(), series.end(), '\n');
   };
-  wait_until([&] { return rows("00000") > 1 && rows("00000_1") > 1; });
+  wait_for("samples of both runs", [&] { return rows("00000") > 1 && rows("00000_1") > 1; });
   program.signal(SIGINT);
   const Outcome interrupted = program.wait();
   EXPECT_EQ(interrupted.exit_code, 130) << interrupted.err;

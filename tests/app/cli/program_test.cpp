@@ -2,11 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <sstream>
-#include <thread>
 
 #include "app/json/json_text.h"
 #include "app/series/quantities.h"
@@ -15,6 +13,7 @@
 #include "core/scene/scenario.h"
 #include "tests/support/files.h"
 #include "tests/support/program_fixture.h"
+#include "tests/support/wait_for.h"
 
 namespace quicksand::test {
 namespace {
@@ -199,9 +198,8 @@ TEST_F(ProgramTest, AnInterruptedRunIsCompleteAndGoesOnToTheSameEnd) {
 
   Program program(run, folder_.path());
   // Somewhere in the middle: as soon as the series has some rows.
-  while (rows(contents(at("out/small/series.csv"))) < 10) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
+  wait_for("ten rows of the series",
+           [&] { return rows(contents(at("out/small/series.csv"))) >= 10; });
   program.signal(SIGINT);
   const Outcome interrupted = program.wait();
   ASSERT_EQ(interrupted.exit_code, 130) << interrupted.err;

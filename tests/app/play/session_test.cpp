@@ -2,15 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 #include <fstream>
-#include <thread>
 
 #include "app/commands/command_table.h"
 #include "app/json/json_text.h"
 #include "core/checkpoint/checkpoint.h"
 #include "tests/app/play/session_fixture.h"
+#include "tests/support/wait_for.h"
 
 namespace quicksand::test {
 namespace {
@@ -228,11 +227,7 @@ TEST_F(SessionTest, CutShortItLeavesWhatItsUserSaved) {
     {"command": "save"}, {"command": "load", "scene": "collapse"},
     {"command": "print", "text": "ready"}, {"command": "run", "time": 1e6}]})");
   Program program({"session", "session.json", "--out", "out"}, folder_.path());
-  constexpr int kMostLooks = 2000;
-  for (int look = 0; contents(at(".stdout")) != "ready\n"; ++look) {
-    ASSERT_LT(look, kMostLooks);
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
+  wait_for("the session's print", [&] { return contents(at(".stdout")) == "ready\n"; });
   program.signal(SIGINT);
   const Outcome ended = program.wait();
   EXPECT_EQ(ended.exit_code, 130);

@@ -16,6 +16,7 @@
 #include "tests/support/files.h"
 #include "tests/support/older_state.h"
 #include "tests/support/program_fixture.h"
+#include "tests/support/wait_for.h"
 
 namespace quicksand::test {
 namespace {
@@ -80,7 +81,7 @@ class ResumeTest : public ProgramFixture {
       const std::string text = contents(at("broken/series.csv"));
       return std::count(text.begin(), text.end(), '\n');
     };
-    while (rows() < 8) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    wait_for("eight rows of the series", [&] { return rows() >= 8; });
     program.signal(signal);
     program.wait();
   }
@@ -185,8 +186,7 @@ TEST_F(ResumeTest, TwoProcessesDoNotComputeInOneFolder) {
   std::vector<std::string> run = run_into("broken");
   run.insert(run.end(), {"--set", "phases[1].max_time=1000"});
   Program first(run, folder_.path());
-  while (!fs::exists(at("broken/series.csv")))
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  wait_for("the first run's series", [&] { return fs::exists(at("broken/series.csv")); });
   fs::create_directory(at("elsewhere"));
   const Outcome second = run_program({"resume", at("broken")}, at("elsewhere"));
   EXPECT_EQ(second.exit_code, 2);
