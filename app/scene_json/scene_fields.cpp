@@ -141,8 +141,9 @@ void describe_method(Fields& f, StepSettings& step) {
 void describe_step(Fields& f, StepSettings& step) {
   f.number({"dt", "time step; a phase may have its own"}, between(kLeastStep, 1, "sqrt(d/g)"),
            step.dt);
-  f.choice({"break_rule", "failure criterion of bonds: by the energy of an impact, or by the gap alone"},
-           kBreakRules, step.break_rule);
+  f.choice(
+      {"break_rule", "failure criterion of bonds: by the energy of an impact, or by the gap alone"},
+      kBreakRules, step.break_rule);
   f.flag({"curvature_term", "second-order gap of bonded contacts, which lets bonded pairs rotate"},
          step.curvature_term);
   f.number({"max_turn", "divides the step until no bonded pair turns farther; absent: fixed step"},
@@ -236,7 +237,10 @@ void describe_scene(Fields& f, Scenario& s) {
            [&](Fields& g) { describe_step(g, s.step); });
   f.object({"solver", "contact solver"}, [&](Fields& g) { describe_solver(g, s.solver); });
   describe_bodies(f, s.disks, s.disk_forces);
-  f.choice({"initial_bonds", "bonds at the start of listed bodies with each other and with walls, at gaps up to the cohesion range"}, kInitialBonds, s.initial_bonds);
+  f.choice({"initial_bonds",
+            "bonds at the start of listed bodies with each other and with walls, at gaps up to the "
+            "cohesion range"},
+           kInitialBonds, s.initial_bonds);
   f.list({"walls", "walls besides the box's floor and sides"}, kMaxWalls, s.walls, describe_wall);
   f.text(
       {"start_from",

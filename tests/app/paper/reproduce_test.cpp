@@ -305,7 +305,8 @@ TEST_F(Reproduce, AnUnknownFigureIsRefusedWithTheNearest) {
 TEST_F(Reproduce, TheComparisonOfRulesHasNoPlainForm) {
   const Outcome refused = reproduce({"break_rule", "--plain", "0.002", "--dry-run"});
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_NE(refused.err.find("varies the failure criterion itself"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("varies the failure criterion itself"), std::string::npos)
+      << refused.err;
   const Outcome other_step = reproduce({"--plain", "0.002", "--push-step", "0.01", "--dry-run"});
   EXPECT_EQ(other_step.exit_code, 2);
   EXPECT_NE(other_step.err.find("leave out --push-step"), std::string::npos) << other_step.err;
