@@ -1,6 +1,7 @@
 // Base64 as RFC 4648 defines it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <ostream>
 #include <sstream>
@@ -34,9 +35,10 @@ class Base64 {
   void write(int missing) {
     constexpr std::string_view kLetters =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    for (int k = 0; k < 4; ++k)
-      out_.put(k < 4 - missing ? kLetters[bytes_ >> (18U - 6U * static_cast<unsigned>(k)) & 63U]
-                               : '=');
+    std::array<char, 4> letters{'=', '=', '=', '='};
+    for (std::size_t k = 0; k < letters.size() - static_cast<std::size_t>(missing); ++k)
+      letters[k] = kLetters[bytes_ >> (18U - 6U * k) & 63U];
+    out_.write(letters.data(), letters.size());
     bytes_ = 0;
     count_ = 0;
   }

@@ -87,8 +87,11 @@ struct Pause {
 struct Ellipse {
   Vec2 center{0, 0}, half_axes{1, 1};  // [d]
 
-  bool contains(const Vec2& point) const {
-    return (point - center).cwiseQuotient(half_axes).squaredNorm() <= 1;
+  // Or its nearest image, where the sides are periodic.
+  bool contains(const Vec2& point, const Box& box) const {
+    Vec2 away = point - center;
+    away.x() -= box.image_shift(away.x());
+    return away.cwiseQuotient(half_axes).squaredNorm() <= 1;
   }
 };
 
@@ -112,13 +115,15 @@ struct Apply {
              between(-1e12, 1e12, "F_g"), force);
   }
   Json perform(Console& console, const std::string& place) {
-    const Disks& disks = console.session().world().disks;
+    const World& world = console.session().world();
+    const Disks& disks = world.disks;
     if (!inside && body >= disks.size())
       throw InputError(place + ".body", std::to_string(body) + " does not exist; there are " +
                                             std::to_string(disks.size()) + ", numbered from 0");
     std::vector<int> bodies;
     for (int k = 0; k < disks.size(); ++k)
-      if (inside ? disks.role[k] == Role::grain && inside->contains(disks.position[k]) : k == body)
+      if (inside ? disks.role[k] == Role::grain && inside->contains(disks.position[k], world.box)
+                 : k == body)
         bodies.push_back(k);
     if (bodies.empty()) throw InputError(place + ".inside", "no grain has its centre there");
     for (const int k : bodies) console.session().apply(k, force);

@@ -19,7 +19,7 @@ struct Rule {
   const char* tag;  // of its runs
   ParameterValues laws;
 };
-// The last is Contact Dynamics without what we add to it: straight moves and a fixed step.
+// The last is without what we add to contact dynamics: straight moves and a fixed step.
 const std::vector<Rule>& rules() {
   static const std::vector<Rule> all{
       {"energy", "", {}},

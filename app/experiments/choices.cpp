@@ -89,7 +89,7 @@ class Choices : public PaperExperiment {
 
   static std::string reference_text(const PaperJobs& jobs) {
     if (jobs.scale().plain_step)
-      return "standard nonsmooth contact dynamics, dt " + number_text(jobs.scale().push_step) +
+      return "exact steps with the gap criterion, dt " + number_text(jobs.scale().push_step) +
              ", residual 1e-5";
     return "energy rule, dt " + number_text(jobs.scale().push_step) +
            ", max_turn 0.15, residual 1e-5";

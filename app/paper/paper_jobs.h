@@ -42,7 +42,7 @@ struct PaperScale {
   double shear_tolerance = 0.05;  // relative width of the interval of force [1]
   double shear_time = 20;         // of a trial, at most [sqrt(d/g)]
   double interval = 1e-2;         // between the grains of a deposition [sqrt(d/g)]
-  // Contact Dynamics without what our scenes add to it, in this one step [sqrt(d/g)]: see make_plain().
+  // Exact steps with the gap criterion, all of this length [sqrt(d/g)]: see make_plain().
   std::optional<double> plain_step = {};
   // Engaged: by the paper's own method.
   std::optional<NscdSetting> nscd = {};

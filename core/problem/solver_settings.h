@@ -53,6 +53,9 @@ struct SolveReport {
     stage = further.stage;
     residual = further.residual;
     velocity_change = further.velocity_change;
+    add_work(further);
+  }
+  void add_work(const SolveReport& further) {
     iterations += further.iterations;
     factorisations += further.factorisations;
   }

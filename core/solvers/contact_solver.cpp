@@ -14,8 +14,9 @@ namespace quicksand {
 struct ContactSolver::Methods {
   LocalSolver local;
   InteriorPoint interior_point;
+  RelaxationScratch relaxation;
   std::vector<Vec3> warm_start;  // (nc)
-  ContactState best;
+  ContactState best, mended;
 };
 
 ContactSolver::ContactSolver() : methods_(std::make_unique<Methods>()) {}
@@ -117,8 +118,9 @@ SolveReport ContactSolver::solve_with_more(const ContactProblem& problem,
   if (settings.method == Method::automatic) {
     SolverSettings few = settings;
     few.max_iterations = std::min(kSweeps, settings.max_iterations);
-    ContactState mended = state;
-    report = solve_relaxation(problem, few, mended);
+    ContactState& mended = methods_->mended;
+    mended = state;
+    report = solve_relaxation(problem, few, mended, methods_->relaxation);
     report.stage = from;
     if (report.converged) {
       std::swap(state, mended);

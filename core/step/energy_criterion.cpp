@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/bodies/sorted_cursor.h"
 #include "core/problem/delassus.h"
 
 namespace quicksand {
@@ -51,14 +52,13 @@ void EnergyCriterion::find_suspects(const Case& solved) {
   const auto& [world, contacts, step, settings, solver, cost] = solved;
   const double dt = step.dt;
   suspects_.clear();
-  auto before = world.contacts.begin();
+  SortedCursor<const Contact> contacts_before(world.contacts);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const Contact& contact = contacts[c];
     if (contact.cohesion == 0) continue;
-    while (before != world.contacts.end() && before->pair < contact.pair) ++before;
-    const bool known = before != world.contacts.end() && before->pair == contact.pair;
+    const Contact* before = contacts_before.at(contact.pair);
     // A bond under pressure has all of its energy left.
-    const double tension = known ? before->cohesion - before->impulse.x() / world.impulse_dt : 0;
+    const double tension = before ? -before->normal_force(world.impulse_dt) : 0;
     const double tension_before = std::clamp(tension, 0.0, contact.cohesion);
     const double energy_left =
         (contact.cohesion - tension_before) * world.law(contact.pair).cohesion_range;

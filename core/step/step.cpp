@@ -173,13 +173,9 @@ StepReport Stepper::advance(World& world, const StepSettings& step,
     criterion_solve.stage = report.solve.stage;
     s.breaks =
         s.energy_criterion.failures(world, s.contacts, step, settings, s.solver, criterion_solve);
-    const SolveReport of_step = report.solve;
-    report.solve.add(criterion_solve);
     // What is reported is the step's own solution.
+    report.solve.add_work(criterion_solve);
     report.solve.converged = criterion_solve.converged;
-    report.solve.stage = of_step.stage;
-    report.solve.residual = of_step.residual;
-    report.solve.velocity_change = of_step.velocity_change;
     for (const BondBreak& broken : s.breaks)
       std::ranges::lower_bound(s.contacts, broken.pair, {}, &Contact::pair)->cohesion =
           broken.last_force;

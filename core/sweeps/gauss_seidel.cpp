@@ -9,14 +9,15 @@ namespace quicksand {
 
 namespace {
 
-// Judging a state costs about a sweep.
+// The residual costs about a sweep.
 constexpr int kSweepsBetweenChecks = 20;
 
 }  // namespace
 
 SolveReport solve_gauss_seidel(const ContactProblem& problem, const SolverSettings& settings,
                                ContactState& state) {
-  const std::vector<Vec3> inverse = inverse_delassus(problem);
+  std::vector<Vec3> inverse;
+  inverse_delassus(problem, inverse);
   SolveReport report;
   const auto converged_now = [&] {
     report.residual = residual(problem, state);

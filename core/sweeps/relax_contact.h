@@ -9,13 +9,11 @@
 
 namespace quicksand {
 
-// inverse_delassus of each contact (nc), in the memory of `inverse`.
-inline std::vector<Vec3> inverse_delassus(const ContactProblem& problem,
-                                          std::vector<Vec3> inverse = {}) {
+// inverse_delassus of each contact (nc).
+inline void inverse_delassus(const ContactProblem& problem, std::vector<Vec3>& inverse) {
   inverse.clear();
   inverse.reserve(problem.contacts.size());
   for (const ContactRow& row : problem.contacts) inverse.push_back(inverse_delassus(problem, row));
-  return inverse;
 }
 
 // N, then R_t, then T, as far as the first `Components` of them are modelled, each exactly. `inv` is the

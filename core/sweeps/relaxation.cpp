@@ -2,7 +2,6 @@
 
 #include <bit>
 #include <cmath>
-#include <utility>
 
 #include "core/problem/residual.h"
 #include "core/sweeps/relax_contact.h"
@@ -85,8 +84,8 @@ SolveReport solve_relaxation(const ContactProblem& problem, const SolverSettings
   if (converged_now() || settings.max_iterations <= 0) return report;
   report.stage = SolverStage::polish;
   const std::size_t nc = problem.contacts.size();
-  const std::vector<Vec3>& inverse = scratch.inverse_delassus =
-      inverse_delassus(problem, std::move(scratch.inverse_delassus));
+  const std::vector<Vec3>& inverse = scratch.inverse_delassus;
+  inverse_delassus(problem, scratch.inverse_delassus);
   const ContactsOfBody contacts(problem, scratch);
   const double admissible = kViolatedShare * settings.tolerance * problem.force_scale * problem.dt;
   const auto is_off = [&](std::size_t c) {

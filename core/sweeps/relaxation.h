@@ -27,10 +27,5 @@ struct RelaxationScratch {
 // settings.max_iterations sweeps; counts `iterations` in sweeps.
 SolveReport solve_relaxation(const ContactProblem& problem, const SolverSettings& settings,
                              ContactState& state, RelaxationScratch& scratch);
-inline SolveReport solve_relaxation(const ContactProblem& problem, const SolverSettings& settings,
-                                    ContactState& state) {
-  RelaxationScratch scratch;
-  return solve_relaxation(problem, settings, state, scratch);
-}
 
 }  // namespace quicksand

@@ -58,7 +58,7 @@ std::vector<Chosen> chosen(const ReproduceArguments& options) {
     if (std::ranges::find(names, word) == names.end())
       throw InputError("figure \"" + word + "\"", "is not known" + suggestion(word, names));
   std::vector<Chosen> all;
-  // It sets the rules itself, standard nonsmooth contact dynamics among them, side by side.
+  // It sets the failure criteria itself, the gap criterion among them, side by side.
   constexpr const char* kOfRules = "break_rule";
   const auto asked = [&](std::string_view name) {
     return std::ranges::find(options.figures, name) != options.figures.end();
@@ -247,7 +247,7 @@ Report report_of(const ReproduceArguments& options, const PaperJobs& jobs, const
         "depend on sweeps and time step.");
   if (scale.plain_step)
     report.intro.push_back(
-        "Standard nonsmooth contact dynamics: everything in steps of " +
+        "Exact steps with the gap criterion: everything in steps of " +
         number_text(*scale.plain_step) +
         " sqrt(d/g), halved only where one does not converge, a grain a step; a bond breaks when "
         "its gap after the step's straight move "
@@ -353,10 +353,10 @@ Command add_reproduce(CLI::App& program) {
                    "findings.json of another method's report, for a column of its own")
       ->type_name("FILE");
   command
-      ->add_option("--plain", options->plain,
-                   "standard nonsmooth contact dynamics: everything in steps of this, a grain a "
-                   "step; bonds break "
-                   "by their gap after a straight move")
+      ->add_option(
+          "--plain", options->plain,
+          "exact steps with the gap criterion: everything in steps of this, a grain a step; "
+          "bonds break by their gap after a straight move")
       ->type_name("DT");
   command
       ->add_option("--push-forces", options->push_forces,

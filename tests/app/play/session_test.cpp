@@ -42,6 +42,15 @@ TEST_F(SessionTest, AForceOnARegionActsOnTheGrainsThatItHolds) {
                 .exit_code,
             0);
   EXPECT_EQ(transcript()[1]["result"]["bodies"], 1);
+  // Across a periodic side, too.
+  Json periodic = parse_json(kHanging);
+  periodic["box"] = {{"width", 4}, {"height", 6}};
+  ASSERT_EQ(play({R"({"command": "load", "scene": )" + periodic.dump() + "}",
+                  R"({"command": "apply", "inside": {"center": [3.9, 4], "half_axes": [0.5, 0.5]},
+                      "force": [0, -1]})"})
+                .exit_code,
+            0);
+  EXPECT_EQ(transcript()[1]["result"]["bodies"], 1);
   const std::string empty =
       R"({"command": "apply", "inside": {"center": [9, 9], "half_axes": [1, 1]}, "force": [0, 1]})";
   const Outcome refused = play({load(), empty});

@@ -18,6 +18,12 @@
 namespace quicksand {
 namespace {
 
+SolveReport relax(const ContactProblem& problem, const SolverSettings& settings,
+                  ContactState& state) {
+  RelaxationScratch scratch;
+  return solve_relaxation(problem, settings, state, scratch);
+}
+
 // `columns` columns of two disks on the ground, each disk about to fall through what is below it.
 ContactProblem columns(int columns) {
   ContactProblem problem{.dt = 1, .components = 1};
@@ -42,7 +48,7 @@ ContactProblem columns(int columns) {
 TEST(Relaxation, SolvesAColumnExactly) {
   const ContactProblem problem = columns(1);
   ContactState state = zero_state(problem);
-  const SolveReport report = solve_relaxation(problem, {.tolerance = 1e-11}, state);
+  const SolveReport report = relax(problem, {.tolerance = 1e-11}, state);
   EXPECT_TRUE(report.converged);
   EXPECT_FALSE(report.velocity_change) << "nothing tells how far velocities are from settled";
   EXPECT_NEAR(state.impulse[0].x(), 2, 1e-10);
@@ -57,7 +63,7 @@ TEST(Relaxation, LooksOnlyWhereTheLawIsViolated) {
   start.impulse[0].x() = 0;
   const SolverSettings settings{.tolerance = 1e-10};
   ContactState state = start;
-  const SolveReport relaxed = solve_relaxation(problem, settings, state);
+  const SolveReport relaxed = relax(problem, settings, state);
   EXPECT_TRUE(relaxed.converged);
   EXPECT_LE(relaxed.iterations, 2);
   state = start;
@@ -75,7 +81,7 @@ TEST(Relaxation, HasTheVelocitiesOfTheReference) {
     const auto reference = reference_solutions(problem);
     if (!reference.complete || reference.solutions.size() != 1) continue;
     ContactState state = zero_state(problem);
-    if (!solve_relaxation(problem, tight(Method::gauss_seidel), state).converged) continue;
+    if (!relax(problem, tight(Method::gauss_seidel), state).converged) continue;
     ++compared;
     EXPECT_LE(distance_to_nearest(reference.solutions, state.velocity), tolerance::solved());
   }
@@ -87,7 +93,7 @@ TEST(Relaxation, EndsWhereItIsNotAllowedToWorkOrCannot) {
   for (const int sweeps : {-1, 0, 1}) {
     ContactState state = zero_state(problem);
     const SolveReport report =
-        solve_relaxation(problem, {.tolerance = 1e-11, .max_iterations = sweeps}, state);
+        relax(problem, {.tolerance = 1e-11, .max_iterations = sweeps}, state);
     EXPECT_FALSE(report.converged);
     EXPECT_EQ(report.iterations, std::max(0, sweeps));
     EXPECT_EQ(report.residual.natural, residual(problem, state).natural);
@@ -95,7 +101,7 @@ TEST(Relaxation, EndsWhereItIsNotAllowedToWorkOrCannot) {
   ContactProblem broken = problem;
   broken.free_velocity[1].y() = std::numeric_limits<double>::quiet_NaN();
   ContactState state = zero_state(broken);
-  EXPECT_FALSE(solve_relaxation(broken, {.tolerance = 1e-11}, state).converged);
+  EXPECT_FALSE(relax(broken, {.tolerance = 1e-11}, state).converged);
 }
 
 // While a loose heap falls in, some contacts stay undecided to the end of the interior point's path, long after
