@@ -326,38 +326,26 @@ int reproduce(const ReproduceArguments& options) {
 
 Command add_reproduce(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
-      "reproduce", "the paper's experiments, with a report that sets its numbers beside ours");
+      "reproduce",
+      "Run the paper's experiments and write a report that sets its numbers beside ours.");
   const auto options = std::make_shared<ReproduceArguments>();
   std::string names;
   for (const std::string& name : figure_names()) names += (names.empty() ? "" : ", ") + name;
   command->add_option("figures", options->figures, "all if none is given; one or more of: " + names)
       ->type_name("FIGURE");
+  command->add_option("--out", options->out, "folder of runs and report [out/paper]")
+      ->type_name("DIR");
+  add_threads_option(*command, options->threads, kThreadsOfRuns);
+  command->add_flag("--quick", options->quick, "a small box and two realizations, in minutes");
+  command->add_flag("--dry-run", options->dry_run, "list the runs");
+  command->add_flag("--quiet", options->quiet, "no progress");
+  command->option_defaults()->group("Size");
   command
       ->add_option("--realizations", options->realizations, "specimens of each kind [10; quick: 2]")
       ->type_name("N");
   command->add_option("--width", options->width, "of the box [51 d; quick: 24 d]")->type_name("W");
   command->add_option("--height", options->height, "of the box [199 d; quick: 50 d]")
       ->type_name("H");
-  command
-      ->add_option("--push-step", options->push_step,
-                   "time step of pushes [0.001 sqrt(d/g); quick: 0.01]")
-      ->type_name("DT");
-  command
-      ->add_option("--method", options->method,
-                   "exact: every step solved; nscd: the paper's own, standard nonsmooth contact "
-                   "dynamics [exact]")
-      ->check(CLI::IsMember({"exact", "nscd"}))
-      ->type_name("METHOD");
-  command
-      ->add_option("--beside", options->beside,
-                   "findings.json of another method's report, for a column of its own")
-      ->type_name("FILE");
-  command
-      ->add_option(
-          "--plain", options->plain,
-          "exact steps with the gap criterion: everything in steps of this, a grain a step; "
-          "bonds break by their gap after a straight move")
-      ->type_name("DT");
   command
       ->add_option("--push-forces", options->push_forces,
                    "of the push curves [0.1,0.33,0.67,1,2,3 F_c; quick: 0.1,0.33,1,3]")
@@ -374,12 +362,27 @@ Command add_reproduce(CLI::App& program) {
       ->add_option("--grains-per-depth", options->grains_per_depth,
                    "sheared at each depth [10; quick: 1]")
       ->type_name("N");
-  command->add_option("--out", options->out, "folder of runs and report [out/paper]")
-      ->type_name("DIR");
-  add_threads_option(*command, options->threads, kThreadsOfRuns);
-  command->add_flag("--quick", options->quick, "a small box and two realizations, in minutes");
-  command->add_flag("--dry-run", options->dry_run, "list the runs");
-  command->add_flag("--quiet", options->quiet, "no progress");
+  command->option_defaults()->group("Method");
+  command
+      ->add_option("--method", options->method,
+                   "exact: every step solved; nscd: the paper's own, standard nonsmooth contact "
+                   "dynamics [exact]")
+      ->check(CLI::IsMember({"exact", "nscd"}))
+      ->type_name("METHOD");
+  command
+      ->add_option(
+          "--plain", options->plain,
+          "exact steps with the gap criterion: everything in steps of this, a grain a step; "
+          "bonds break by their gap after a straight move")
+      ->type_name("DT");
+  command
+      ->add_option("--push-step", options->push_step,
+                   "time step of pushes [0.001 sqrt(d/g); quick: 0.01]")
+      ->type_name("DT");
+  command
+      ->add_option("--beside", options->beside,
+                   "findings.json of another method's report, for a column of its own")
+      ->type_name("FILE");
   command->footer(
       "Runs that have finished are not repeated: the same command goes on after an interruption.\n"
       "DIR receives report.html, report.md, plots/ and a folder for each run; where it holds runs "

@@ -41,12 +41,14 @@ int rows(const std::string& csv) {
   return static_cast<int>(std::count(csv.begin(), csv.end(), '\n')) - 1;
 }
 
-TEST_F(ProgramTest, HelpOfEveryCommandEndsWithTwoExamples) {
+TEST_F(ProgramTest, HelpOfEveryCommandBeginsWithASentenceAndEndsWithTwoExamples) {
   for (const char* command :
        {"run", "resume", "check", "render", "measure", "export", "campaign", "report", "reproduce",
         "bench", "session", "window", "compare", "list"}) {
     const Outcome help = quicksand({command, "--help"});
     EXPECT_EQ(help.exit_code, 0);
+    const std::size_t sentence = help.out.find(".\n");
+    EXPECT_EQ(sentence + 1, help.out.find('\n')) << help.out;
     const std::size_t examples = help.out.find("\nExamples:\n  ");
     ASSERT_NE(examples, std::string::npos) << help.out;
     std::istringstream own(help.out.substr(examples + 11));
