@@ -25,7 +25,9 @@ struct Options {
   bool quick = false;           // small systems and short windows
   bool fresh = false;           // prepare states anew
   int repeats = 0;              // of each measurement; 0: what the case finds sensible
-  std::string method = "auto";  // of the goals; a word of the scene format
+  std::string method = "auto";  // of the goals and recorded problems; a word of the scene format
+  std::filesystem::path problems;  // folder of recorded ones; empty: those of a standard scene
+  bool tuning = false;             // measures the half of them that solvers are tuned on
   ProgressLine::Style progress = ProgressLine::Style::none;
 
   int repeats_or(int sensible) const { return repeats > 0 ? repeats : sensible; }
@@ -107,6 +109,8 @@ std::vector<Task> thread_tasks(const Options& options);
 void report_threads(std::span<const Row> rows, const Options& options, Section& section);
 std::vector<Task> nscd_tasks(const Options& options);
 void report_nscd(std::span<const Row> rows, const Options& options, Section& section);
+std::vector<Task> problem_tasks(const Options& options);
+void report_problems(std::span<const Row> rows, const Options& options, Section& section);
 std::vector<Task> peer_tasks(const Options& options);
 void report_peers(std::span<const Row> rows, const Options& options, Section& section);
 

@@ -40,6 +40,9 @@ class Protocol {
   // The force on the centre of a body from now on, besides its weight [F_g].
   void apply(int body, const Vec2& force);
 
+  // `watch` sees each contact problem of the steps to come before it is solved.
+  void watch_problems(ProblemWatch watch) { stepper_.watch_problems(std::move(watch)); }
+
   const Scenario& scenario() const { return scenario_; }
   const World& world() const { return world_; }
   const ProtocolState& state() const { return state_; }

@@ -97,6 +97,12 @@ SolveReport run_chain(const ContactProblem& problem, const SolverSettings& setti
 
 SolveReport ContactSolver::solve(const ContactProblem& problem, const SolverSettings& settings,
                                  ContactState& state, SolverStage from) {
+  if (watch_) watch_({problem, settings, state.impulse, from});
+  return by_method(problem, settings, state, from);
+}
+
+SolveReport ContactSolver::by_method(const ContactProblem& problem, const SolverSettings& settings,
+                                     ContactState& state, SolverStage from) {
   switch (settings.method) {
     case Method::automatic:
       return run_chain(problem, settings, from, *methods_, state);
@@ -114,6 +120,7 @@ SolveReport ContactSolver::solve_with_more(const ContactProblem& problem,
                                            const SolverSettings& settings, ContactState& state,
                                            SolverStage from) {
   constexpr int kSweeps = 30;
+  if (watch_) watch_({problem, settings, state.impulse, from, true});
   SolveReport report;
   if (settings.method == Method::automatic) {
     SolverSettings few = settings;
@@ -127,7 +134,7 @@ SolveReport ContactSolver::solve_with_more(const ContactProblem& problem,
       return report;
     }
   }
-  report.add(solve(problem, settings, state, from));
+  report.add(by_method(problem, settings, state, from));
   return report;
 }
 

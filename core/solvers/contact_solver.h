@@ -1,12 +1,23 @@
 // Solves contact problems: the chain of methods from the cheapest to the last resort.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "core/problem/contact_problem.h"
 #include "core/problem/solver_settings.h"
 
 namespace quicksand {
+
+// A problem as it comes to the solver.
+struct PosedProblem {
+  const ContactProblem& problem;
+  const SolverSettings& settings;
+  const std::vector<Vec3>& start;  // (nc) warm start
+  SolverStage from = SolverStage::start;
+  bool with_more = false;  // solve_with_more()
+};
+using ProblemWatch = std::function<void(const PosedProblem&)>;
 
 // Keeps scratch memory and what can be reused between problems with the same contacts; the answer
 // depends on the problem, the settings and the warm start only.
@@ -24,9 +35,16 @@ class ContactSolver {
   SolveReport solve_with_more(const ContactProblem& problem, const SolverSettings& settings,
                               ContactState& state, SolverStage from);
 
+  // `watch` sees each problem before it is solved; benchmarks record them.
+  void watch(ProblemWatch watch) { watch_ = std::move(watch); }
+
  private:
+  SolveReport by_method(const ContactProblem& problem, const SolverSettings& settings,
+                        ContactState& state, SolverStage from);
+
   struct Methods;
   std::unique_ptr<Methods> methods_;
+  ProblemWatch watch_;
 };
 
 // A single problem.

@@ -40,6 +40,8 @@ struct Stepper::Scratch {
 Stepper::Stepper() : scratch_(std::make_unique<Scratch>()) {}
 Stepper::~Stepper() = default;
 
+void Stepper::watch_problems(ProblemWatch watch) { scratch_->solver.watch(std::move(watch)); }
+
 namespace {
 
 void move(World& world, const std::vector<Vec3>& velocity, double dt) {

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/problem/solver_settings.h"
+#include "core/solvers/contact_solver.h"
 #include "core/step/energy_balance.h"
 #include "core/step/step_settings.h"
 #include "core/sweeps/nscd.h"
@@ -35,6 +36,9 @@ class Stepper {
   Stepper& operator=(const Stepper&) = delete;
 
   StepReport advance(World& world, const StepSettings& step, const SolverSettings& solver);
+
+  // `watch` sees each contact problem of the steps to come before it is solved.
+  void watch_problems(ProblemWatch watch);
 
  private:
   struct Scratch;

@@ -31,6 +31,9 @@ std::span<const Part> parts() {
       Part{"nscd", "Standard nonsmooth contact dynamics",
            "time of an update of a contact, and sweeps that a chain needs", nscd_tasks,
            report_nscd},
+      Part{"problems", "Recorded problems",
+           "contact problems that runs have met, solved again: median, worst, errors",
+           problem_tasks, report_problems, false},
       Part{"peers", "Other programs", "the same scenes in Box2D, Yade and Siconos, where installed",
            peer_tasks, report_peers, false}};
   return all;

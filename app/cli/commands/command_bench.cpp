@@ -11,10 +11,12 @@
 #include "app/bench/against.h"
 #include "app/bench/goals/goal_cases.h"
 #include "app/bench/paper_states.h"
+#include "app/bench/problems/record.h"
 #include "app/bench/results.h"
 #include "app/cli/commands.h"
 #include "app/report/provenance.h"
 #include "app/run_folder/run_folder.h"
+#include "app/scene/scene_options.h"
 #include "core/base/errors.h"
 #include "core/base/parallel.h"
 
@@ -195,6 +197,35 @@ int bench_command(Request& request) {
   return run(request);
 }
 
+int record_command(RecordRequest& request, bool quiet) {
+  make_writable({.path = request.out});
+  request.progress = StatusLine::style_of_stderr(quiet);
+  const int written = record_problems(request);
+  std::printf(
+      "%d problems in %s\n%s\n", written, request.out.c_str(),
+      command_text({"quicksand", "bench", "problems", "--problems", request.out.string()}).c_str());
+  return kFine;
+}
+
+// Adds `bench record`; what it returns runs it.
+std::pair<CLI::App*, std::function<int()>> add_record(CLI::App& bench) {
+  CLI::App* command =
+      bench.add_subcommand("record", "Record the contact problems that a run meets.");
+  const auto request = std::make_shared<RecordRequest>();
+  const auto quiet = std::make_shared<bool>(false);
+  add_scene_options(*command, request->scene);
+  command->add_option("--out", request->out, "folder of the problems [out/problems]")
+      ->type_name("DIR");
+  command->add_option("--count", request->count, "of each phase, 3 to 1000, evenly over it [100]")
+      ->type_name("N")
+      ->check(CLI::Range(3, 1000).description(""));
+  command->add_flag("--quiet", *quiet, "no progress");
+  command->footer(
+      "Example:\n  quicksand bench record assets/scenes/collapse.json --out out/problems\n"
+      "  quicksand bench problems --problems out/problems --out out/solved");
+  return {command, [request, quiet] { return record_command(*request, *quiet); }};
+}
+
 }  // namespace
 
 Command add_bench(CLI::App& program) {
@@ -219,10 +250,18 @@ Command add_bench(CLI::App& program) {
                    "of each measurement, 1 to 1000 [each case's own]")
       ->type_name("N")
       ->check(CLI::Range(1, 1000).description(""));
-  command->add_option("--method", request->options.method, "contact solver of the goals [auto]")
+  command
+      ->add_option("--method", request->options.method,
+                   "contact solver of the goals and the recorded problems [auto]")
       ->type_name("NAME");
   command->add_flag("--fresh", request->options.fresh, "prepare the stored states anew");
   command->add_flag("--peers", request->with_peers, "other programs too, where installed");
+  command
+      ->add_option("--problems", request->options.problems,
+                   "folder of recorded problems [made from a standard scene]")
+      ->type_name("DIR");
+  command->add_flag("--tuning", request->options.tuning,
+                    "measure the half of them that solvers are tuned on");
   command->option_defaults()->group("Comparison");
   command
       ->add_option("--against", request->against,
@@ -237,7 +276,10 @@ Command add_bench(CLI::App& program) {
       "DIR receives results.csv, results.json, report.html, report.md and plots/.\n\n"
       "Examples:\n  quicksand bench --quick --out out/bench\n"
       "  quicksand bench precision --quick --against out/bench/results.json --out out/now");
-  return {command, [request] { return bench_command(*request); }};
+  const auto [record, run_record] = add_record(*command);
+  return {command, [request, record = record, run_record = run_record] {
+            return record->parsed() ? run_record() : bench_command(*request);
+          }};
 }
 
 }  // namespace quicksand

@@ -1,0 +1,200 @@
+// Recorded problems, solved again: time, work and error of each, by parts of the phases that posed them.
+//
+// Every second problem is for tuning; what is reported is measured on the others, unless a folder's half is named.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "app/base/assets.h"
+#include "app/bench/bench.h"
+#include "app/bench/paper_states.h"
+#include "app/bench/problems/record.h"
+#include "app/bench/problems/recorded_problem.h"
+#include "app/bench/statistics.h"
+#include "core/base/errors.h"
+
+namespace quicksand::bench {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> files_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  if (fs::is_directory(folder))
+    for (const auto& entry : fs::directory_iterator(folder))
+      if (entry.path().extension() == ".problem") files.push_back(entry.path());
+  std::ranges::sort(files);
+  return files;
+}
+
+// The paper's programme in a smaller box, where no folder is named.
+void record_standard(const Options& options, const fs::path& folder) {
+  const std::string width = options.quick ? "24" : "51", height = options.quick ? "30" : "66";
+  RecordRequest request{
+      .scene = {.file = shipped_scene("paper_intruder"),
+                .overrides = {"box.width=" + width, "box.height=" + height,
+                              "phases[0].height=" + height, "phases[2].max_time=10"},
+                .seed = {}},
+      .out = folder,
+      .count = options.quick ? 12 : 100,
+      .progress = options.progress};
+  record_problems(request);
+}
+
+SolveReport solve_again(const RecordedProblem& recorded, const SolverSettings& settings,
+                        ContactSolver& solver, ContactState& state) {
+  state = {.velocity = {}, .impulse = recorded.step.start};
+  return recorded.with_more
+             ? solver.solve_with_more(recorded.step.problem, settings, state, recorded.from)
+             : solver.solve(recorded.step.problem, settings, state, recorded.from);
+}
+
+void measure_group(const std::vector<fs::path>& files, const Options& options,
+                   std::vector<Row>& rows) {
+  // One solver for all, so that its memory is there and its order of elimination is another problem's, as in a run.
+  ContactSolver solver;
+  std::vector<RecordedProblem> problems;
+  for (const fs::path& file : files) problems.push_back(read_problem(file));
+  const Method method = paper_scene(options, options.method).solver.method;
+  const std::size_t first = rows.size();
+  for (int repeat = 0; repeat < options.repeats_or(3); ++repeat)
+    for (std::size_t k = 0; k < problems.size(); ++k) {
+      stop_if_interrupted();
+      const RecordedProblem& recorded = problems[k];
+      SolverSettings settings = recorded.settings;
+      settings.method = method;
+      ContactState state;
+      const Stopwatch watch;
+      const SolveReport report = solve_again(recorded, settings, solver, state);
+      const Seconds seconds = watch.elapsed();
+      if (repeat == 0)
+        rows.push_back(
+            {.name = recorded.group,
+             .what = "solve",
+             .method = options.method,
+             .size = mobile_disks(recorded.step.problem),
+             .contacts = static_cast<std::int64_t>(recorded.step.problem.contacts.size()),
+             .tolerance = settings.tolerance,
+             .dt = recorded.step.problem.dt,
+             .seconds = seconds,
+             .iterations = report.iterations,
+             .factorisations = report.factorisations,
+             .unconverged = report.converged ? 0 : 1,
+             .residual = report.residual.natural,
+             .gap_error = kGapUnit * report.residual.gap,
+             .value = recorded.reference.doubt,
+             .error = velocity_distance(recorded.step.problem, state.velocity,
+                                        recorded.reference.velocity),
+             .found = files[k].filename().string()});
+      Row& row = rows[first + k];
+      if (seconds.cpu < row.seconds.cpu) row.seconds = seconds;
+    }
+}
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  std::ranges::sort(values);
+  const double last = static_cast<double>(values.size() - 1);
+  return values[static_cast<std::size_t>(std::lround(share * last))];
+}
+
+template <class Of>
+std::vector<double> each(std::span<const Row* const> rows, Of of) {
+  std::vector<double> values;
+  for (const Row* row : rows) values.push_back(static_cast<double>(of(*row)));
+  return values;
+}
+
+std::vector<Cell> table_row(const std::string& name, std::span<const Row* const> rows) {
+  const auto ms = each(rows, [](const Row& r) { return 1e3 * r.seconds.cpu; });
+  const auto work = each(rows, [](const Row& r) { return r.factorisations; });
+  const auto error = each(rows, [](const Row& r) { return r.error.value_or(0); });
+  const auto sum = [](const std::vector<double>& values) {
+    double total = 0;
+    for (const double x : values) total += x;
+    return total;
+  };
+  const double middle = median(ms);
+  return {{name},
+          {std::to_string(rows.size())},
+          {format("%.0f", median(each(rows, [](const Row& r) { return r.contacts; })))},
+          {format("%.3g", sum(ms) / static_cast<double>(ms.size()))},
+          {format("%.3g", middle)},
+          {format("%.3g", quantile(ms, 0.9))},
+          {format("%.3g", quantile(ms, 1))},
+          {format("%.3g", middle > 0 ? quantile(ms, 1) / middle : 0)},
+          {format("%.1f", sum(work) / static_cast<double>(work.size()))},
+          {format("%.0f", quantile(work, 1))},
+          {format("%.1e", quantile(each(rows, [](const Row& r) { return r.residual; }), 1))},
+          {format("%.1e", median(error))},
+          {format("%.1e", quantile(error, 0.9))},
+          {format("%.0f", sum(each(rows, [](const Row& r) { return r.unconverged; })))}};
+}
+
+}  // namespace
+
+std::vector<Task> problem_tasks(const Options& options) {
+  const fs::path folder = options.problems.empty() ? options.out / "problems" : options.problems;
+  std::vector<Task> tasks;
+  if (!options.problems.empty() && files_in(folder).empty())
+    throw InputError(folder.string(),
+                     "holds no recorded problems; quicksand bench record makes them");
+  // Groups are known when the files are there, so one task finds and measures them all.
+  tasks.push_back({"recorded problems", [options, folder](std::vector<Row>& rows) {
+                     if (files_in(folder).empty()) record_standard(options, folder);
+                     const std::vector<fs::path> files = files_in(folder);
+                     std::vector<fs::path> half;
+                     for (std::size_t k = 0; k < files.size(); ++k)
+                       if ((k % 2 == 0) == options.tuning) half.push_back(files[k]);
+                     measure_group(half, options, rows);
+                   }});
+  return tasks;
+}
+
+void report_problems(std::span<const Row> rows, const Options& options, Section& section) {
+  std::map<std::string, std::vector<const Row*>> groups;
+  std::vector<const Row*> all;
+  for (const Row& row : rows) {
+    if (row.what != "solve") continue;
+    groups[row.name].push_back(&row);
+    all.push_back(&row);
+  }
+  if (all.empty()) return;
+  Table table{
+      .caption = std::string("Problems of the half for ") +
+                 (options.tuning ? "tuning" : "reporting") +
+                 ", each solved as the run did it; times are the least of the repeats [ms]. Errors "
+                 "of velocities are against a solution to 1e-12, the worst of a disk [g dt].",
+      .columns = {{"phase"},
+                  {"problems", true},
+                  {"contacts", true},
+                  {"mean", true},
+                  {"median", true},
+                  {"90 %", true},
+                  {"worst", true},
+                  {"worst over median", true},
+                  {"factorisations, mean", true},
+                  {"worst", true},
+                  {"residual, worst", true},
+                  {"error, median", true},
+                  {"error, 90 %", true},
+                  {"not converged", true}}};
+  Plot plot{.name = "recorded_problems",
+            .title = "Error of velocities against time, a point a problem",
+            .x = {.label = "CPU time of a solution", .unit = "ms", .logarithmic = true},
+            .y = {.label = "velocity error", .unit = "g dt", .logarithmic = true},
+            .legend = LegendPlace::below};
+  for (const auto& [name, group] : groups) {
+    table.rows.push_back(table_row(name, group));
+    plot.curves.push_back(
+        {.name = name,
+         .x = each(group, [](const Row& r) { return 1e3 * r.seconds.cpu; }),
+         .y = each(group, [](const Row& r) { return std::max(r.error.value_or(0), 1e-12); })});
+  }
+  table.rows.push_back(table_row("all", all));
+  section.blocks.emplace_back(std::move(table));
+  section.blocks.emplace_back(quicksand::Figure{plot, "Left and below is better."});
+}
+
+}  // namespace quicksand::bench

@@ -1,0 +1,23 @@
+// Records contact problems of a run: of each phase so many, evenly over all that are posed in it, those of the bond
+// failure criterion included.
+#pragma once
+
+#include <filesystem>
+
+#include "app/run/progress_line.h"
+#include "app/scene/scene_file.h"
+
+namespace quicksand::bench {
+
+struct RecordRequest {
+  SceneRequest scene;
+  std::filesystem::path out = "out/problems";
+  int count = 100;  // of each phase
+  ProgressLine::Style progress = ProgressLine::Style::none;
+};
+
+// Runs the scene and writes its problems, each with a reference solution, as out/*.problem. Ctrl-C ends the run, and
+// what the phase under way has posed is written. Returns how many were written.
+int record_problems(const RecordRequest& request);
+
+}  // namespace quicksand::bench
