@@ -26,13 +26,18 @@ void with_threads(int most, const std::atomic<int>& now, const Work& work);
 template <class Work>
 void share_parts(int parts, const Work& work);
 
-// work(begin, end) for ranges that make up 0 to n.
+namespace parallel {
+// Fewer contacts than these are not worth the waking of a thread.
+inline constexpr std::size_t kWorthSharing = 3000;
+}  // namespace parallel
+
+// work(begin, end) for ranges that make up 0 to n; shared from `worth` on.
 template <class Work>
-void share_range(std::size_t n, const Work& work);
+void share_range(std::size_t n, const Work& work, std::size_t worth = parallel::kWorthSharing);
 
 // Gathers collect(begin, end, x) over blocks of 0 to n, each from a T{}, into one by sum.add(x), in order.
 template <class T, class Collect>
-T gather_range(std::size_t n, const Collect& collect);
+T gather_range(std::size_t n, const Collect& collect, std::size_t worth = parallel::kWorthSharing);
 
 // at_a(c, row) and at_b(c, row) for each contact c of the problem, in order at each body: what they add to
 // theirs is added as if one thread did it all.
@@ -40,9 +45,6 @@ template <class Problem, class AtA, class AtB>
 void visit_sides(const Problem& problem, const AtA& at_a, const AtB& at_b);
 
 namespace parallel {
-
-// Fewer indices than these are not worth the waking of a thread.
-inline constexpr std::size_t kWorthSharing = 3000;
 
 using Call = void (*)(const void* work, int part);
 void in_arena(int threads, const std::atomic<int>* now, Call call, const void* work);
@@ -81,8 +83,8 @@ void share_parts(int parts, const Work& work) {
 }
 
 template <class Work>
-void share_range(std::size_t n, const Work& work) {
-  if (n < parallel::kWorthSharing) return work(std::size_t{0}, n);
+void share_range(std::size_t n, const Work& work, std::size_t worth) {
+  if (n < worth) return work(std::size_t{0}, n);
   const auto parts = static_cast<std::size_t>(usable_threads());
   share_parts(static_cast<int>(parts), [&](int part) {
     const auto k = static_cast<std::size_t>(part);
@@ -91,14 +93,13 @@ void share_range(std::size_t n, const Work& work) {
 }
 
 template <class T, class Collect>
-T gather_range(std::size_t n, const Collect& collect) {
-  constexpr std::size_t kBlock = 1024;
-  const std::size_t blocks = (n + kBlock - 1) / kBlock;
+T gather_range(std::size_t n, const Collect& collect, std::size_t worth) {
+  const std::size_t size = worth / 3, blocks = (n + size - 1) / size;
   const auto collect_block = [&](std::size_t block, T& x) {
-    collect(block * kBlock, std::min(n, (block + 1) * kBlock), x);
+    collect(block * size, std::min(n, (block + 1) * size), x);
   };
   T sum{};
-  if (n < parallel::kWorthSharing) {
+  if (n < worth) {
     for (std::size_t block = 0; block < blocks; ++block) {
       T x{};
       collect_block(block, x);

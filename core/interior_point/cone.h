@@ -1,4 +1,5 @@
-// The variables of one contact inside the interior-point method, and their elimination.
+// The variables of one contact inside the interior-point method, and their elimination; of four contacts where Real is
+// Lanes.
 //
 // A complementarity pair x y = 0 is followed along x y = tau. Newton's equations of a contact,
 //   s dN + N ds = c_n,                ds = du_n + (u_n - s) + eps dN,
@@ -11,185 +12,201 @@
 //
 // With the products of a step that is foreseen, `further(x, dx, y, dy)` says by how much the aim of a pair
 // is to be changed, which improves the direction without another factorisation [Gondzio 1996].
+//
+// `here` is 1 where there is such a pair, and 0 in a lane without a contact or friction: all its changes are zero.
 #pragma once
 
-#include <algorithm>
-
-#include "core/base/types.h"
-#include "core/linear/block_lu.h"
-#include "core/problem/projection.h"
+#include "core/interior_point/contact_lanes.h"
 
 namespace quicksand {
 
 // How far from zero y starts beside x, both at least as far as given: less where x is far, so that no
 // product starts far above the least. From unequal ones the first steps are hardly steps at all.
-inline double start_beside(double x, double least_x, double least_y) {
+template <class Real>
+QUICKSAND_IN_LANES Real start_beside(const Real& x, const Real& least_x, const Real& least_y) {
   constexpr double kSpread = 10;
   return x > kSpread * least_x ? least_y * (kSpread * least_x / x) : least_y;
 }
 
-// A force x with |x| <= limit N that opposes the speed u = a - b: friction or rolling friction.
-struct BoundedForce {
-  double limit = 0;                               // 0: not modelled
-  double x = 0, low = 0, high = 0, a = 0, b = 0;  // low = limit N + x, high = limit N - x
-  double dx = 0, dlow = 0, dhigh = 0, da = 0, db = 0;
-  double impedance = 0, coupling = 0, aim = 0;  // dx = impedance (aim - du - coupling dN)
+// Raises the smaller factor of a product below `least`.
+template <class Real>
+QUICKSAND_IN_LANES void lift_pair(double least, Real& x, Real& y) {
+  const Real big = larger(x, y), small = smaller(x, y), lifted = least / big;
+  const Real lower = x * y < least ? lifted : small;
+  const Real new_x = x < y ? lower : x, new_y = x < y ? y : lower;
+  x = new_x, y = new_y;
+}
 
-  void start(double force, double n, double speed, double least_n, double least_speed) {
-    x = project_bounded(force, limit * n);
-    const double least_x = limit * least_n;
-    low = std::max(limit * n + x, start_beside(speed, least_speed, least_x));
-    high = std::max(limit * n - x, start_beside(-speed, least_speed, least_x));
-    a = std::max(speed, 0.0) + start_beside(low, least_x, least_speed);
-    b = std::max(-speed, 0.0) + start_beside(high, least_x, least_speed);
-    dlow = dhigh = da = db = 0;
+// A force x with |x| <= limit N that opposes the speed u = a - b: friction or rolling friction.
+template <class Real>
+struct alignas(sizeof(Real)) BoundedForce {
+  Real limit{};  // 0: not modelled
+  Real here{};
+  Real x{}, low{}, high{}, a{}, b{};  // low = limit N + x, high = limit N - x
+  Real dx{}, dlow{}, dhigh{}, da{}, db{};
+  Real impedance{}, coupling{}, aim{};  // dx = impedance (aim - du - coupling dN)
+
+  QUICKSAND_IN_LANES void start(const Real& force, const Real& n, const Real& speed,
+                                const Real& least_n, const Real& least_speed) {
+    const Real none = Real{}, one = none + 1.0, most = limit * n;
+    here = limit > none ? one : none;
+    x = smaller(larger(force, Real(-most)), most);
+    const Real least_x = limit * least_n, back = -speed;
+    low = larger<Real>(most + x, start_beside(speed, least_speed, least_x));
+    high = larger<Real>(most - x, start_beside(back, least_speed, least_x));
+    a = larger(speed, none) + start_beside(low, least_x, least_speed);
+    b = larger(back, none) + start_beside(high, least_x, least_speed);
+    x = limit > none ? x : none;
+    low = limit > none ? low : one, high = limit > none ? high : one;
+    a = limit > none ? a : one, b = limit > none ? b : one;
+    dx = dlow = dhigh = da = db = none;
   }
-  void linearise(double n, double speed, double eps) {
-    defect_low_ = limit * n + x - low;
-    defect_high_ = limit * n - x - high;
+  QUICKSAND_IN_LANES void linearise(const Real& n, const Real& speed, const Real& eps) {
+    defect_low_ = here * (limit * n + x - low);
+    defect_high_ = here * (limit * n - x - high);
     defect_speed_ = speed - (a - b);
-    per_low_ = 1 / low;
-    per_high_ = 1 / high;
-    const double k_low = a * per_low_, k_high = b * per_high_;
-    impedance = 1 / (k_low + k_high + eps);
+    per_low_ = 1.0 / low;
+    per_high_ = 1.0 / high;
+    const Real k_low = a * per_low_, k_high = b * per_high_;
+    impedance = here / (k_low + k_high + eps);
     coupling = limit * (k_low - k_high);
   }
-  // Aims at products tau; `correct` adds the second-order terms of the last direction.
-  void set_targets(double tau, bool correct) {
-    c_a_ = tau - a * low - (correct ? da * dlow : 0);
-    c_b_ = tau - b * high - (correct ? db * dhigh : 0);
+  // Aims at products tau; `correct` (1 or 0) adds the second-order terms of the last direction.
+  QUICKSAND_IN_LANES void set_targets(double tau, double correct) {
+    c_a_ = here * (tau - a * low) - correct * (da * dlow);
+    c_b_ = here * (tau - b * high) - correct * (db * dhigh);
     find_aim();
   }
   template <class Further>
-  void adjust_targets(Further further) {
-    c_a_ += further(low, dlow, a, da);
-    c_b_ += further(high, dhigh, b, db);
+  QUICKSAND_IN_LANES void adjust_targets(const Further& further) {
+    Real more;
+    further(low, dlow, a, da, more);
+    c_a_ += here * more;
+    further(high, dhigh, b, db, more);
+    c_b_ += here * more;
     find_aim();
   }
-  void find_direction(double dn, double du) {
+  QUICKSAND_IN_LANES void find_direction(const Real& dn, const Real& du) {
     dx = impedance * (aim - du - coupling * dn);
     dlow = limit * dn + dx + defect_low_;
     dhigh = limit * dn - dx + defect_high_;
     da = (c_a_ - a * dlow) * per_low_;
     db = (c_b_ - b * dhigh) * per_high_;
   }
-  void move(double alpha) {
+  QUICKSAND_IN_LANES void move(double alpha) {
     x += alpha * dx;
     low += alpha * dlow, high += alpha * dhigh;
     a += alpha * da, b += alpha * db;
   }
+  // Of a contact that pushes with n.
+  QUICKSAND_IN_LANES Real admissible(const Real& n) const {
+    const Real most = limit * n;
+    return smaller(larger(x, Real(-most)), most);
+  }
 
  private:
-  void find_aim() {
+  QUICKSAND_IN_LANES void find_aim() {
     aim =
         (c_a_ - a * defect_low_) * per_low_ - (c_b_ - b * defect_high_) * per_high_ - defect_speed_;
   }
 
-  double defect_low_ = 0, defect_high_ = 0, defect_speed_ = 0, c_a_ = 0, c_b_ = 0;
-  double per_low_ = 0, per_high_ = 0;  // 1/low, 1/high
+  Real defect_low_{}, defect_high_{}, defect_speed_{}, c_a_{}, c_b_{};
+  Real per_low_{}, per_high_{};  // 1/low, 1/high
 };
 
-struct ContactCone {
-  double n = 0, s = 0, dn = 0, ds = 0;
-  BoundedForce slide, roll;
+template <class Real>
+struct alignas(sizeof(Real)) ContactCone {
+  Real here{};
+  Real n{}, s{}, dn{}, ds{};
+  BoundedForce<Real> slide, roll;
 
   // Starts from impulse p at relative velocity u (with the offset), kept away from zero.
-  void start(const Vec3& p, const Vec3& u, double least_n, double least_speed) {
-    n = std::max(p.x(), start_beside(u.x(), least_speed, least_n));
-    s = std::max(u.x(), start_beside(n, least_n, least_speed));
-    dn = ds = 0;
-    if (slide.limit > 0) slide.start(p.y(), n, u.y(), least_n, least_speed);
-    if (roll.limit > 0) roll.start(p.z(), n, u.z(), least_n, least_speed);
+  QUICKSAND_IN_LANES void start(const Components<Real>& p, const Components<Real>& u,
+                                const Real& least_n, const Real& least_speed) {
+    n = larger(p.n, start_beside(u.n, least_speed, least_n));
+    s = larger(u.n, start_beside(n, least_n, least_speed));
+    dn = ds = Real{};
+    slide.start(p.t, n, u.t, least_n, least_speed);
+    roll.start(p.r, n, u.r, least_n, least_speed);
   }
-  Vec3 impulse() const { return {n, slide.x, roll.x}; }
+  QUICKSAND_IN_LANES void impulse(Components<Real>& p) const { p = {n, slide.x, roll.x}; }
 
-  // Linearises here; returns D, how the impulse answers to the relative velocity (-dp/du).
-  Mat3 linearise(const Vec3& u, const Vec3& eps) {
-    defect_ = u.x() - s;
-    per_n_ = 1 / n;
-    impedance_ = 1 / (s * per_n_ + eps.x());
-    Mat3 d = Mat3::Zero();
-    d(0, 0) = impedance_;
-    if (slide.limit > 0) {
-      slide.linearise(n, u.y(), eps.y());
-      d(1, 1) = slide.impedance;
-      d(1, 0) = -slide.impedance * slide.coupling * impedance_;
-    }
-    if (roll.limit > 0) {
-      roll.linearise(n, u.z(), eps.z());
-      d(2, 2) = roll.impedance;
-      d(2, 0) = -roll.impedance * roll.coupling * impedance_;
-    }
-    return d;
+  // Linearises here; returns how the impulse answers to the relative velocity (-dp/du).
+  QUICKSAND_IN_LANES void linearise(const Components<Real>& u, const Components<Real>& eps,
+                                    Impedance<Real>& d) {
+    defect_ = here * (u.n - s);
+    per_n_ = 1.0 / n;
+    impedance_ = here / (s * per_n_ + eps.n);
+    slide.linearise(n, u.t, eps.t);
+    roll.linearise(n, u.r, eps.r);
+    d.nn = impedance_;
+    d.tt = slide.impedance;
+    d.tn = -slide.impedance * slide.coupling * impedance_;
+    d.rr = roll.impedance;
+    d.rn = -roll.impedance * roll.coupling * impedance_;
   }
-  // Aims at products tau; returns dp at du = 0.
-  Vec3 set_targets(double tau, bool correct) {
-    c_n_ = (tau - n * s - (correct ? dn * ds : 0)) * per_n_;
-    if (slide.limit > 0) slide.set_targets(tau, correct);
-    if (roll.limit > 0) roll.set_targets(tau, correct);
-    return impulse_at_rest();
+  // Aims at products tau; gives dp at du = 0.
+  QUICKSAND_IN_LANES void set_targets(double tau, double correct, Components<Real>& dp) {
+    c_n_ = (here * (tau - n * s) - correct * (dn * ds)) * per_n_;
+    slide.set_targets(tau, correct);
+    roll.set_targets(tau, correct);
+    impulse_at_rest(dp);
   }
-  // Changes the aims as said above; returns the same.
+  // Changes the aims as said above; gives the same.
   template <class Further>
-  Vec3 adjust_targets(Further further) {
-    c_n_ += further(n, dn, s, ds) * per_n_;
-    if (slide.limit > 0) slide.adjust_targets(further);
-    if (roll.limit > 0) roll.adjust_targets(further);
-    return impulse_at_rest();
+  QUICKSAND_IN_LANES void adjust_targets(const Further& further, Components<Real>& dp) {
+    Real more;
+    further(n, dn, s, ds, more);
+    c_n_ += here * more * per_n_;
+    slide.adjust_targets(further);
+    roll.adjust_targets(further);
+    impulse_at_rest(dp);
   }
-  void find_direction(const Vec3& du) {
-    dn = impedance_ * (c_n_ - defect_ - du.x());
+  QUICKSAND_IN_LANES void find_direction(const Components<Real>& du) {
+    dn = impedance_ * (c_n_ - defect_ - du.n);
     ds = c_n_ - s * per_n_ * dn;
-    if (slide.limit > 0) slide.find_direction(dn, du.y());
-    if (roll.limit > 0) roll.find_direction(dn, du.z());
+    slide.find_direction(dn, du.t);
+    roll.find_direction(dn, du.r);
   }
-  void move(double alpha) {
+  QUICKSAND_IN_LANES void move(double alpha) {
     n += alpha * dn;
     s += alpha * ds;
-    if (slide.limit > 0) slide.move(alpha);
-    if (roll.limit > 0) roll.move(alpha);
+    slide.move(alpha);
+    roll.move(alpha);
   }
   // The nearest admissible impulse: none at an open contact, friction within its bounds.
-  Vec3 admissible_impulse(double delassus) const {
-    if (n * delassus < s) return {0, 0, 0};
-    return {n, project_bounded(slide.x, slide.limit * n), project_bounded(roll.x, roll.limit * n)};
+  QUICKSAND_IN_LANES void admissible_impulse(const Real& delassus, Components<Real>& p) const {
+    const Real pushes = n * delassus < s ? Real{} : n;
+    p = {pushes, slide.admissible(pushes), roll.admissible(pushes)};
+  }
+  QUICKSAND_IN_LANES void lift(double least) {
+    lift_pair(least, n, s);
+    lift_pair(least, slide.low, slide.a);
+    lift_pair(least, slide.high, slide.b);
+    lift_pair(least, roll.low, roll.a);
+    lift_pair(least, roll.high, roll.b);
   }
 
-  // Raises the smaller factor of every product below `least`.
-  void lift(double least) {
-    const auto raise = [least](double& x, double& y) {
-      if (x * y < least) (x < y ? x : y) = least / std::max(x, y);
-    };
-    raise(n, s);
-    if (slide.limit > 0) raise(slide.low, slide.a), raise(slide.high, slide.b);
-    if (roll.limit > 0) raise(roll.low, roll.a), raise(roll.high, roll.b);
-  }
-
-  // visit(x, dx, y, dy) for each pair of the contact.
+  // visit(here, x, dx, y, dy) for each pair of the contact.
   template <class Visit>
-  void visit_pairs(Visit visit) const {
-    visit(n, dn, s, ds);
-    if (slide.limit > 0) {
-      visit(slide.low, slide.dlow, slide.a, slide.da);
-      visit(slide.high, slide.dhigh, slide.b, slide.db);
-    }
-    if (roll.limit > 0) {
-      visit(roll.low, roll.dlow, roll.a, roll.da);
-      visit(roll.high, roll.dhigh, roll.b, roll.db);
-    }
+  QUICKSAND_IN_LANES void visit_pairs(const Visit& visit) const {
+    visit(here, n, dn, s, ds);
+    visit(slide.here, slide.low, slide.dlow, slide.a, slide.da);
+    visit(slide.here, slide.high, slide.dhigh, slide.b, slide.db);
+    visit(roll.here, roll.low, roll.dlow, roll.a, roll.da);
+    visit(roll.here, roll.high, roll.dhigh, roll.b, roll.db);
   }
 
  private:
   // dp at du = 0
-  Vec3 impulse_at_rest() const {
-    Vec3 dp(impedance_ * (c_n_ - defect_), 0, 0);
-    if (slide.limit > 0) dp.y() = slide.impedance * (slide.aim - slide.coupling * dp.x());
-    if (roll.limit > 0) dp.z() = roll.impedance * (roll.aim - roll.coupling * dp.x());
-    return dp;
+  QUICKSAND_IN_LANES void impulse_at_rest(Components<Real>& dp) const {
+    dp.n = impedance_ * (c_n_ - defect_);
+    dp.t = slide.impedance * (slide.aim - slide.coupling * dp.n);
+    dp.r = roll.impedance * (roll.aim - roll.coupling * dp.n);
   }
 
-  double defect_ = 0, impedance_ = 0, c_n_ = 0;
-  double per_n_ = 0;  // 1/n
+  Real defect_{}, impedance_{}, c_n_{};
+  Real per_n_{};  // 1/n
 };
 
 }  // namespace quicksand

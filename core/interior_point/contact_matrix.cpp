@@ -1,5 +1,7 @@
 #include "core/interior_point/contact_matrix.h"
 
+#include <algorithm>
+
 #include "core/base/parallel.h"
 
 namespace quicksand {
@@ -7,64 +9,77 @@ namespace quicksand {
 namespace {
 
 // What a contact adds to the blocks of its bodies: X^T D Y, up to a sign, where X and Y take the motion of a body to
-// that of its contact point, [R s; 0 1] with the rows n and t of R and s the velocity there of a unit spin. Of D only
-// the first column and the diagonal are not zero (see interior_point_cone.h). Directions in which a body cannot move
-// are left out.
-class ContactBlocks {
- public:
-  ContactBlocks(const ContactProblem& problem, const ContactRow& row, const Mat3& d)
-      : row_(row),
-        d_(d),
-        inverse_mass_a_(problem.inverse_mass[row.a]),
-        inverse_mass_b_(problem.inverse_mass[row.b]),
-        held_((inverse_mass_a_.array() == 0).any() || (inverse_mass_b_.array() == 0).any()) {
-    const Vec2 n = row.normal, t = perpendicular(n);
-    const Vec2 along_n = d(0, 0) * n + d(1, 0) * t, along_t = d(1, 1) * t;
-    xx_ = along_n.x() * n.x() + along_t.x() * t.x();
-    yx_ = along_n.y() * n.x() + along_t.y() * t.x();
-    xy_ = along_n.x() * n.y() + along_t.x() * t.y();
-    yy_ = along_n.y() * n.y() + along_t.y() * t.y();
-  }
-  void add_aa(const BlockLu::Entry& sum) const {
-    add(1, row_.spin_a, row_.spin_a, inverse_mass_a_, inverse_mass_a_, sum);
-  }
-  void add_bb(const BlockLu::Entry& sum) const {
-    add(1, row_.spin_b, row_.spin_b, inverse_mass_b_, inverse_mass_b_, sum);
-  }
-  void add_ab(const BlockLu::Entry& sum) const {
-    add(-1, row_.spin_a, row_.spin_b, inverse_mass_a_, inverse_mass_b_, sum);
-  }
-  void add_ba(const BlockLu::Entry& sum) const {
-    add(-1, row_.spin_b, row_.spin_a, inverse_mass_b_, inverse_mass_a_, sum);
-  }
+// that of its contact point, [R s; 0 1] with the rows n and t of R and s the velocity there of a unit spin. The first
+// two columns of a block depend on the body of its row only, so eight columns make the four blocks.
+enum Column { first_a, second_a, first_b, second_b, spin_aa, spin_ab, spin_ba, spin_bb, kColumns };
 
- private:
-  [[gnu::always_inline]] void add(double sign, const Vec2& x, const Vec2& y,
-                                  const Vec3& inverse_mass_x, const Vec3& inverse_mass_y,
-                                  BlockLu::Entry sum) const {
-    const Vec2 n = row_.normal, t = perpendicular(n);
-    const Vec2 turned(d_(0, 0) * y.x(),
-                      d_(1, 0) * y.x() + d_(1, 1) * y.y());  // by a unit spin of y
-    const Vec2 torque(x.x() * d_(0, 0) + x.y() * d_(1, 0) + d_(2, 0), x.y() * d_(1, 1));
-    Mat3 block;
-    block << xx_, xy_, turned.x() * n.x() + turned.y() * t.x(),  //
-        yx_, yy_, turned.x() * n.y() + turned.y() * t.y(),       //
-        torque.x() * n.x() + torque.y() * t.x(), torque.x() * n.y() + torque.y() * t.y(),
-        x.dot(turned) + d_(2, 0) * y.x() + d_(2, 2);
-    if (held_)
-      for (int k = 0; k < 3; ++k) {
-        if (inverse_mass_x[k] == 0) block.row(k).setZero();
-        if (inverse_mass_y[k] == 0) block.col(k).setZero();
-      }
-    sum += sign * block;
-  }
+// The columns of four contacts: column k of contact c from out[c] + 4 k on.
+QUICKSAND_IN_LANES void find_columns(const RowLanes& row, const Impedance<Lanes>& d,
+                                     std::array<double, 4 * kColumns>* out) {
+  const Lanes nx = row.normal_x, ny = row.normal_y;
+  // D applied to the rows of R, in space: n stands for the first column of D, t = (-ny, nx) for the second.
+  const Lanes nn_x = d.nn * nx - d.tn * ny, nn_y = d.nn * ny + d.tn * nx;
+  const Lanes tt_x = -d.tt * ny, tt_y = d.tt * nx;
+  const Lanes zero{};
+  const auto put = [&](Column column, Lanes x, Lanes y, Lanes z) __attribute__((always_inline)) {
+    Lanes w = zero;
+    transpose(x, y, z, w);
+    store_lanes(x, out[0].data() + 4 * column);
+    store_lanes(y, out[1].data() + 4 * column);
+    store_lanes(z, out[2].data() + 4 * column);
+    store_lanes(w, out[3].data() + 4 * column);
+  };
+  const Lanes xx = nn_x * nx - tt_x * ny, yx = nn_y * nx - tt_y * ny;
+  const Lanes xy = nn_x * ny + tt_x * nx, yy = nn_y * ny + tt_y * nx;
+  const auto torque = [&](const Lanes& s_n, const Lanes& s_t, Lanes& n,
+                          Lanes& t) __attribute__((always_inline)) {
+    n = s_n * d.nn + s_t * d.tn + d.rn;
+    t = s_t * d.tt;
+  };
+  Lanes an, at, bn, bt;
+  torque(row.spin_a_n, row.spin_a_t, an, at);
+  torque(row.spin_b_n, row.spin_b_t, bn, bt);
+  put(first_a, xx, yx, an * nx - at * ny);
+  put(second_a, xy, yy, an * ny + at * nx);
+  put(first_b, xx, yx, bn * nx - bt * ny);
+  put(second_b, xy, yy, bn * ny + bt * nx);
+  // By a unit spin of a body.
+  const Lanes ua_x = row.spin_a_n * nn_x + row.spin_a_t * tt_x;
+  const Lanes ua_y = row.spin_a_n * nn_y + row.spin_a_t * tt_y;
+  const Lanes ub_x = row.spin_b_n * nn_x + row.spin_b_t * tt_x;
+  const Lanes ub_y = row.spin_b_n * nn_y + row.spin_b_t * tt_y;
+  put(spin_aa, ua_x, ua_y, an * row.spin_a_n + at * row.spin_a_t + d.rr);
+  put(spin_ab, ub_x, ub_y, an * row.spin_b_n + at * row.spin_b_t + d.rr);
+  put(spin_ba, ua_x, ua_y, bn * row.spin_a_n + bt * row.spin_a_t + d.rr);
+  put(spin_bb, ub_x, ub_y, bn * row.spin_b_n + bt * row.spin_b_t + d.rr);
+}
 
-  const ContactRow& row_;
-  const Mat3& d_;
-  const Vec3 &inverse_mass_a_, &inverse_mass_b_;
-  const bool held_;
-  double xx_ = 0, xy_ = 0, yx_ = 0, yy_ = 0;  // R^T D R
+// A block that is summed up in registers.
+struct alignas(sizeof(Lanes)) BlockSum {
+  Lanes column[3];
+
+  QUICKSAND_IN_LANES void add(const std::array<double, 4 * kColumns>& columns, int first, int second,
+                              int spin) {
+    Lanes x, y, z;
+    load_lanes(columns.data() + 4 * first, x);
+    load_lanes(columns.data() + 4 * second, y);
+    load_lanes(columns.data() + 4 * spin, z);
+    column[0] += x, column[1] += y, column[2] += z;
+  }
 };
+
+// Directions in which a body cannot move are left out.
+QUICKSAND_IN_LANES Lanes mobile(const Eigen::Vector4d& inverse_mass) {
+  Lanes im;
+  load_lanes(inverse_mass.data(), im);
+  const Lanes none{}, one = none + 1.0;
+  return im > none ? one : none;
+}
+QUICKSAND_IN_LANES void hold(const Eigen::Vector4d& of_row, const Eigen::Vector4d& of_column,
+                             BlockSum& block) {
+  const Lanes row = mobile(of_row), column = mobile(of_column);
+  for (int k = 0; k < 3; ++k) block.column[k] *= row * column[k];
+}
 
 }  // namespace
 
@@ -78,58 +93,183 @@ void ContactMatrix::attach(const ContactProblem& problem) {
     body_of_row_.push_back(static_cast<int>(i));
   }
   edges_.clear();
-  edge_of_contact_.assign(problem.contacts.size(), -1);
-  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
-    const int i = row_of_body_[problem.contacts[c].a], j = row_of_body_[problem.contacts[c].b];
-    if (i < 0 || j < 0) continue;
-    edge_of_contact_[c] = static_cast<int>(edges_.size());
-    edges_.push_back({i, j});
+  for (const ContactRow& contact : problem.contacts) {
+    const int i = row_of_body_[contact.a], j = row_of_body_[contact.b];
+    if (i >= 0 && j >= 0) edges_.push_back({i, j});
   }
   lu_.analyse(static_cast<int>(body_of_row_.size()), edges_);
+  place_bodies();
+  place_contacts();
 }
 
-void ContactMatrix::factorise(const std::vector<Mat3>& impedance) {
+void ContactMatrix::place_bodies() {
   const ContactProblem& problem = *problem_;
-  lu_.clear();
-  for (std::size_t k = 0; k < body_of_row_.size(); ++k) {
-    const Vec3& im = problem.inverse_mass[body_of_row_[k]];
-    for (int d = 0; d < 3; ++d) lu_.diagonal(static_cast<int>(k))(d, d) = im[d] > 0 ? 1 / im[d] : 1;
+  const std::size_t nb = problem.inverse_mass.size();
+  place_.resize(nb);
+  inverse_mass_.resize(nb);
+  free_velocity_.resize(nb);
+  diagonal_.resize(body_of_row_.size());
+  for (std::size_t k = 0; k < body_of_row_.size(); ++k)
+    diagonal_[static_cast<std::size_t>(lu_.position(static_cast<int>(k)))] =
+        &lu_.diagonal_block(static_cast<int>(k));
+  int immobile = static_cast<int>(body_of_row_.size());
+  for (std::size_t i = 0; i < nb; ++i) {
+    const int place = row_of_body_[i] < 0 ? immobile++ : lu_.position(row_of_body_[i]);
+    place_[i] = place;
+    inverse_mass_[static_cast<std::size_t>(place)] << problem.inverse_mass[i], 0;
+    free_velocity_[static_cast<std::size_t>(place)] << problem.free_velocity[i], 0;
   }
-  visit_sides(
-      problem,
-      [&](std::size_t c, const ContactRow& row) {
-        const ContactBlocks blocks(problem, row, impedance[c]);
-        const int i = row_of_body_[row.a], e = edge_of_contact_[c];
-        if (i >= 0) blocks.add_aa(lu_.diagonal(i));
-        if (e >= 0) blocks.add_ba(lu_.lower(e));
-      },
-      [&](std::size_t c, const ContactRow& row) {
-        const ContactBlocks blocks(problem, row, impedance[c]);
-        const int j = row_of_body_[row.b], e = edge_of_contact_[c];
-        if (j >= 0) blocks.add_bb(lu_.diagonal(j));
-        if (e >= 0) blocks.add_ab(lu_.upper(e));
-      });
+}
+
+void ContactMatrix::place_contacts() {
+  const ContactProblem& problem = *problem_;
+  const std::size_t nc = problem.contacts.size();
+  rows_.resize(lane_blocks(nc));
+  momentum_.resize(2 * kLanes * rows_.size());
+  columns_.resize(kLanes * rows_.size());
+  coupling_.clear();
+  side_start_.assign(place_.size() + 1, 0);
+  for (std::size_t c = 0; c < kLanes * rows_.size(); ++c) {
+    const ContactRow& contact = problem.contacts[c < nc ? c : 0];
+    RowLanes& row = rows_[c / kLanes];
+    const std::size_t k = c % kLanes;
+    const int a = row.a[k] = place_[contact.a], b = row.b[k] = place_[contact.b];
+    row.normal_x[k] = contact.normal.x();
+    row.normal_y[k] = contact.normal.y();
+    row.spin_a_n[k] = contact.spin_a.x();
+    row.spin_a_t[k] = contact.spin_a.y();
+    row.spin_b_n[k] = contact.spin_b.x();
+    row.spin_b_t[k] = contact.spin_b.y();
+    row.offset.n[k] = contact.offset.x();
+    row.offset.t[k] = contact.offset.y();
+    row.offset.r[k] = contact.offset.z();
+    if (c >= nc) continue;
+    ++side_start_[static_cast<std::size_t>(a) + 1];
+    ++side_start_[static_cast<std::size_t>(b) + 1];
+    if (row_of_body_[contact.a] < 0 || row_of_body_[contact.b] < 0) continue;
+    const int edge = static_cast<int>(coupling_.size());
+    coupling_.push_back({.contact = static_cast<int>(c),
+                         .ab = &lu_.upper_block(edge),
+                         .ba = &lu_.lower_block(edge),
+                         .held = (problem.inverse_mass[contact.a].array() == 0).any() ||
+                                 (problem.inverse_mass[contact.b].array() == 0).any()});
+  }
+  for (std::size_t i = 0; i < place_.size(); ++i) side_start_[i + 1] += side_start_[i];
+  side_.resize(2 * nc);
+  next_.assign(side_start_.begin(), side_start_.end());
+  for (std::size_t c = 0; c < nc; ++c) {
+    const RowLanes& row = rows_[c / kLanes];
+    const auto a = static_cast<std::size_t>(row.a[c % kLanes]);
+    const auto b = static_cast<std::size_t>(row.b[c % kLanes]);
+    side_[static_cast<std::size_t>(next_[a]++)] = static_cast<int>(2 * c);
+    side_[static_cast<std::size_t>(next_[b]++)] = static_cast<int>(2 * c + 1);
+  }
+}
+
+void ContactMatrix::factorise(const std::vector<Impedance<Lanes>>& impedance) {
+  lu_.clear();
+  for_lane_blocks(kLanes * rows_.size(), [&](std::size_t k) __attribute__((always_inline)) {
+    find_columns(rows_[k], impedance[k], columns_.data() + kLanes * k);
+  });
+  share_in_lanes(diagonal_.size(), [&](std::size_t i) __attribute__((always_inline)) {
+    const Eigen::Vector4d& im = inverse_mass_[i];
+    BlockSum sum{};
+    for (int k = side_start_[i]; k < side_start_[i + 1]; ++k) {
+      const auto side = static_cast<std::size_t>(side_[static_cast<std::size_t>(k)]);
+      if (side % 2 == 0)
+        sum.add(columns_[side / 2], first_a, second_a, spin_aa);
+      else
+        sum.add(columns_[side / 2], first_b, second_b, spin_bb);
+    }
+    if (!(im[0] > 0 && im[1] > 0 && im[2] > 0)) hold(im, im, sum);
+    for (int d = 0; d < 3; ++d) {
+      sum.column[d][d] += im[d] > 0 ? 1 / im[d] : 1;
+      store_lanes(sum.column[d], diagonal_[i]->column[d]);
+    }
+  });
+  // One after the other, as two contacts may couple the same bodies.
+  with_lanes([&]() __attribute__((always_inline)) {
+    for (const Coupling& c : coupling_) {
+      const auto contact = static_cast<std::size_t>(c.contact);
+      BlockSum ab{}, ba{};
+      ab.add(columns_[contact], first_a, second_a, spin_ab);
+      ba.add(columns_[contact], first_b, second_b, spin_ba);
+      if (c.held) {
+        const RowLanes& row = rows_[contact / kLanes];
+        const Eigen::Vector4d& a = inverse_mass_[static_cast<std::size_t>(row.a[contact % kLanes])];
+        const Eigen::Vector4d& b = inverse_mass_[static_cast<std::size_t>(row.b[contact % kLanes])];
+        hold(a, b, ab);
+        hold(b, a, ba);
+      }
+      for (int d = 0; d < 3; ++d) {
+        Lanes x, y;
+        load_lanes(c.ab->column[d], x);
+        load_lanes(c.ba->column[d], y);
+        store_lanes(x - ab.column[d], c.ab->column[d]);
+        store_lanes(y - ba.column[d], c.ba->column[d]);
+      }
+    }
+  });
   lu_.factorise();
 }
 
+void ContactMatrix::factorise(const std::vector<Mat3>& impedance) {
+  packed_.resize(rows_.size());
+  for (std::size_t c = 0; c < impedance.size(); ++c) {
+    Impedance<Lanes>& d = packed_[c / kLanes];
+    const std::size_t k = c % kLanes;
+    d.nn[k] = impedance[c](0, 0);
+    d.tn[k] = impedance[c](1, 0);
+    d.tt[k] = impedance[c](1, 1);
+    d.rn[k] = impedance[c](2, 0);
+    d.rr[k] = impedance[c](2, 2);
+  }
+  factorise(packed_);
+}
+
+template <class Put>
+[[gnu::always_inline]] inline void ContactMatrix::sum_momenta(const Put& put) const {
+  share_in_lanes(place_.size(), [&](std::size_t i) __attribute__((always_inline)) {
+    Lanes sum{};
+    for (int k = side_start_[i]; k < side_start_[i + 1]; ++k) {
+      Lanes p;
+      load_lanes(momentum_[static_cast<std::size_t>(side_[static_cast<std::size_t>(k)])].data(), p);
+      sum += p;
+    }
+    Lanes im;
+    load_lanes(inverse_mass_[i].data(), im);
+    put(i, im, sum);
+  });
+}
+
+void ContactMatrix::velocity_change(BodyVectors& change) {
+  change.resize(place_.size());
+  sum_momenta([&](std::size_t i, const Lanes& im, const Lanes& sum) __attribute__((always_inline)) {
+    const Lanes none{};
+    store_lanes(im > none ? sum : none, change[i].data());
+  });
+  lu_.solve_in_place(change.data());
+}
+
+void ContactMatrix::velocity(BodyVectors& velocity) const {
+  velocity.resize(place_.size());
+  sum_momenta([&](std::size_t i, const Lanes& im, const Lanes& sum) __attribute__((always_inline)) {
+    Lanes free;
+    load_lanes(free_velocity_[i].data(), free);
+    store_lanes(free + im * sum, velocity[i].data());
+  });
+}
+
 void ContactMatrix::velocity_change(const std::vector<Vec3>& impulse, std::vector<Vec3>& dv) {
-  const ContactProblem& problem = *problem_;
-  dv.assign(problem.inverse_mass.size(), Vec3::Zero());
-  visit_sides(
-      problem,
-      [&](std::size_t c, const ContactRow& row) { dv[row.a] += momentum_of_a(row, impulse[c]); },
-      [&](std::size_t c, const ContactRow& row) { dv[row.b] += momentum_of_b(row, impulse[c]); });
-  right_hand_side_.resize(body_of_row_.size());
-  for (std::size_t k = 0; k < body_of_row_.size(); ++k) {
-    const int i = body_of_row_[k];
-    for (int d = 0; d < 3; ++d)
-      right_hand_side_[k][d] = problem.inverse_mass[i][d] > 0 ? dv[i][d] : 0;
+  for (std::size_t c = 0; c < impulse.size(); ++c) {
+    const ContactRow& row = problem_->contacts[c];
+    momentum_[2 * c] << momentum_of_a(row, impulse[c]), 0;
+    momentum_[2 * c + 1] << momentum_of_b(row, impulse[c]), 0;
   }
-  lu_.solve(right_hand_side_);
-  for (std::size_t i = 0; i < dv.size(); ++i) {
-    const int k = row_of_body_[i];
-    dv[i] = k < 0 ? Vec3(0, 0, 0) : right_hand_side_[static_cast<std::size_t>(k)];
-  }
+  velocity_change(change_);
+  dv.resize(place_.size());
+  for (std::size_t i = 0; i < dv.size(); ++i)
+    dv[i] = change_[static_cast<std::size_t>(place_[i])].head<3>();
 }
 
 }  // namespace quicksand

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "core/interior_point/contact_lanes.h"
 #include "core/linear/block_lu.h"
 #include "core/problem/contact_problem.h"
 
@@ -12,11 +13,23 @@ namespace quicksand {
 
 class ContactMatrix {
  public:
-  // Reads the graph of the mobile bodies. The problem must outlive the use of this object.
+  // Reads the rows and the graph of the mobile bodies. The problem must outlive the use of this object.
   void attach(const ContactProblem& problem);
 
-  // Factorises M + H^T D H for `impedance` D (nc).
+  // The contacts four at a time; lanes beyond the last contact repeat the first one.
+  const std::vector<RowLanes>& rows() const { return rows_; }
+
+  // Factorises M + H^T D H for `impedance` D, by the same blocks of four.
+  void factorise(const std::vector<Impedance<Lanes>>& impedance);
+  // The same for D of each contact (nc).
   void factorise(const std::vector<Mat3>& impedance);
+
+  // Where the momenta of impulses are put (see RowLanes::momenta); what is beyond the last contact is not read.
+  Eigen::Vector4d* momenta(std::size_t block) { return momentum_.data() + 2 * kLanes * block; }
+  // change := (M + H^T D H)^-1 H^T p for the impulses p of these momenta, by places of bodies; 0 where one is immobile.
+  void velocity_change(BodyVectors& change);
+  // velocity := free velocity + M^-1 H^T p, by places of bodies.
+  void velocity(BodyVectors& velocity) const;
 
   // dv (nb) := (M + H^T D H)^-1 H^T impulse for impulses (nc); zero for immobile bodies.
   void velocity_change(const std::vector<Vec3>& impulse, std::vector<Vec3>& dv);
@@ -25,13 +38,33 @@ class ContactMatrix {
   bool negative() const { return lu_.negative(); }
 
  private:
+  // The blocks beside the diagonal that a contact adds to.
+  struct Coupling {
+    int contact = 0;
+    PaddedBlock *ab = nullptr, *ba = nullptr;
+    bool held = false;  // some direction of a body is immobile
+  };
+  void place_bodies();
+  void place_contacts();
+  template <class Put>
+  void sum_momenta(const Put& put) const;  // put(place, inverse mass, sum)
+
   const ContactProblem* problem_ = nullptr;
   std::vector<int> row_of_body_;  // (nb) block row, -1 if immobile
   std::vector<int> body_of_row_;
-  std::vector<int> edge_of_contact_;  // (nc) -1 if only one body is mobile
   std::vector<Edge> edges_;
   BlockLu lu_;
-  std::vector<Vec3> right_hand_side_;
+  std::vector<int> place_;                   // (nb) in the order of elimination, immobile bodies last
+  BodyVectors inverse_mass_, free_velocity_;  // by places
+  std::vector<PaddedBlock*> diagonal_;       // of mobile bodies, by places
+  std::vector<RowLanes> rows_;
+  std::vector<Coupling> coupling_;  // of contacts between two mobile bodies
+  // The sides of contacts by places of their bodies, ascending: 2 c is that of a, 2 c + 1 that of b.
+  std::vector<int> side_, side_start_, next_;
+  BodyVectors momentum_;                         // by sides
+  std::vector<std::array<double, 32>> columns_;  // (nc, rounded up) see contact_matrix.cpp
+  std::vector<Impedance<Lanes>> packed_;
+  BodyVectors change_;
 };
 
 }  // namespace quicksand

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "core/interior_point/cone.h"
+#include "core/interior_point/contact_lanes.h"
 #include "core/interior_point/contact_matrix.h"
 #include "core/interior_point/newton_on_modes.h"
 #include "core/problem/contact_problem.h"
@@ -41,16 +42,12 @@ class InteriorPoint {
                     ContactState& state);
 
  private:
-  // Of some of the pairs.
-  struct Products {
-    std::array<double, 3> by_power{};  // their sum after a step of alpha, by powers of alpha
-    std::size_t pairs = 0;
-    double fastest = 1e-3;  // the largest relative decrease of a factor, at least this
-    void add(const Products& other) {
-      for (std::size_t k = 0; k < by_power.size(); ++k) by_power[k] += other.by_power[k];
-      pairs += other.pairs;
-      fastest = std::max(fastest, other.fastest);
-    }
+  // Of some of the pairs, by lanes.
+  struct alignas(sizeof(Lanes)) Products {
+    std::array<Lanes, 3> by_power{};  // their sum after a step of alpha, by powers of alpha
+    Lanes pairs{};
+    Lanes fastest = Lanes{} + 1e-3;  // the largest relative decrease of a factor, at least this
+    void add(const Products& other);
   };
 
   void start(const ContactProblem& problem, double shift, const ContactState& state);
@@ -61,6 +58,9 @@ class InteriorPoint {
   // The same for products that such a step of alpha would leave well within bounds.
   double centre_direction(const ContactProblem& problem, double tau, double alpha);
   double follow(const ContactProblem& problem);
+  void relative_velocity_at(std::size_t block, Components<Lanes>& u) const;
+  void set_momenta(std::size_t contacts);
+  double fastest_change(std::size_t contacts) const;
   double find_step(const ContactProblem& problem, double product, double least_product);
   bool finish(const ContactProblem& problem, const SolverSettings& settings, ContactState& state,
               SolveReport& report);
@@ -74,14 +74,17 @@ class InteriorPoint {
 
   ContactMatrix matrix_;
   NewtonOnModes newton_;
-  Products products_;
+  std::array<double, 3> products_{};  // their sum after a step of alpha, by powers of alpha
+  double pairs_ = 0;
   double proximal_ = 0;            // over each contact's Delassus diagonal [1]
   std::vector<Vec3> delassus_;     // (nc) diagonal of each contact's own block
-  std::vector<ContactCone> cone_;  // (nc)
-  std::vector<Mat3> impedance_;    // (nc)
-  std::vector<Vec3> impulse_;      // (nc)
-  std::vector<Vec3> velocity_;     // (nb) that the impulses of the cones give
-  std::vector<Vec3> change_;       // (nb)
+  // Four contacts a block; bodies by places (contact_lanes.h).
+  std::vector<Components<Lanes>> softness_;  // the Delassus diagonals
+  std::vector<ContactCone<Lanes>> cone_;
+  std::vector<Impedance<Lanes>> impedance_;
+  std::vector<Components<Lanes>> impulse_;
+  BodyVectors velocity_;  // that the impulses of the cones give
+  BodyVectors change_;
   std::vector<Vec3> best_;         // (nc)
   ContactState relaxed_;
   RelaxationScratch relaxation_;

@@ -248,31 +248,34 @@ void BlockLu::factorise() {
   });
 }
 
-void BlockLu::solve(std::vector<Vec3>& x) {
+void BlockLu::solve_in_place(Eigen::Vector4d* x) const {
   const std::vector<Supernode>& node = plan_.supernodes();
   const PaddedBlock *lower = lower_.data(), *upper = upper_.data();
-  Eigen::Vector4d* y = work_.data();
   const auto& groups = subtrees_.groups();
   const auto& top = subtrees_.top();
-  for (int i = 0; i < plan_.size(); ++i) work_[plan_.position(i)] << x[i], 0;
   share_in_lanes(
       groups.size(), [&](int group) __attribute__((always_inline)) {
         for (const int s : groups[group])
-          solve_lower(plan_, node[s], 1, node[s].columns + subtrees_.rows_inside(s), lower, y);
+          solve_lower(plan_, node[s], 1, node[s].columns + subtrees_.rows_inside(s), lower, x);
       });
   with_lanes([&]() __attribute__((always_inline)) {
     for (const int s : subtrees_.border())
       solve_lower(plan_, node[s], node[s].columns + subtrees_.rows_inside(s),
-                  node[s].columns + node[s].rows, lower, y);
+                  node[s].columns + node[s].rows, lower, x);
     for (const int s : top)
-      solve_lower(plan_, node[s], 1, node[s].columns + node[s].rows, lower, y);
-    for (auto s = top.rbegin(); s != top.rend(); ++s) solve_upper(plan_, node[*s], lower, upper, y);
+      solve_lower(plan_, node[s], 1, node[s].columns + node[s].rows, lower, x);
+    for (auto s = top.rbegin(); s != top.rend(); ++s) solve_upper(plan_, node[*s], lower, upper, x);
   });
   share_in_lanes(
       groups.size(), [&](int group) __attribute__((always_inline)) {
         for (auto s = groups[group].rbegin(); s != groups[group].rend(); ++s)
-          solve_upper(plan_, node[*s], lower, upper, y);
+          solve_upper(plan_, node[*s], lower, upper, x);
       });
+}
+
+void BlockLu::solve(std::vector<Vec3>& x) {
+  for (int i = 0; i < plan_.size(); ++i) work_[plan_.position(i)] << x[i], 0;
+  solve_in_place(work_.data());
   for (int i = 0; i < plan_.size(); ++i) x[i] = work_[plan_.position(i)].head<3>();
 }
 

@@ -34,14 +34,25 @@ class BlockLu {
   // The matrix, to be filled before factorise(): block (i, i), and for edge e the blocks (i, j) and
   // (j, i), which add up where edges repeat.
   void clear();
-  Entry diagonal(int i) { return entry(lower_, plan_.diagonal_slot(i)); }
-  Entry upper(int e) { return entry(plan_.edge_flipped(e) ? lower_ : upper_, plan_.edge_slot(e)); }
-  Entry lower(int e) { return entry(plan_.edge_flipped(e) ? upper_ : lower_, plan_.edge_slot(e)); }
+  Entry diagonal(int i) { return entry(diagonal_block(i)); }
+  Entry upper(int e) { return entry(upper_block(e)); }
+  Entry lower(int e) { return entry(lower_block(e)); }
+  PaddedBlock& diagonal_block(int i) { return block(lower_, plan_.diagonal_slot(i)); }
+  PaddedBlock& upper_block(int e) {
+    return block(plan_.edge_flipped(e) ? lower_ : upper_, plan_.edge_slot(e));
+  }
+  PaddedBlock& lower_block(int e) {
+    return block(plan_.edge_flipped(e) ? upper_ : lower_, plan_.edge_slot(e));
+  }
+  // Place of a block row in the order of elimination.
+  int position(int i) const { return plan_.position(i); }
 
   // Replaces the matrix by its factors.
   void factorise();
   // x (n) := A^-1 x.
   void solve(std::vector<Vec3>& x);
+  // The same for x (n) in the order of elimination; the fourth numbers mean nothing.
+  void solve_in_place(Eigen::Vector4d* x) const;
 
   // Whether the determinant of the factorised matrix is negative.
   bool negative() const { return negative_; }
@@ -52,9 +63,10 @@ class BlockLu {
   double operations() const;
 
  private:
-  static Entry entry(std::vector<PaddedBlock>& blocks, int slot) {
-    return Entry(&blocks[static_cast<std::size_t>(slot)].column[0][0]);
+  static PaddedBlock& block(std::vector<PaddedBlock>& blocks, int slot) {
+    return blocks[static_cast<std::size_t>(slot)];
   }
+  static Entry entry(PaddedBlock& block) { return Entry(&block.column[0][0]); }
 
   Elimination plan_;
   Subtrees subtrees_;
