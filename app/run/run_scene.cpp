@@ -64,8 +64,12 @@ class Run {
 
   // The state speaks of rows and frames, so these are on the disk before it.
   void write_state() {
+    const WorkClock::Span span(&clock(), Work::writing);
     series_.secure();
-    if (film_) film_->secure();
+    if (film_) {
+      const WorkClock::Span until_there(&clock(), Work::waiting);
+      film_->secure();
+    }
     write_checkpoint(folder_.state(),
                      {sampled_run_.world(), protocol().state(), to_text(scenario_),
                       to_bytes({series_.rows(), first_step_, sampled_run_.samples()})});
@@ -97,9 +101,11 @@ class Run {
       if (film_ && higher_than_the_picture())
         result.notes.push_back("the packing is higher than box.height, " +
                                number_text(scenario_.box.height) + " d, where the pictures end");
-      if (film_)
+      if (film_) {
+        const WorkClock::Span span(&clock(), Work::waiting);
         if (std::string problem = film_->finish(); !problem.empty())
           result.notes.push_back(std::move(problem));
+      }
     } catch (const InputError& error) {
       fail(result.end, error);
     }
@@ -107,6 +113,8 @@ class Run {
     result.end.steps = step - first_step_;
     result.end.computed_steps = step - began_at_step_;
     result.end.wall_seconds = seconds_since(began_);
+    result.end.work = clock().seconds();
+    result.end.work_counts = clock().counts;
     const Row& last = sampled_run_.last();
     try {
       write_search_tables(folder_, protocol().state());
@@ -129,14 +137,20 @@ class Run {
   }
 
   const Protocol& protocol() const { return sampled_run_.protocol(); }
+  WorkClock& clock() { return sampled_run_.protocol().clock(); }
 
   std::string validate_now(const StrictBounds& bounds) const {
     return validation_failures(protocol().state(), sampled_run_.last().sample.max_overlap, bounds);
   }
 
   void record(const Row& row, const World& world) {
-    series_.add(row);
-    if (film_) film_->add(world, row.phase);
+    {
+      const WorkClock::Span span(&clock(), Work::writing);
+      series_.add(row);
+    }
+    if (!film_) return;
+    const WorkClock::Span span(&clock(), Work::drawing);
+    film_->add(world, row.phase);
   }
 
   RunEnd::How compute() {

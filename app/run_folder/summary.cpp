@@ -30,6 +30,24 @@ Json spread(const LogHistogram& h) {
            first < last ? std::vector<std::int64_t>(first, last) : std::vector<std::int64_t>{}}};
 }
 
+// Where the time of the run's last part went, and how many contact problems were solved by what.
+Json work_split(const RunEnd& end, const ProtocolState& state) {
+  Json seconds = Json::object();
+  for (std::size_t k = 0; k < kWorkNames.size(); ++k)
+    seconds[std::string(kWorkNames[k])] = end.work[k];
+  const WorkClock::Counts& counts = end.work_counts;
+  constexpr std::array kStages{"warm_start", "local_solver", "interior_point", "far_start",
+                               "relaxation"};
+  Json by_stage = Json::object();
+  for (std::size_t k = 0; k < kStages.size(); ++k) by_stage[kStages[k]] = counts.by_stage[k];
+  return {{"seconds", std::move(seconds)},
+          {"solutions", counts.solutions},
+          {"solutions_of_failure_criterion", counts.of_criterion},
+          {"solved_by", std::move(by_stage)},
+          {"not_converged", counts.not_converged},
+          {"halved_steps", state.halved_steps}};
+}
+
 Json si_units(const PhysicalScale& physical) {
   const SiScale si = si_scale(physical);
   return {{"d [m]", si.length},       {"m [kg]", si.mass},
@@ -75,6 +93,7 @@ Json summary(const Scenario& scenario, const World& world, const ProtocolState& 
   json["wall_seconds"] = end.wall_seconds;
   json["steps_per_second"] =
       end.wall_seconds > 0 ? static_cast<double>(end.computed_steps) / end.wall_seconds : 0;
+  json["work"] = work_split(end, state);
   json["total_iterations"] = state.iterations;
   json["total_factorisations"] = state.factorisations;
   json["worst_residual"] = state.worst_residual;

@@ -6,6 +6,7 @@
 
 #include "app/json/json_text.h"
 #include "app/series/quantities.h"
+#include "core/base/work_clock.h"
 #include "core/phases/protocol.h"
 #include "core/scene/scenario.h"
 
@@ -20,6 +21,8 @@ struct RunEnd {
   std::int64_t steps = 0;           // of this run, before it was interrupted too
   std::int64_t computed_steps = 0;  // of its last part, since it was last resumed
   double wall_seconds = 0;          // of its last part, pictures included
+  WorkSeconds work{};               // where these went
+  WorkClock::Counts work_counts{};  // of that part
 };
 
 // The value as JSON; null if there is none.

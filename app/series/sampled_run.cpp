@@ -65,7 +65,10 @@ void SampledRun::sample() {
     return;
   if (first) samples_.phase = phase_name();
   samples_.last = std::exchange(samples_.pending, {});
-  samples_.last.sample = measure(world());
+  {
+    const WorkClock::Span span(&protocol_.clock(), Work::measures);
+    samples_.last.sample = measure(world());
+  }
   samples_.last.phase = samples_.phase;
   samples_.step = world().step;
   samples_.bodies = world().disks.size();

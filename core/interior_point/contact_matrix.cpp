@@ -84,6 +84,7 @@ QUICKSAND_IN_LANES void hold(const Eigen::Vector4d& of_row, const Eigen::Vector4
 }  // namespace
 
 void ContactMatrix::attach(const ContactProblem& problem) {
+  const WorkClock::Span span(clock_, Work::factorisation);
   problem_ = &problem;
   body_of_row_.clear();
   row_of_body_.assign(problem.inverse_mass.size(), -1);
@@ -93,12 +94,16 @@ void ContactMatrix::attach(const ContactProblem& problem) {
     body_of_row_.push_back(static_cast<int>(i));
   }
   edges_.clear();
-  for (const ContactRow& contact : problem.contacts) {
-    const int i = row_of_body_[contact.a], j = row_of_body_[contact.b];
-    if (i >= 0 && j >= 0) edges_.push_back({i, j});
+  edge_of_contact_.assign(problem.contacts.size(), -1);
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+    const int i = row_of_body_[problem.contacts[c].a], j = row_of_body_[problem.contacts[c].b];
+    if (i < 0 || j < 0) continue;
+    edge_of_contact_[c] = static_cast<int>(edges_.size());
+    edges_.push_back({i, j});
   }
   lu_.analyse(static_cast<int>(body_of_row_.size()), edges_);
   place_bodies();
+  order_contacts();
   place_contacts();
 }
 
@@ -121,6 +126,20 @@ void ContactMatrix::place_bodies() {
   }
 }
 
+// By counting, which keeps those of one body in their own order.
+void ContactMatrix::order_contacts() {
+  const std::vector<ContactRow>& contacts = problem_->contacts;
+  const auto first = [&](const ContactRow& row) {
+    return static_cast<std::size_t>(std::min(place_[row.a], place_[row.b]));
+  };
+  next_.assign(place_.size() + 1, 0);
+  for (const ContactRow& row : contacts) ++next_[first(row) + 1];
+  for (std::size_t i = 0; i < place_.size(); ++i) next_[i + 1] += next_[i];
+  order_.resize(contacts.size());
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    order_[static_cast<std::size_t>(next_[first(contacts[c])]++)] = static_cast<int>(c);
+}
+
 void ContactMatrix::place_contacts() {
   const ContactProblem& problem = *problem_;
   const std::size_t nc = problem.contacts.size();
@@ -130,7 +149,8 @@ void ContactMatrix::place_contacts() {
   coupling_.clear();
   side_start_.assign(place_.size() + 1, 0);
   for (std::size_t c = 0; c < kLanes * rows_.size(); ++c) {
-    const ContactRow& contact = problem.contacts[c < nc ? c : 0];
+    const auto contact_here = static_cast<std::size_t>(order_[c < nc ? c : 0]);
+    const ContactRow& contact = problem.contacts[contact_here];
     RowLanes& row = rows_[c / kLanes];
     const std::size_t k = c % kLanes;
     const int a = row.a[k] = place_[contact.a], b = row.b[k] = place_[contact.b];
@@ -146,8 +166,8 @@ void ContactMatrix::place_contacts() {
     if (c >= nc) continue;
     ++side_start_[static_cast<std::size_t>(a) + 1];
     ++side_start_[static_cast<std::size_t>(b) + 1];
-    if (row_of_body_[contact.a] < 0 || row_of_body_[contact.b] < 0) continue;
-    const int edge = static_cast<int>(coupling_.size());
+    const int edge = edge_of_contact_[contact_here];
+    if (edge < 0) continue;
     coupling_.push_back({.contact = static_cast<int>(c),
                          .ab = &lu_.upper_block(edge),
                          .ba = &lu_.lower_block(edge),
@@ -167,6 +187,7 @@ void ContactMatrix::place_contacts() {
 }
 
 void ContactMatrix::factorise(const std::vector<Impedance<Lanes>>& impedance) {
+  const WorkClock::Span span(clock_, Work::factorisation);
   lu_.clear();
   for_lane_blocks(kLanes * rows_.size(), [&](std::size_t k) __attribute__((always_inline)) {
     find_columns(rows_[k], impedance[k], columns_.data() + kLanes * k);
@@ -218,11 +239,12 @@ void ContactMatrix::factorise(const std::vector<Mat3>& impedance) {
   for (std::size_t c = 0; c < impedance.size(); ++c) {
     Impedance<Lanes>& d = packed_[c / kLanes];
     const std::size_t k = c % kLanes;
-    d.nn[k] = impedance[c](0, 0);
-    d.tn[k] = impedance[c](1, 0);
-    d.tt[k] = impedance[c](1, 1);
-    d.rn[k] = impedance[c](2, 0);
-    d.rr[k] = impedance[c](2, 2);
+    const Mat3& of_contact = impedance[static_cast<std::size_t>(order_[c])];
+    d.nn[k] = of_contact(0, 0);
+    d.tn[k] = of_contact(1, 0);
+    d.tt[k] = of_contact(1, 1);
+    d.rn[k] = of_contact(2, 0);
+    d.rr[k] = of_contact(2, 2);
   }
   factorise(packed_);
 }
@@ -243,6 +265,7 @@ template <class Put>
 }
 
 void ContactMatrix::velocity_change(BodyVectors& change) {
+  const WorkClock::Span span(clock_, Work::back_substitution);
   change.resize(place_.size());
   sum_momenta([&](std::size_t i, const Lanes& im, const Lanes& sum) __attribute__((always_inline)) {
     const Lanes none{};
@@ -252,6 +275,7 @@ void ContactMatrix::velocity_change(BodyVectors& change) {
 }
 
 void ContactMatrix::velocity(BodyVectors& velocity) const {
+  const WorkClock::Span span(clock_, Work::back_substitution);
   velocity.resize(place_.size());
   sum_momenta([&](std::size_t i, const Lanes& im, const Lanes& sum) __attribute__((always_inline)) {
     Lanes free;
@@ -262,9 +286,10 @@ void ContactMatrix::velocity(BodyVectors& velocity) const {
 
 void ContactMatrix::velocity_change(const std::vector<Vec3>& impulse, std::vector<Vec3>& dv) {
   for (std::size_t c = 0; c < impulse.size(); ++c) {
-    const ContactRow& row = problem_->contacts[c];
-    momentum_[2 * c] << momentum_of_a(row, impulse[c]), 0;
-    momentum_[2 * c + 1] << momentum_of_b(row, impulse[c]), 0;
+    const auto contact = static_cast<std::size_t>(order_[c]);
+    const ContactRow& row = problem_->contacts[contact];
+    momentum_[2 * c] << momentum_of_a(row, impulse[contact]), 0;
+    momentum_[2 * c + 1] << momentum_of_b(row, impulse[contact]), 0;
   }
   velocity_change(change_);
   dv.resize(place_.size());

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "core/base/work_clock.h"
 #include "core/interior_point/contact_lanes.h"
 #include "core/linear/block_lu.h"
 #include "core/problem/contact_problem.h"
@@ -13,13 +14,19 @@ namespace quicksand {
 
 class ContactMatrix {
  public:
+  // `clock`, if any, is told where the time goes.
+  explicit ContactMatrix(WorkClock* clock = nullptr) : clock_(clock) {}
+
   // Reads the rows and the graph of the mobile bodies. The problem must outlive the use of this object.
   void attach(const ContactProblem& problem);
 
-  // The contacts four at a time; lanes beyond the last contact repeat the first one.
+  // The contacts four at a time, in the order in which their first bodies are eliminated: what is near in the network
+  // is near in memory. Lanes beyond the last contact repeat the first one.
   const std::vector<RowLanes>& rows() const { return rows_; }
+  // The contact in each lane (nc).
+  const std::vector<int>& order() const { return order_; }
 
-  // Factorises M + H^T D H for `impedance` D, by the same blocks of four.
+  // Factorises M + H^T D H for `impedance` D, by such blocks of four.
   void factorise(const std::vector<Impedance<Lanes>>& impedance);
   // The same for D of each contact (nc).
   void factorise(const std::vector<Mat3>& impedance);
@@ -40,26 +47,30 @@ class ContactMatrix {
  private:
   // The blocks beside the diagonal that a contact adds to.
   struct Coupling {
-    int contact = 0;
+    int contact = 0;  // in the order of the lanes
     PaddedBlock *ab = nullptr, *ba = nullptr;
     bool held = false;  // some direction of a body is immobile
   };
   void place_bodies();
+  void order_contacts();
   void place_contacts();
   template <class Put>
   void sum_momenta(const Put& put) const;  // put(place, inverse mass, sum)
 
+  WorkClock* clock_;
   const ContactProblem* problem_ = nullptr;
   std::vector<int> row_of_body_;  // (nb) block row, -1 if immobile
   std::vector<int> body_of_row_;
   std::vector<Edge> edges_;
+  std::vector<int> edge_of_contact_;  // (nc) -1 if only one body is mobile
   BlockLu lu_;
   std::vector<int> place_;                   // (nb) in the order of elimination, immobile bodies last
   BodyVectors inverse_mass_, free_velocity_;  // by places
   std::vector<PaddedBlock*> diagonal_;       // of mobile bodies, by places
+  std::vector<int> order_;
   std::vector<RowLanes> rows_;
   std::vector<Coupling> coupling_;  // of contacts between two mobile bodies
-  // The sides of contacts by places of their bodies, ascending: 2 c is that of a, 2 c + 1 that of b.
+  // The sides of lanes by places of their bodies, ascending: 2 k is that of a, 2 k + 1 that of b.
   std::vector<int> side_, side_start_, next_;
   BodyVectors momentum_;                         // by sides
   std::vector<std::array<double, 32>> columns_;  // (nc, rounded up) see contact_matrix.cpp

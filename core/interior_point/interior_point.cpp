@@ -76,6 +76,7 @@ struct InteriorPoint::Path {
   const ContactProblem& problem;
   const SolverSettings& settings;
   ContactState& state;
+  WorkClock* clock = nullptr;
   SolveReport report = {};
   double product = 0;        // mean of the pairs, before the last step
   double least_product = 0;  // no smaller one is aimed at
@@ -86,6 +87,7 @@ struct InteriorPoint::Path {
   Jam jam = {};
 
   void measure() {
+    const WorkClock::Span span(clock, Work::residual);
     report.residual = residual(problem, state);
     report.converged = settings.accepts(report.residual);
   }
@@ -133,7 +135,8 @@ void InteriorPoint::start(const ContactProblem& problem, double shift, const Con
   const double least_speed = std::max(shift * worst, 1e-12);
   for (std::size_t c = 0; c < kLanes * blocks; ++c) {
     // A lane beyond the last contact has no pairs; what it starts from only has to be finite.
-    const std::size_t from = c < nc ? c : 0, k = c % kLanes;
+    const auto from = static_cast<std::size_t>(matrix_.order()[c < nc ? c : 0]);
+    const std::size_t k = c % kLanes;
     const ContactRow& row = problem.contacts[from];
     const Vec3& p = state.impulse[from];
     const Vec3 bounds = bounds_of(problem, row, delassus_[from]);
@@ -210,6 +213,9 @@ void InteriorPoint::linearise(const ContactProblem& problem) {
         const Components<Lanes>& w = softness_[k];
         const Components<Lanes> eps{proximal_ * w.n, proximal_ * w.t, proximal_ * w.r};
         cone_[k].linearise(u, eps, impedance_[k]);
+        Components<Lanes> dp;  // the predictor's, which nearly always comes first
+        cone_[k].set_targets(0, 0, dp);
+        matrix_.rows()[k].momenta(dp, matrix_.momenta(k));
         cone_[k].visit_pairs([&](const Lanes& here, const Lanes& x, const Lanes&, const Lanes& y,
                                  const Lanes&) __attribute__((always_inline)) {
           part.by_power[0] += here * (x * y);
@@ -280,7 +286,7 @@ double InteriorPoint::find_step(const ContactProblem& problem, double product,
                                 double least_product) {
   const auto length = [](double longest) { return std::min(1.0, T::kBoundaryShare * longest); };
   if (matrix_.negative()) return length(find_direction(problem, T::kGrowth * product, false));
-  const double affine = mean_product(std::min(1.0, find_direction(problem, 0, false)));
+  const double affine = mean_product(std::min(1.0, follow(problem)));
   const double centring = std::pow(std::max(0.0, affine / product), 3);
   const double aim = std::max(centring * product, least_product);
   double alpha = length(find_direction(problem, aim, true));
@@ -303,7 +309,11 @@ bool InteriorPoint::finish(const ContactProblem& problem, const SolverSettings& 
 
 SolveReport InteriorPoint::relax(const ContactProblem& problem, const SolverSettings& settings,
                                  ContactState& state) {
-  SolveReport report = solve_relaxation(problem, settings, state, relaxation_);
+  SolveReport report;
+  {
+    const WorkClock::Span span(clock_, Work::sweeps);
+    report = solve_relaxation(problem, settings, state, relaxation_);
+  }
   if (!report.converged) return report;
   matrix_.attach(problem);
   finish(problem, settings, state, report);
@@ -319,6 +329,7 @@ bool InteriorPoint::try_relaxation(Path& path, int sweeps) {
       static_cast<int>(std::min<std::int64_t>(sweeps, settings.max_iterations - report.iterations));
   // Newton's method on modes that relaxation has decided gains nothing where velocities have settled.
   const bool settled = have_settled(report, settings);
+  const WorkClock::Span span(clock_, Work::sweeps);
   SolveReport relaxed = settled ? solve_relaxation(problem, few, relaxed_, relaxation_)
                                 : relax(problem, few, relaxed_);
   if (settled) relaxed.velocity_change = report.velocity_change;
@@ -360,7 +371,7 @@ void InteriorPoint::iterate(Path& path) {
   for (std::size_t c = 0; c < nc; ++c) {
     const Components<Lanes>& p = impulse_[c / kLanes];
     const std::size_t k = c % kLanes;
-    path.state.impulse[c] = {p.n[k], p.t[k], p.r[k]};
+    path.state.impulse[static_cast<std::size_t>(matrix_.order()[c])] = {p.n[k], p.t[k], p.r[k]};
   }
   path.measure();
   path.report.velocity_change = std::sqrt(fastest_change(nc)) / problem.velocity_scale;
@@ -401,7 +412,8 @@ bool InteriorPoint::rescue(Path& path) {
 
 SolveReport InteriorPoint::solve(const ContactProblem& problem, const SolverSettings& settings,
                                  double shift, ContactState& state) {
-  Path path{.problem = problem, .settings = settings, .state = state};
+  const WorkClock::Span span(clock_, Work::cones);
+  Path path{.problem = problem, .settings = settings, .state = state, .clock = clock_};
   SolveReport& report = path.report;
   // The start counts: what is handed on is never worse than what came in.
   path.measure();

@@ -31,6 +31,9 @@ namespace quicksand {
 // Keeps the order of elimination while the contacts stay the same, and its scratch memory.
 class InteriorPoint {
  public:
+  // `clock`, if any, is told where the time goes.
+  explicit InteriorPoint(WorkClock* clock = nullptr) : clock_(clock), matrix_(clock) {}
+
   // Starts from state.impulse, at a distance from the boundary of `shift` times the violation found
   // there, and leaves the best state that it met.
   SolveReport solve(const ContactProblem& problem, const SolverSettings& settings, double shift,
@@ -72,6 +75,7 @@ class InteriorPoint {
   bool try_relaxation(Path& path, int sweeps);
   double mean_product(double alpha) const;  // after a step of alpha along the direction
 
+  WorkClock* clock_;
   ContactMatrix matrix_;
   NewtonOnModes newton_;
   std::array<double, 3> products_{};  // their sum after a step of alpha, by powers of alpha

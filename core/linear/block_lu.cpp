@@ -71,9 +71,19 @@ struct LoadedBlock {
   store_block(sum, c);
 }
 
-// Inverts by elimination with row pivoting. A pivot block holds impedances from 1 to 1e7: cofactors
-// would lose the soft directions. Flips `negative` if the determinant is below zero.
-[[gnu::always_inline]] inline void invert(PaddedBlock& block, bool& negative) {
+// One step of the elimination in place: with pivot (k, k), column k is the next to be replaced.
+[[gnu::always_inline]] inline void eliminate(int k, Lanes& pivot_column, Lanes& beside,
+                                             Lanes& farther) {
+  const double per_pivot = 1 / pivot_column[k], b = beside[k] * per_pivot,
+               f = farther[k] * per_pivot;
+  beside -= b * pivot_column;
+  farther -= f * pivot_column;
+  pivot_column *= -per_pivot;
+  beside[k] = b, farther[k] = f, pivot_column[k] = per_pivot;
+}
+
+// The same with the rows in an order in which each pivot is the largest left in its column.
+void invert_pivoted(PaddedBlock& block, bool& negative) {
   BlockLu::Entry entry(&block.column[0][0]);
   Mat3 a = entry, b = Mat3::Identity();
   for (int k = 0; k < 3; ++k) {
@@ -97,6 +107,26 @@ struct LoadedBlock {
     }
   }
   entry = b;
+}
+
+// Inverts by elimination. A pivot block holds impedances from 1 to 1e7: cofactors would lose the soft directions.
+// Where contacts stick it is symmetric and positive, and its own order will do; rows are exchanged where a pivot falls
+// behind what is below it. Flips `negative` if the determinant is below zero.
+[[gnu::always_inline]] inline void invert(PaddedBlock& block, bool& negative) {
+  constexpr double kBehind = 0.1;
+  LoadedBlock a;
+  load_block(block, a);
+  const double first = a.x[0];
+  const bool first_leads = kBehind * std::max(std::abs(a.x[1]), std::abs(a.x[2])) <= first;
+  eliminate(0, a.x, a.y, a.z);
+  const double second = a.y[1];
+  const bool second_leads = kBehind * std::abs(a.y[2]) <= second;
+  eliminate(1, a.y, a.x, a.z);
+  const double third = a.z[2];
+  if (!(first_leads && second_leads && first > 0 && second > 0 && third > 0))
+    return invert_pivoted(block, negative);
+  eliminate(2, a.z, a.x, a.y);
+  store_block(a, block);
 }
 
 // The columns of one supernode, as a dense trapezoid.

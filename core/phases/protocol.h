@@ -40,6 +40,9 @@ class Protocol {
   // The force on the centre of a body from now on, besides its weight [F_g].
   void apply(int body, const Vec2& force);
 
+  // Where the time of the steps goes; who does other work in between may tell it, too.
+  WorkClock& clock() { return stepper_.clock(); }
+
   // `watch` sees each contact problem of the steps to come before it is solved.
   void watch_problems(ProblemWatch watch) { stepper_.watch_problems(std::move(watch)); }
 

@@ -12,6 +12,8 @@
 namespace quicksand {
 
 struct ContactSolver::Methods {
+  explicit Methods(WorkClock* told) : clock(told), interior_point(told) {}
+  WorkClock* clock;
   LocalSolver local;
   InteriorPoint interior_point;
   RelaxationScratch relaxation;
@@ -19,7 +21,8 @@ struct ContactSolver::Methods {
   ContactState best, mended;
 };
 
-ContactSolver::ContactSolver() : methods_(std::make_unique<Methods>()) {}
+ContactSolver::ContactSolver(WorkClock* clock)
+    : methods_(std::make_unique<Methods>(clock)), clock_(clock) {}
 ContactSolver::~ContactSolver() = default;
 
 namespace {
@@ -51,9 +54,11 @@ SolveReport run_chain(const ContactProblem& problem, const SolverSettings& setti
   constexpr double kPatientGain = 0.98;
   SolveReport report;
   if (from > SolverStage::local) {
+    const WorkClock::Span span(methods.clock, Work::residual);
     report.residual = residual(problem, state);
     report.converged = settings.distance(report.residual) <= SolverSettings::kAsItIs;
   } else {
+    const WorkClock::Span span(methods.clock, Work::local_solver);
     report = methods.local.solve(problem, settings, state);
   }
   if (report.converged) return report;
@@ -98,7 +103,17 @@ SolveReport run_chain(const ContactProblem& problem, const SolverSettings& setti
 SolveReport ContactSolver::solve(const ContactProblem& problem, const SolverSettings& settings,
                                  ContactState& state, SolverStage from) {
   if (watch_) watch_({problem, settings, state.impulse, from});
-  return by_method(problem, settings, state, from);
+  const SolveReport report = by_method(problem, settings, state, from);
+  count(report);
+  return report;
+}
+
+void ContactSolver::count(const SolveReport& report) {
+  if (clock_ == nullptr) return;
+  WorkClock::Counts& counts = clock_->counts;
+  ++counts.solutions;
+  ++counts.by_stage.at(static_cast<std::size_t>(report.stage));
+  if (!report.converged) ++counts.not_converged;
 }
 
 SolveReport ContactSolver::by_method(const ContactProblem& problem, const SolverSettings& settings,
@@ -108,8 +123,10 @@ SolveReport ContactSolver::by_method(const ContactProblem& problem, const Solver
       return run_chain(problem, settings, from, *methods_, state);
     case Method::interior_point:
       return methods_->interior_point.solve(problem, settings, 1, state);
-    case Method::gauss_seidel:
+    case Method::gauss_seidel: {
+      const WorkClock::Span span(clock_, Work::sweeps);
       return solve_gauss_seidel(problem, settings, state);
+    }
   }
   return {};
 }
@@ -127,14 +144,17 @@ SolveReport ContactSolver::solve_with_more(const ContactProblem& problem,
     few.max_iterations = std::min(kSweeps, settings.max_iterations);
     ContactState& mended = methods_->mended;
     mended = state;
+    const WorkClock::Span span(clock_, Work::sweeps);
     report = solve_relaxation(problem, few, mended, methods_->relaxation);
     report.stage = from;
     if (report.converged) {
       std::swap(state, mended);
+      count(report);
       return report;
     }
   }
   report.add(by_method(problem, settings, state, from));
+  count(report);
   return report;
 }
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 
+#include "core/base/work_clock.h"
 #include "core/problem/contact_problem.h"
 #include "core/problem/solver_settings.h"
 
@@ -23,7 +24,8 @@ using ProblemWatch = std::function<void(const PosedProblem&)>;
 // depends on the problem, the settings and the warm start only.
 class ContactSolver {
  public:
-  ContactSolver();
+  // `clock`, if any, is told where the time goes.
+  explicit ContactSolver(WorkClock* clock = nullptr);
   ~ContactSolver();
   ContactSolver(const ContactSolver&) = delete;
   ContactSolver& operator=(const ContactSolver&) = delete;
@@ -41,9 +43,11 @@ class ContactSolver {
  private:
   SolveReport by_method(const ContactProblem& problem, const SolverSettings& settings,
                         ContactState& state, SolverStage from);
+  void count(const SolveReport& report);
 
   struct Methods;
   std::unique_ptr<Methods> methods_;
+  WorkClock* clock_;
   ProblemWatch watch_;
 };
 

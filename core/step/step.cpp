@@ -25,11 +25,12 @@ int first_not_finite(const std::vector<Vec3>& velocity) {
 }  // namespace
 
 struct Stepper::Scratch {
+  WorkClock clock;
   NeighborList neighbors;
   std::vector<Vec3> free_velocity;
   std::vector<Contact> contacts, solved;
   ContactProblem problem;
-  ContactSolver solver;
+  ContactSolver solver{&clock};
   NscdSweeps sweeps;
   ContactState state;
   EnergyCriterion energy_criterion;
@@ -39,6 +40,8 @@ struct Stepper::Scratch {
 
 Stepper::Stepper() : scratch_(std::make_unique<Scratch>()) {}
 Stepper::~Stepper() = default;
+
+WorkClock& Stepper::clock() { return scratch_->clock; }
 
 void Stepper::watch_problems(ProblemWatch watch) { scratch_->solver.watch(std::move(watch)); }
 
@@ -69,6 +72,7 @@ SolveReport Stepper::solve_once(World& world, const StepSettings& step,
     if (!world.sweep_random && step.nscd->order == SweepOrder::random)
       world.sweep_random = Random{world.random.state ^ kOfSweeps};
     Random none;
+    const WorkClock::Span span(&s.clock, Work::sweeps);
     return s.sweeps.solve(s.problem, *step.nscd, settings, s.state,
                           world.sweep_random ? *world.sweep_random : none);
   }
@@ -80,6 +84,7 @@ SolveReport Stepper::solve_once(World& world, const StepSettings& step,
 void Stepper::solve_contacts(World& world, const StepSettings& step, const SolverSettings& settings,
                              StepReport& report) {
   Scratch& s = *scratch_;
+  const WorkClock::Span assembling(&s.clock, Work::assembly);
   for (int repeat = 0; repeat <= kMaxRepeats; ++repeat) {
     build_problem(world, s.contacts, s.free_velocity, step, s.problem);
     s.state.impulse.resize(s.contacts.size());
@@ -90,6 +95,7 @@ void Stepper::solve_contacts(World& world, const StepSettings& step, const Solve
     if (!report.finite || (!report.solve.converged && step.stop_if_unconverged)) return;
     for (std::size_t c = 0; c < s.contacts.size(); ++c) s.contacts[c].impulse = s.state.impulse[c];
 
+    const WorkClock::Span searching(&s.clock, Work::contact_search);
     const double reach = 2 * step.dt * fastest(s.state.velocity) + kMissTolerance;
     const std::vector<Pair>& near = s.neighbors.pairs(world, reach);
     if (repeat == kMaxRepeats) s.solved = s.contacts;
@@ -164,17 +170,25 @@ StepReport Stepper::advance(World& world, const StepSettings& step,
   report.finite = report.taken = report.bad_body < 0;
   if (!report.finite) return report;
 
-  const double reach = contact_reach(world, s.free_velocity, step.dt);
-  find_contacts(world, s.neighbors.pairs(world, reach), s.free_velocity, step.dt, s.contacts,
-                step.nscd ? NewBond::balanced : NewBond::from_zero);
+  {
+    const WorkClock::Span span(&s.clock, Work::contact_search);
+    const double reach = contact_reach(world, s.free_velocity, step.dt);
+    find_contacts(world, s.neighbors.pairs(world, reach), s.free_velocity, step.dt, s.contacts,
+                  step.nscd ? NewBond::balanced : NewBond::from_zero);
+  }
   solve_contacts(world, step, settings, report);
   s.breaks.clear();
   if (report.solve.converged && report.finite && step.break_rule == FailureCriterion::energy) {
     SolveReport criterion_solve;
     criterion_solve.converged = true;
     criterion_solve.stage = report.solve.stage;
-    s.breaks =
-        s.energy_criterion.failures(world, s.contacts, step, settings, s.solver, criterion_solve);
+    {
+      const WorkClock::Span span(&s.clock, Work::failure_criterion);
+      const std::int64_t before = s.clock.counts.solutions;
+      s.breaks =
+          s.energy_criterion.failures(world, s.contacts, step, settings, s.solver, criterion_solve);
+      s.clock.counts.of_criterion += s.clock.counts.solutions - before;
+    }
     // What is reported is the step's own solution.
     report.solve.add_work(criterion_solve);
     report.solve.converged = criterion_solve.converged;
@@ -187,6 +201,7 @@ StepReport Stepper::advance(World& world, const StepSettings& step,
   report.taken = report.finite && (report.converged || !step.stop_if_unconverged);
   if (!report.taken) return report;
 
+  const WorkClock::Span moving(&s.clock, Work::motion);
   if (step.nscd) report.sweeps = swept_step(s.problem, s.state, report.solve.residual);
   update_bonds(world, step, report);
   report.energy = energy_balance(world, s.contacts, s.problem, s.state.velocity, step.dt);

@@ -37,6 +37,9 @@ class Stepper {
 
   StepReport advance(World& world, const StepSettings& step, const SolverSettings& solver);
 
+  // Where the time of the steps goes; who does other work in between may tell it, too.
+  WorkClock& clock();
+
   // `watch` sees each contact problem of the steps to come before it is solved.
   void watch_problems(ProblemWatch watch);
 
