@@ -34,8 +34,12 @@ struct ByMethod {
   std::string method;
   const Measured* measured = nullptr;  // null: not measured
   bool inside = false;
+  bool by_error = false;  // inside, but with no scatter it were not
 
-  std::string word() const { return !measured ? "not measured" : inside ? "inside" : "outside"; }
+  std::string word() const {
+    if (!measured) return "not measured";
+    return !inside ? "outside" : by_error ? "inside by its error" : "inside";
+  }
   bool outside() const { return measured && !inside; }
 };
 
@@ -46,6 +50,7 @@ std::vector<ByMethod> entries_of(const Target& target, const std::vector<MethodF
     if (const auto found = method.findings.find(target.id); found != method.findings.end()) {
       entry.measured = &found->second;
       entry.inside = verdict_on(target, found->second).inside;
+      entry.by_error = entry.inside && !verdict_on(target, {.value = found->second.value}).inside;
     }
     entries.push_back(entry);
   }
@@ -130,7 +135,8 @@ Table comparison_table(const PaperTargets& targets, const std::vector<MethodFind
       .caption =
           "Mean ± standard error; n counts realizations where it does not say otherwise. Inside: "
           "within the paper's interval, or half a unit of the last digit that it prints, widened "
-          "by two standard errors of ours. Where the error is unknown nothing is added, and the "
+          "by two standard errors of ours; inside by its error, where only these reach it. Where "
+          "the error is unknown nothing is added, and the "
           "verdict is that of a single specimen.",
       .columns = {{.title = "experiment"}, {.title = "paper"}}};
   for (const MethodFindings& method : methods)

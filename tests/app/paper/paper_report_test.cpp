@@ -125,7 +125,7 @@ TEST_F(PaperReportTest, HasAnotherMethodsColumnFromItsFindings) {
       {{"penetration.1.0.active_of_contacts", {.value = 0.7, .standard_error = 0.2, .n = 4}}}});
   const auto& push = row(first_page(report), "pushed with 1 F_c: active bonds over contacts");
   EXPECT_EQ(push[3].text, "0.7 ± 0.2, n = 4");
-  EXPECT_EQ(push[4].text, "both inside");
+  EXPECT_EQ(push[4].text, "NSCD inside, exact inside by its error");
 }
 
 TEST_F(PaperReportTest, NamesTheCommandUnderEachFigureAndTheBuildsOfTheRuns) {

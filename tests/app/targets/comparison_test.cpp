@@ -160,6 +160,8 @@ TEST_F(ComparisonTable, HasBothMethodsWithErrorNumberAndVerdict) {
   EXPECT_EQ(density[2].mark, Cell::Mark::outside);
   EXPECT_EQ(density[3].mark, Cell::Mark::inside);
   EXPECT_EQ(density[4].text, "NSCD outside, exact inside");
+  EXPECT_EQ(row("shear.perturbed.slope.mu_0.3")[4].text,
+            "NSCD inside by its error, exact not measured");
   const std::vector<Cell> push = row("penetration.1.0.active_of_contacts");
   EXPECT_EQ(push[3].text, "not measured");
   EXPECT_EQ(push[4].text, "NSCD inside, exact not measured");
