@@ -1,11 +1,5 @@
 #include "app/experiments/experiments.h"
 
-#include "app/run_folder/state_file.h"
-#include "app/view/film.h"
-#include "core/base/errors.h"
-#include "render/base/render_error.h"
-#include "render/image/png.h"
-
 namespace quicksand {
 
 std::span<const PaperFigure> paper_figures() {
@@ -26,25 +20,6 @@ std::span<const PaperFigure> paper_figures() {
       {"nscd_setting", "The setting of standard nonsmooth contact dynamics, by a rule",
        make_nscd_setting_experiment}};
   return kFigures;
-}
-
-std::optional<Gallery::Picture> picture_of(const PaperResults& results, const RunGroup& group,
-                                           const std::filesystem::path& folder,
-                                           const std::string& caption) {
-  const auto runs = results.runs(group);
-  if (runs.empty()) return std::nullopt;
-  constexpr int kWidth = 640, kHeight = 960;
-  try {
-    const StateFile state = read_state(runs.front()->folder().state());
-    const View view{.width = kWidth, .height = kHeight, .detail = false};
-    const std::string text[] = {caption};
-    std::filesystem::create_directories(folder);
-    const std::filesystem::path file = folder / (group.name + ".png");
-    write_png(file, Renderer().draw(state.checkpoint.world, view_of(state.scenario, view), text));
-    return Gallery::Picture{.file = file, .caption = caption};
-  } catch (const RenderError&) {
-    return std::nullopt;  // a system without a renderer still gets its numbers
-  }
 }
 
 }  // namespace quicksand

@@ -44,9 +44,9 @@ std::unique_ptr<PaperExperiment> make_break_rule_experiment();
 std::unique_ptr<PaperExperiment> make_choices_experiment();
 std::unique_ptr<PaperExperiment> make_nscd_setting_experiment();
 
-// Draws the last state of a run of the group, the first one that finished; empty if there is none.
-std::optional<Gallery::Picture> picture_of(const PaperResults& results, const RunGroup& group,
-                                           const std::filesystem::path& folder,
-                                           const std::string& caption);
+// Draws the last state of the first run of the group that finished, in the colours of this program and in two, for
+// whether any bond of a grain is broken; nothing if there is none, or no system that can draw.
+void add_snapshots(Section& section, const PaperResults& results, const RunGroup& group,
+                   const std::filesystem::path& folder, const std::string& caption);
 
 }  // namespace quicksand

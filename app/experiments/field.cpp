@@ -46,8 +46,7 @@ class FieldExperiment : public PaperExperiment {
     for (const PaperStrength* ours : {&loose, &compact}) {
       if (!ours->depth.empty()) deepest = std::max(deepest, ours->depth.back() * depth);
       const char* name = ours == &loose ? "unperturbed" : "perturbed";
-      for (Curve& part : strength_curves(*ours, name, depth, stress))
-        plot.curves.push_back(std::move(part));
+      add_strength(plot, *ours, name, depth, stress);
     }
     if (deepest > 0) {
       plot.curves.push_back({.name = "field, perturbed: " + typeset(slope) + " kPa/cm",
@@ -68,18 +67,20 @@ class FieldExperiment : public PaperExperiment {
           .value = fit.slope * scale,
           .standard_error =
               fit.slope_error ? std::optional(*fit.slope_error * scale) : std::nullopt,
-          .n = compact.grains,
-          .note = "n counts grains"};
+          .n = compact.grains};
     }
-    if (!loose.depth.empty())
+    if (loose.level)
       findings["field.unperturbed.strength"] = {
-          .value = loose.mean() * stress, .n = loose.grains, .note = "n counts grains"};
+          .value = loose.level->value * stress,
+          .standard_error =
+              loose.level->error ? std::optional(*loose.level->error * stress) : std::nullopt,
+          .n = loose.grains};
     if (const auto constant = loose.constant_down_to())
       findings["field.unperturbed.constant_to_depth"] = {
           .value = *constant * depth,
           .n = loose.grains,
           .note = "down to there all agree within two standard errors; the deepest measured is " +
-                  typeset(loose.depth.back() * depth) + " cm; n counts grains"};
+                  typeset(loose.depth.back() * depth) + " cm"};
   }
 
  private:

@@ -55,16 +55,12 @@ class Penetration : public PaperExperiment {
  private:
   void add_pictures(const PaperResults& results, const std::filesystem::path& folder,
                     Section& section) const {
-    Gallery gallery{.caption = "Final states, coloured by active bonds."};
     for (std::size_t k = 0; k < curve_.forces.size(); ++k) {
       if (curve_.forces[k] != kWeak && curve_.forces[k] != kEqual && curve_.forces[k] != kStrong)
         continue;
-      const std::string caption =
-          "push force: " + number_text(curve_.forces[k]) + " × cohesion force";
-      if (auto picture = picture_of(results, curve_.pushes[k], folder, caption))
-        gallery.pictures.push_back(*picture);
+      add_snapshots(section, results, curve_.pushes[k], folder,
+                    "pushed with " + number_text(curve_.forces[k]) + " F_c");
     }
-    if (!gallery.pictures.empty()) section.blocks.emplace_back(std::move(gallery));
   }
 
   static Curve paper_curve(const std::string& name, const std::string& quantity) {
@@ -76,33 +72,63 @@ class Penetration : public PaperExperiment {
   }
 
   void add_plots(const PaperResults& results, Section& section) const {
+    const auto ours = [&](Plot& plot, const char* name, const char* quantity) {
+      add_with_band(plot, curve_over(results, name, curve_.forces, curve_.pushes, quantity));
+    };
+    const Axis force{.label = "push force", .unit = "F_c", .logarithmic = true};
     Plot bonds{.name = "penetration_bonds",
                .title = "Bonds after the push",
-               .x = {.label = "push force", .unit = "F_c", .logarithmic = true},
+               .x = force,
                .y = {.label = "share", .low = 0, .high = 1.02},
                .legend = LegendPlace::below};
-    bonds.curves = {curve_over(results, "active of contacts", curve_.forces, curve_.pushes,
-                               "active_bond_fraction"),
-                    curve_over(results, "remaining of initial", curve_.forces, curve_.pushes,
-                               "remaining_bond_fraction"),
-                    paper_curve("paper: active of contacts", "active_of_contacts"),
-                    paper_curve("paper: remaining of initial", "remaining_of_initial")};
+    ours(bonds, "active of contacts", "active_bond_fraction");
+    ours(bonds, "remaining of initial", "remaining_bond_fraction");
+    bonds.curves.push_back(paper_curve("paper: active of contacts", "active_of_contacts"));
+    bonds.curves.push_back(paper_curve("paper: remaining of initial", "remaining_of_initial"));
     section.blocks.emplace_back(
         Figure{std::move(bonds),
-               "Shares of bonds against the push force. The paper's strong force has no "
-               "number; its points are drawn at 3 F_c."});
+               "Shares of bonds against the push force, with bands of one standard error. The "
+               "paper's strong force has no number; its points are drawn at 3 F_c."});
     Plot depth{.name = "penetration_depth",
                .title = "Depth of the intruder",
-               .x = {.label = "push force", .unit = "F_c", .logarithmic = true},
+               .x = force,
                .y = {.label = "depth", .unit = "d", .low = 0},
                .references = {{.name = "height of the box",
                                .low = height_,
                                .high = height_,
                                .role = Reference::Role::guide}},
-               .legend = LegendPlace::none};
-    depth.curves = {curve_over(results, "depth", curve_.forces, curve_.pushes, "depth")};
+               .legend = LegendPlace::below};
+    ours(depth, "depth", "depth");
+    const PaperTargets targets = read_targets(shipped_targets());
+    const Target& bottom = targets.at("penetration.1.0.depth");
+    const double middle = (*bottom.low + 1) / 2 * height_;
+    depth.curves.push_back({.name = "paper: " + bottom.words,
+                            .role = Curve::Role::paper,
+                            .x = {kEqual},
+                            .y = {middle},
+                            .y_error = {height_ - middle}});
     section.blocks.emplace_back(
-        Figure{std::move(depth), "Final depth of the intruder's lowest point."});
+        Figure{std::move(depth),
+               "Final depth of the intruder's lowest point, with a band of one standard error. The "
+               "paper gives no number: its words at F_c are drawn as " +
+                   number_text(*bottom.low) + " of the height to all of it."});
+    Plot contacts{.name = "penetration_coordination",
+                  .title = "Contacts of a grain after the push",
+                  .x = force,
+                  .y = {.label = "coordination number"},
+                  .legend = LegendPlace::below};
+    ours(contacts, "gap up to d_c", "coordination");
+    ours(contacts, "gap up to 1e-3 d", "coordination_within_1e-3");
+    ours(contacts, "gap up to 1e-2 d", "coordination_within_1e-2");
+    contacts.curves.push_back({.name = "paper",
+                               .role = Curve::Role::paper,
+                               .x = {kStrong},
+                               .y = {*targets.at("penetration.strong.coordination").low}});
+    section.blocks.emplace_back(
+        Figure{std::move(contacts),
+               "Coordination number against the push force, by the gap up to which a pair counts "
+               "as a contact, with bands of one standard error. The paper does not say which; its "
+               "strong force has no number and is drawn at 3 F_c."});
   }
 
   void compare(const PaperResults& results, std::size_t k, Findings& findings) const {

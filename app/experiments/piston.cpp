@@ -1,4 +1,7 @@
 // The specimen before and after a piston.
+#include <algorithm>
+#include <cmath>
+
 #include "app/experiments/experiments.h"
 
 namespace quicksand {
@@ -15,13 +18,8 @@ class Piston : public PaperExperiment {
 
   void report(const PaperResults& results, const std::filesystem::path& pictures, Section& section,
               Findings& findings) const override {
-    Gallery gallery{.caption =
-                        "The specimen before and after the piston, coloured by active bonds."};
-    if (auto picture = picture_of(results, before_, pictures, "before"))
-      gallery.pictures.push_back(*picture);
-    if (auto picture = picture_of(results, after_, pictures, "after"))
-      gallery.pictures.push_back(*picture);
-    if (!gallery.pictures.empty()) section.blocks.emplace_back(std::move(gallery));
+    add_snapshots(section, results, before_, pictures, "before the piston");
+    add_snapshots(section, results, after_, pictures, "after the piston");
 
     struct Line {
       const char* quantity;
@@ -42,29 +40,11 @@ class Piston : public PaperExperiment {
                             cell_of(results.mean(after_, line.quantity), all_)});
     section.blocks.emplace_back(std::move(table));
 
-    Plot plot{.name = "piston",
-              .title = "Compaction by the piston",
-              .x = {.label = "height of the piston", .unit = "d"},
-              .y = {.label = "coordination number"},
-              .y2 = Axis{.label = "active bonds of contacts", .low = 0, .high = 1},
-              .legend = LegendPlace::below};
-    for (const RunResults* run : results.runs(after_)) {
-      const bool first = plot.curves.empty();
-      Curve coordination{.name = first ? "coordination number (left)" : "",
-                         .kind = Curve::Kind::line};
-      coordination.x = run->column("piston_y");
-      coordination.y = run->column("coordination");
-      Curve active = coordination;
-      active.name = first ? "active bonds of contacts (right)" : "";
-      active.y = run->column("active_bond_fraction");
-      active.second_axis = true;
-      plot.curves.push_back(std::move(coordination));
-      plot.curves.push_back(std::move(active));
-      break;
-    }
-    if (!plot.curves.empty())
-      section.blocks.emplace_back(
-          Figure{std::move(plot), "The first realization while the piston comes down."});
+    section.blocks.emplace_back(Figure{
+        plot(results),
+        "Means over realizations while the piston comes down, with bands of one standard "
+        "error, and where the specimens settle once it has gone. The paper's points are those "
+        "before and after."});
 
     note(findings, "piston.active_of_contacts", results.mean(after_, "active_bond_fraction"));
     note(findings, "piston.remaining_of_initial", results.mean(after_, "remaining_bond_fraction"));
@@ -77,6 +57,83 @@ class Piston : public PaperExperiment {
   }
 
  private:
+  Plot plot(const PaperResults& results) const {
+    Plot plot{.name = "piston",
+              .title = "Compaction by the piston",
+              .x = {.label = "height of the piston", .unit = "d"},
+              .y = {.label = "coordination number"},
+              .y2 = Axis{.label = "active bonds of contacts", .low = 0, .high = 1.02},
+              .legend = LegendPlace::below};
+    Curve coordination = while_falling(results, "coordination");
+    coordination.name = "coordination number (left)";
+    Curve active = while_falling(results, "active_bond_fraction");
+    active.name = "active bonds of contacts (right)";
+    active.second_axis = true;
+    add_with_band(plot, std::move(coordination));
+    add_settled(plot, results, "coordination", false);
+    add_with_band(plot, std::move(active));
+    add_settled(plot, results, "active_bond_fraction", true);
+    const PaperTargets targets = read_targets(shipped_targets());
+    const auto paper = [&](const char* id) { return *targets.at(id).low; };
+    const double before = paper("piston.before.height"), after = paper("piston.after.height");
+    plot.curves.push_back(
+        {.name = "paper: coordination number (left)",
+         .role = Curve::Role::paper,
+         .x = {before, after},
+         .y = {paper("piston.before.coordination"), paper("piston.after.coordination")}});
+    plot.curves.push_back(
+        {.name = "paper: active bonds of contacts (right)",
+         .role = Curve::Role::paper,
+         .second_axis = true,
+         .x = {before, after},
+         .y = {paper("unperturbed.active_bond_fraction"), paper("piston.active_of_contacts")}});
+    return plot;
+  }
+
+  // Where the specimens come to rest once the piston has gone, in the colour of the curve before.
+  void add_settled(Plot& plot, const PaperResults& results, const char* quantity,
+                   bool second_axis) const {
+    const auto height = results.mean(after_, "packing_top"), value = results.mean(after_, quantity);
+    if (!height || !value) return;
+    plot.curves.push_back({.name = "the same, settled without it",
+                           .role = Curve::Role::fit,
+                           .second_axis = second_axis,
+                           .x = {height->value},
+                           .y = {value->value},
+                           .x_error = {height->standard_error.value_or(0)},
+                           .y_error = {value->standard_error.value_or(0)}});
+  }
+
+  // Means over realizations when the piston first passes a height, over heights that all of them pass.
+  Curve while_falling(const PaperResults& results, const char* quantity) const {
+    constexpr int kHeights = 60;
+    double highest = HUGE_VAL, lowest = 0;
+    for (const RunResults* run : results.runs(after_)) {
+      double top = 0, bottom = HUGE_VAL;  // of the rows in which there is a piston
+      for (const double y : run->column("piston_y")) {
+        if (!std::isfinite(y)) continue;
+        top = std::max(top, y);
+        bottom = std::min(bottom, y);
+      }
+      highest = std::min(highest, top);
+      lowest = std::max(lowest, bottom);
+    }
+    Curve curve{.kind = Curve::Kind::line};
+    for (int k = 0; k <= kHeights && lowest < highest && highest < HUGE_VAL; ++k) {
+      const double height = highest + (lowest - highest) * k / kHeights;
+      std::vector<double> values;
+      for (const RunResults* run : results.runs(after_)) {
+        const std::vector<double>& heights = run->column("piston_y");
+        const auto first = std::ranges::find_if(
+            heights, [&](double y) { return std::isfinite(y) && y <= height * (1 + kRounding); });
+        values.push_back(run->column(quantity)[static_cast<std::size_t>(first - heights.begin())]);
+      }
+      add_point(curve, height, mean_over(values));
+    }
+    return curve;
+  }
+  static constexpr double kRounding = 1e-12;
+
   RunGroup before_, after_;
   int all_ = 0;
 };

@@ -55,8 +55,10 @@ class PullOut : public PaperExperiment {
               .x = {.label = "push force", .unit = "F_c"},
               .y = {.label = "pull-out force", .unit = "F_c", .low = 0},
               .y2 = Axis{.label = "weight above / total weight", .low = 0, .high = 1},
-              .curves = {std::move(pull), std::move(weight)},
               .legend = LegendPlace::below};
+    add_limit_of_paper(plot);
+    add_with_band(plot, std::move(pull));
+    add_with_band(plot, std::move(weight));
     section.blocks.emplace_back(Figure{std::move(plot),
                                        "Left axis: the force that takes the intruder "
                                        "out; right axis: the share of the grains' "
@@ -64,13 +66,25 @@ class PullOut : public PaperExperiment {
   }
 
  private:
+  // The paper's largest pull-out force over the push, as a line.
+  void add_limit_of_paper(Plot& plot) const {
+    const PaperTargets targets = read_targets(shipped_targets());
+    const Target& most = targets.at("penetration.pull_out_over_push");
+    const double deepest = curve_.forces.back();
+    plot.curves.push_back({.name = "paper: at most " + most.printed + " times the push (left)",
+                           .kind = Curve::Kind::line,
+                           .role = Curve::Role::paper,
+                           .x = {0, deepest},
+                           .y = {0, *most.high * deepest}});
+  }
+
   static void note_slope(Findings& findings, const std::string& id, const Curve& curve) {
     const auto line = fit_line(curve.x, curve.y);
     if (!line) return;
     findings[id] = {.value = line->slope,
                     .standard_error = line->slope_error,
                     .n = static_cast<int>(curve.x.size()),
-                    .note = "straight line through the means; n counts forces"};
+                    .note = "straight line through the means"};
   }
 
   PushCurve curve_;

@@ -73,29 +73,18 @@ class Density : public PaperExperiment {
       const auto density = results.mean(samples_[s], "volume_fraction");
       const std::string name =
           std::string(names[s]) + ", volume fraction " + cell_of(density, all_).text;
-      plot.curves.push_back(
-          curve_over(results, name, curves_[s].forces, curves_[s].pushes, "depth"));
+      add_with_band(plot, curve_over(results, name, curves_[s].forces, curves_[s].pushes, "depth"));
       for (std::size_t k = 0; k < curves_[s].forces.size(); ++k)
         rows.push_back(
             {name + ", " + number_text(curves_[s].forces[k]) + " F_c", curves_[s].pushes[k]});
     }
-    const Curve &usual = plot.curves[0], &denser = plot.curves[1];
-    if (!is_denser(results)) {
+    if (!is_denser(results))
       section.blocks.emplace_back(
           Remark{Remark::Kind::warning,
                  "The specimens' volume fractions do not differ by more than 0.01 and two standard "
                  "errors: what their density does is not measured."});
-    } else if (const auto ratio =
-                   force_ratio(above_ground(results, 0, usual), above_ground(results, 1, denser))) {
-      findings["penetration.density_shift"] = {.value = *ratio, .n = 2, .note = "n counts samples"};
-    } else if (const auto by_speed = force_ratio(speeds(results, 0), speeds(results, 1))) {
-      findings["penetration.density_shift"] = {
-          .value = *by_speed,
-          .n = 2,
-          .note =
-              "for the same mean velocity, as no depth above the ground is reached in both; n "
-              "counts samples"};
-    }
+    else
+      note(findings, "penetration.density_shift", shift(results));
     section.blocks.emplace_back(
         push_outcomes(results, "Pushes of both specimens, after everything rests.", rows, all_));
     section.blocks.emplace_back(Figure{std::move(plot), "Final depth against the push force."});
@@ -112,21 +101,45 @@ class Density : public PaperExperiment {
     return denser->value - usual->value > std::max(kLeast, 2 * error);
   }
 
-  // Only the points of intruders that the packing stopped.
-  Curve above_ground(const PaperResults& results, std::size_t sample, const Curve& depths) const {
+  // Seed by seed: by the depth, or, where no depth above the ground is reached in both, by the velocity.
+  std::optional<Measured> shift(const PaperResults& results) const {
+    std::vector<double> by_depth, by_speed;
+    for (std::size_t seed = 0; seed < samples_[0].runs.size(); ++seed) {
+      if (const auto ratio = force_ratio(depths(results, 0, seed), depths(results, 1, seed)))
+        by_depth.push_back(*ratio);
+      if (const auto ratio = force_ratio(speeds(results, 0, seed), speeds(results, 1, seed)))
+        by_speed.push_back(*ratio);
+    }
+    if (!by_depth.empty()) return mean_over(by_depth, "for the same depth");
+    return mean_over(by_speed,
+                     "for the same mean velocity, as no depth above the ground is reached in both");
+  }
+
+  // Only those of intruders that the packing stopped.
+  Curve depths(const PaperResults& results, std::size_t sample, std::size_t seed) const {
     constexpr double kGround = 0.95;  // share of the packing's height
-    const auto top = results.mean(samples_[sample], "packing_top");
+    const RunResults* specimen = results.run(samples_[sample].runs[seed]);
     Curve stopped;
-    for (std::size_t k = 0; k < depths.x.size(); ++k) {
-      if (!top || depths.y[k] > kGround * top->value) continue;
-      stopped.x.push_back(depths.x[k]);
-      stopped.y.push_back(depths.y[k]);
+    for (std::size_t k = 0; specimen && k < curves_[sample].forces.size(); ++k) {
+      const RunResults* push = results.run(curves_[sample].pushes[k].runs[seed]);
+      const double depth = push ? push->final_value("depth").value_or(HUGE_VAL) : HUGE_VAL;
+      if (depth > kGround * specimen->final_value("packing_top").value_or(0)) continue;
+      stopped.x.push_back(curves_[sample].forces[k]);
+      stopped.y.push_back(depth);
     }
     return stopped;
   }
 
-  Curve speeds(const PaperResults& results, std::size_t sample) const {
-    return ploughing_speeds(results, {}, curves_[sample], height_);
+  Curve speeds(const PaperResults& results, std::size_t sample, std::size_t seed) const {
+    Curve speeds;
+    for (std::size_t k = 0; k < curves_[sample].forces.size(); ++k) {
+      const RunResults* push = results.run(curves_[sample].pushes[k].runs[seed]);
+      const auto speed = push ? ploughing_speed(*push, height_) : std::nullopt;
+      if (!speed) continue;
+      speeds.x.push_back(curves_[sample].forces[k]);
+      speeds.y.push_back(*speed);
+    }
+    return speeds;
   }
 
   std::vector<RunGroup> samples_;

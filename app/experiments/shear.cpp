@@ -1,4 +1,6 @@
 // Shear strength over depth: unperturbed specimens, and specimens perturbed by the piston.
+#include <algorithm>
+
 #include "app/experiments/experiments.h"
 #include "app/json/json_reader.h"
 #include "app/paper/paper_strength.h"
@@ -8,19 +10,19 @@ namespace quicksand {
 
 namespace {
 
-Measured measured(double value, std::optional<double> error, const PaperStrength& strength) {
-  return {.value = value,
-          .standard_error = error,
-          .n = strength.grains,
-          .note = "n counts grains" +
-                  (strength.unbracketed > 0 ? ", " + std::to_string(strength.unbracketed) +
-                                                  " of them still moved slowly at the interval's "
-                                                  "lower end when their trial's time was over"
-                                            : std::string()) +
-                  (strength.never_moved > 0 ? "; " + std::to_string(strength.never_moved) +
-                                                  " more were moved by no force"
-                                            : std::string())};
+Measured measured(const Mean& found, const PaperStrength& strength) {
+  std::string note;
+  if (strength.unbracketed > 0)
+    note =
+        std::to_string(strength.unbracketed) + " of " + std::to_string(strength.grains) +
+        " grains still moved slowly at the interval's lower end when their trial's time was over";
+  if (strength.never_moved > 0)
+    note += (note.empty() ? "" : "; ") + std::to_string(strength.never_moved) +
+            " more were moved by no force";
+  return {.value = found.value, .standard_error = found.error, .n = strength.grains, .note = note};
 }
+
+Mean slope_of(const Line& line) { return {line.slope, line.slope_error}; }
 
 std::string line_text(const std::optional<Line>& line, double Line::*value,
                       std::optional<double> Line::*error) {
@@ -60,17 +62,22 @@ class Shear : public PaperExperiment {
       section.blocks.emplace_back(Paragraph{about_weak_bonds(loose, weak)});
     if (loose.grains + weak.grains + strong.grains > 0)
       section.blocks.emplace_back(Figure{
-          plot("shear_unperturbed", "Shear strength of unperturbed samples",
+          plot("shear_unperturbed", "Shear strength of unperturbed specimens",
                {.label = "shear strength", .unit = "F_g", .logarithmic = true},
                {{"F_c = 10² F_g", &weak}, {"F_c = 10⁴ F_g", &loose}, {"F_c = 10⁶ F_g", &strong}}),
-          "Smallest horizontal force that moves a grain, with standard errors over grains, and "
-          "straight lines through them."});
-    if (compact.grains + rough.grains > 0)
+          "Smallest horizontal force that moves a grain, with bands of one standard error over "
+          "grains, and straight lines through all grains. The paper gives no numbers here."});
+    if (compact.grains + rough.grains > 0) {
+      Plot perturbed = plot("shear_perturbed", "Shear strength of perturbed specimens",
+                            {.label = "shear strength", .unit = "F_g", .low = 0},
+                            {{"friction 0.3", &compact}, {"friction 0.6", &rough}});
+      add_lines_of_paper(perturbed, std::max(compact.depth.empty() ? 0 : compact.depth.back(),
+                                             rough.depth.empty() ? 0 : rough.depth.back()));
       section.blocks.emplace_back(
-          Figure{plot("shear_perturbed", "Shear strength of perturbed samples",
-                      {.label = "shear strength", .unit = "F_g", .low = 0},
-                      {{"friction 0.3", &compact}, {"friction 0.6", &rough}}),
-                 "The same after the piston."});
+          Figure{std::move(perturbed),
+                 "The same after the piston; the paper's lines through nothing at the surface in "
+                 "black."});
+    }
     compare_perturbed(compact, rough, findings);
     compare_unperturbed(loose, strong, compact, findings);
   }
@@ -82,7 +89,7 @@ class Shear : public PaperExperiment {
     Table table{.caption =
                     "Straight lines through the strength against depth; effective friction: "
                     "slope of the strength against the weight of all grains above.",
-                .columns = {{"sample"},
+                .columns = {{"specimen"},
                             {"slope [F_g/d]", true},
                             {"at the surface [F_g]", true},
                             {"effective friction", true},
@@ -108,47 +115,58 @@ class Shear : public PaperExperiment {
               .x = {.label = "depth", .unit = "d", .low = 0},
               .y = std::move(strength_axis),
               .legend = LegendPlace::below};
-    for (const auto& [curve, strength] : all)
-      for (Curve& part : strength_curves(*strength, curve)) plot.curves.push_back(std::move(part));
+    for (const auto& [curve, strength] : all) add_strength(plot, *strength, curve);
     return plot;
+  }
+
+  // The paper's lines, over the depths of ours.
+  static void add_lines_of_paper(Plot& plot, double deepest) {
+    const PaperTargets targets = read_targets(shipped_targets());
+    for (const char* friction : {"0.3", "0.6"}) {
+      const double slope = *targets.at(std::string("shear.perturbed.slope.mu_") + friction).low;
+      plot.curves.push_back(
+          {.name = std::string("paper, friction ") + friction + ": " + typeset(slope) + " F_g/d",
+           .kind = Curve::Kind::line,
+           .role = Curve::Role::paper,
+           .x = {0, deepest},
+           .y = {0, slope * deepest}});
+    }
   }
 
   static void compare_perturbed(const PaperStrength& compact, const PaperStrength& rough,
                                 Findings& findings) {
     const auto line = [&](const std::string& id, const PaperStrength& s,
                           const std::optional<Line>& fit) {
-      if (fit) findings[id] = measured(fit->slope, fit->slope_error, s);
+      if (fit) findings[id] = measured(slope_of(*fit), s);
     };
     line("shear.perturbed.slope.mu_0.3", compact, compact.against_depth);
     line("shear.perturbed.slope.mu_0.6", rough, rough.against_depth);
     line("shear.perturbed.effective_friction.mu_0.3", compact, compact.against_weight);
     line("shear.perturbed.effective_friction.mu_0.6", rough, rough.against_weight);
     if (compact.against_depth && rough.against_depth)
-      findings["shear.perturbed.slope_ratio"] =
-          measured(rough.against_depth->slope / compact.against_depth->slope, {}, rough);
-    if (compact.against_depth) {
-      const Line& fit = *compact.against_depth;
+      findings["shear.perturbed.slope_ratio"] = measured(
+          quotient(slope_of(*rough.against_depth), slope_of(*compact.against_depth)), rough);
+    if (compact.against_depth)
       findings["shear.perturbed.intercept"] =
-          measured(fit.intercept / (fit.intercept + fit.slope * compact.depth.back()), {}, compact);
-    }
+          measured(compact.line_ratio(0, compact.depth.back()), compact);
   }
 
   static void compare_unperturbed(const PaperStrength& loose, const PaperStrength& strong,
                                   const PaperStrength& compact, Findings& findings) {
     if (loose.against_depth) {
-      const Line& line = *loose.against_depth;
-      findings["shear.unperturbed.intercept"] = measured(line.intercept / loose.mean(), {}, loose);
+      findings["shear.unperturbed.intercept"] =
+          measured(loose.line_ratio(0, loose.level_depth), loose);
       if (compact.against_depth)
-        findings["shear.unperturbed.slope"] =
-            measured(line.slope / compact.against_depth->slope, {}, loose);
+        findings["shear.unperturbed.slope"] = measured(
+            quotient(slope_of(*loose.against_depth), slope_of(*compact.against_depth)), loose);
     }
-    if (!loose.depth.empty() && !strong.depth.empty())
+    if (loose.level && strong.level)
       findings["shear.unperturbed.cohesion_effect"] =
-          measured(strong.mean() / loose.mean(), {}, strong);
+          measured(quotient(*strong.level, *loose.level), strong);
   }
 
   static std::string about_weak_bonds(const PaperStrength& loose, const PaperStrength& weak) {
-    const double depth = weak.mean_depth();
+    const double depth = weak.level_depth;
     return "The paper says that a hundredfold cohesion force changes the unperturbed strength "
            "little. The table of "
            "numbers reads that of 10⁴ and 10⁶ F_g. It may speak of 10² and 10⁴, since the paper "
@@ -157,7 +175,7 @@ class Shear : public PaperExperiment {
            "dense: "
            "at the mean depth "
            "of its grains, " +
-           typeset(depth) + " d, its mean strength is " + typeset(weak.mean()) +
+           typeset(depth) + " d, its mean strength is " + typeset(weak.level->value) +
            " F_g, and the line of 10⁴ has " +
            typeset(loose.against_depth->intercept + loose.against_depth->slope * depth) +
            " F_g there.";

@@ -41,7 +41,7 @@ class Velocity : public PaperExperiment {
               .y = {.label = "mean velocity", .unit = "√(g d)", .low = 0},
               .legend = LegendPlace::bottom_right};
     const auto line = fit_line(curve.x, squares);
-    plot.curves.push_back(curve);
+    add_with_band(plot, curve);
     std::optional<double> of_line;
     if (line && line->slope > 0 && line->intercept < 0) {
       of_line = -line->intercept / line->slope;
@@ -121,7 +121,7 @@ class Velocity : public PaperExperiment {
         .value = fit->slope,
         .standard_error = fit->slope_error,
         .n = static_cast<int>(x.size()),
-        .note = "with the threshold that was searched for; n counts forces above it"};
+        .note = "with the threshold that was searched for, of the forces above it"};
   }
 
   PushCurve curve_;

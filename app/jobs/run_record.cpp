@@ -29,6 +29,28 @@ Json json_in(const fs::path& file) {
   }
 }
 
+// Whether a folder holds the scene of this job. Another build may have written it with other defaults left out or in,
+// and the folder may have been moved with all its runs, so that only the end of start_from is the same.
+bool is_scene_of(const Job& job, const std::string& text) {
+  const std::string expected = to_text(job.scenario);
+  if (text == expected) return true;
+  try {
+    Scenario found = scenario_from_json(parse_json(text));
+    if (job.after) {
+      // runs/NAME/NUMBER/state.cbor
+      const auto end_of = [](const fs::path& path) {
+        const fs::path number = path.parent_path(), name = number.parent_path();
+        return name.filename() / number.filename() / path.filename();
+      };
+      if (end_of(found.start_from) != end_of(job.scenario.start_from)) return false;
+      found.start_from = job.scenario.start_from;
+    }
+    return to_text(found) == expected;
+  } catch (const InputError&) {
+    return false;  // of a build with other keys
+  }
+}
+
 // A state that is damaged, or that an earlier version of the format wrote, is none that other runs could start
 // from: it is computed again.
 bool is_usable(const fs::path& state) {
@@ -52,7 +74,7 @@ RunRecord read_record(const Job& job) {
   RunRecord record;
   const std::string scene = text_in(job.folder.scene());
   if (scene.empty()) return record;
-  if (scene != to_text(job.scenario)) {
+  if (!is_scene_of(job, scene)) {
     record.other_scene = true;
     return record;
   }
@@ -76,7 +98,7 @@ RunRecord read_record(const Job& job) {
 
 void require_own_scene(const Job& job) {
   const std::string scene = text_in(job.folder.scene());
-  if (scene.empty() || scene == to_text(job.scenario)) return;
+  if (scene.empty() || is_scene_of(job, scene)) return;
   throw InputError(job.folder.scene().string(),
                    "is not the scene of run " + job_name(job) +
                        ": the folder holds the runs of something else, or of other settings; "

@@ -2,26 +2,17 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
-#include <vector>
 
-#include "app/paper/paper_results.h"
+#include "app/targets/comparison.h"
+#include "core/base/types.h"
 
 namespace quicksand {
 
-struct MethodFindings {
-  std::string method;
-  Findings findings;
-};
-
-// {"method": ..., "findings": {id: {"value", "standard_error", "n", "note"}}}
-void write_findings(const std::filesystem::path& file, const std::string& method,
-                    const Findings& findings);
-// Throws InputError.
-MethodFindings read_findings(const std::filesystem::path& file);
-
-// A row a target: quantity, paper, then each method's number with its verdict and realizations.
-Table comparison_of_methods(const PaperTargets& targets,
-                            const std::vector<MethodFindings>& methods);
+// {"method": ..., "box": [width, height], "findings": {id: {"value", "standard_error", "n", "note"}}}; the standard
+// error is null where it is unknown.
+void write_findings(const std::filesystem::path& file, const MethodFindings& found,
+                    const Vec2& box);
+// Throws InputError; so does a file of another box, whose numbers cannot stand beside these.
+MethodFindings read_findings(const std::filesystem::path& file, const Vec2& box);
 
 }  // namespace quicksand

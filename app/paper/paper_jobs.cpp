@@ -17,22 +17,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// As make_plain() says, of a scene.
-void make_plain(Json& scene, double step) {
-  Json& how = scene["step"];
-  how["dt"] = step;
-  how["break_rule"] = "geometric";
-  how["curvature_term"] = false;
-  how.erase("max_turn");
-  for (Json& phase : scene["phases"]) phase.erase("dt");
-}
-
 // A scene by NSCD: the settings that its name and phases ask for. What rests is slower than the sweeps' own noise,
 // some 0.02 sqrt(g d) in a standing specimen.
-void make_nscd(Json& scene, const NscdSetting& setting, const std::string& file) {
+void make_nscd(Json& scene, const PaperScale& scale, const std::string& file) {
   constexpr double kRestSpeed = 0.05;  // [sqrt(g d)]
-  constexpr double kMostTime = 15;     // of a phase that waits for rest [sqrt(d/g)]
-  constexpr double kMostTrial = 8;     // of a trial [sqrt(d/g)]
+  const NscdSetting& setting = *scale.nscd;
   set_value(scene, "method", "nscd", file);
   scene["nscd"] = {{"sweeps", setting.sweeps}, {"order", "random"}};
   bool deposits = false;
@@ -40,7 +29,7 @@ void make_nscd(Json& scene, const NscdSetting& setting, const std::string& file)
     const std::string type = phase["type"];
     phase.erase("solver_tolerance");
     if (phase.contains("rest_speed")) phase["rest_speed"] = kRestSpeed;
-    if (phase.contains("max_time")) phase["max_time"] = kMostTime;
+    if (phase.contains("max_time")) phase["max_time"] = scale.nscd_wait;
     if (type == "deposit") {
       deposits = true;
       phase["interval"] = setting.deposit_step;
@@ -51,9 +40,9 @@ void make_nscd(Json& scene, const NscdSetting& setting, const std::string& file)
       phase["bonds"] = "every_touch";
     } else if (type == "pull" || type == "shear") {
       phase["until"] = "body_rest";
-      phase["max_time"] = kMostTrial;
+      phase["max_time"] = scale.nscd_trial;
     } else if (type == "piston") {
-      phase["max_time"] = 2 * kMostTime;
+      phase["max_time"] = 2 * scale.nscd_wait;
     }
   }
   scene["step"]["dt"] = deposits ? setting.deposit_step : setting.fast_step;
@@ -78,12 +67,10 @@ PaperScale quick_scale() {
           .grains_per_depth = 1,
           .shear_distance = 3,
           .shear_tolerance = 0.25,
-          .shear_time = 10};
-}
-
-void make_plain(PaperScale& scale, double step) {
-  scale.plain_step = scale.push_step = scale.interval = step;
-  scale.denser_if_quicker = false;
+          .shear_time = 10,
+          .nscd_wait = 8,
+          .nscd_trial = 3,
+          .studies = false};
 }
 
 void make_nscd(PaperScale& scale, const NscdSetting& setting) {
@@ -91,7 +78,7 @@ void make_nscd(PaperScale& scale, const NscdSetting& setting) {
   scale.interval = setting.deposit_step;
   scale.push_step = setting.fast_step;
   scale.denser_if_quicker = false;
-  scale.shear_time = 8;
+  scale.shear_time = scale.nscd_trial;
 }
 
 PistonLoad nscd_piston() {
@@ -118,8 +105,7 @@ RunGroup PaperJobs::add(const std::string& scene, const std::string& name, const
   ParameterValues changes{{"box.width", scale_.width}, {"box.height", scale_.height}};
   changes.insert(changes.end(), group.laws.begin(), group.laws.end());
   changes.insert(changes.end(), set.begin(), set.end());
-  if (scale_.plain_step) make_plain(json, *scale_.plain_step);
-  if (scale_.nscd) make_nscd(json, *scale_.nscd, file.string());
+  if (scale_.nscd) make_nscd(json, scale_, file.string());
   for (const auto& [path, value] : changes) set_value(json, path, value, file.string());
 
   Job job;

@@ -42,15 +42,14 @@ struct PaperScale {
   double shear_tolerance = 0.05;  // relative width of the interval of force [1]
   double shear_time = 20;         // of a trial, at most [sqrt(d/g)]
   double interval = 1e-2;         // between the grains of a deposition [sqrt(d/g)]
-  // Exact steps with the gap criterion, all of this length [sqrt(d/g)]: see make_plain().
-  std::optional<double> plain_step = {};
+  // By NSCD, whose sweeps leave a noise above most speeds of rest: the longest time of a phase that waits for rest, twice
+  // of the piston's, and of a trial [sqrt(d/g)].
+  double nscd_wait = 15, nscd_trial = 8;
+  bool studies = true;  // also of what no figure of the paper shows, where none is asked for
   // Engaged: by the paper's own method.
   std::optional<NscdSetting> nscd = {};
 };
 PaperScale quick_scale();
-// Everything in steps of one length, a grain a step; bonds break by their gap after the step's straight move, which
-// a bonded pair that turns opens: no energy of impacts, no curvature term, no shorter steps.
-void make_plain(PaperScale& scale, double step);
 // Everything by NSCD.
 void make_nscd(PaperScale& scale, const NscdSetting& setting);
 // The piston by NSCD. The paper gives the compacted state and no load; any that stops there will do, and where it stops
@@ -94,6 +93,7 @@ class PaperJobs {
   PaperJobs(PaperScale scale, std::filesystem::path out);
 
   const PaperScale& scale() const { return scale_; }
+  const std::filesystem::path& folder() const { return out_; }
   const std::vector<Job>& jobs() const { return jobs_; }
 
   // `tag` names what is different, "" for nothing; `set` are changes of this scene alone, `laws` also of

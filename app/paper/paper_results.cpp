@@ -1,5 +1,7 @@
 #include "app/paper/paper_results.h"
 
+#include <algorithm>
+
 #include "app/jobs/run_record.h"
 #include "app/plot/typeset_number.h"
 #include "app/run_folder/search_results.h"
@@ -27,8 +29,10 @@ std::vector<const RunResults*> PaperResults::runs(const RunGroup& group) const {
 
 std::vector<double> PaperResults::values(const RunGroup& group, const std::string& quantity) const {
   std::vector<double> values;
-  for (const RunResults* result : runs(group))
+  for (const RunResults* result : runs(group)) {
+    if (!result->summary().contains(quantity)) continue;  // a build that did not measure it
     if (const auto value = result->final_value(quantity)) values.push_back(*value);
+  }
   return values;
 }
 
@@ -86,6 +90,26 @@ Cell cell_of(const std::optional<Measured>& measured, int all) {
   if (!measured) return {.text = "-"};
   const std::string runs = measured->n == all ? "" : " (" + std::to_string(measured->n) + ")";
   return {.text = typeset_with_error(measured->value, measured->standard_error) + runs};
+}
+
+void add_with_band(Plot& plot, Curve curve) {
+  Curve band{.kind = Curve::Kind::band,
+             .role = Curve::Role::fit,
+             .second_axis = curve.second_axis,
+             .x = curve.x};
+  const bool scatters = std::ranges::any_of(curve.y_error, [](double error) { return error > 0; });
+  if (curve.x.size() < 2 || !scatters) {
+    plot.curves.push_back(std::move(curve));
+    return;
+  }
+  for (std::size_t k = 0; k < curve.x.size(); ++k) {
+    band.y_low.push_back(curve.y[k] - curve.y_error[k]);
+    band.y_high.push_back(curve.y[k] + curve.y_error[k]);
+  }
+  curve.y_error.clear();
+  if (curve.kind == Curve::Kind::points) curve.kind = Curve::Kind::line_points;
+  plot.curves.push_back(std::move(curve));
+  plot.curves.push_back(std::move(band));
 }
 
 void add_point(Curve& curve, double x, const std::optional<Measured>& y) {

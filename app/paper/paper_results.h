@@ -2,7 +2,6 @@
 // left out of every mean, and the mean says over how many runs it is.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,9 +12,6 @@
 #include "app/targets/comparison.h"
 
 namespace quicksand {
-
-// By id of the target in assets/paper/targets.json.
-using Findings = std::map<std::string, Measured>;
 
 class PaperResults {
  public:
@@ -52,6 +48,9 @@ void note(Findings& findings, const std::string& id, const std::optional<Measure
 
 // "0.372 ± 0.004 (10)", "-" if absent; the number of runs is left out where it is `all`.
 Cell cell_of(const std::optional<Measured>& measured, int all);
+
+// Adds a curve to a plot, with a band of one standard error in place of bars where it has two points and more.
+void add_with_band(Plot& plot, Curve curve);
 
 // With its error bar, if there is one to add.
 void add_point(Curve& curve, double x, const std::optional<Measured>& y);

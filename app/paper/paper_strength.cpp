@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include "app/run_folder/search_results.h"
 
@@ -11,14 +10,36 @@ namespace quicksand {
 
 namespace {
 
-double mean_of_all(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+// The line's value at the mean of all x does not correlate with its slope: var a = var level + mean^2 var b.
+std::optional<double> level_error(const Line& line, double mean) {
+  if (!line.intercept_error || !line.slope_error) return std::nullopt;
+  const double a = *line.intercept_error, b = mean * *line.slope_error;
+  return std::sqrt(std::max(0.0, a * a - b * b));
 }
 
 }  // namespace
 
-double PaperStrength::mean() const { return mean_of_all(strength); }
-double PaperStrength::mean_depth() const { return mean_of_all(depth); }
+Mean PaperStrength::line_ratio(double at, double other) const {
+  const Line& line = *against_depth;
+  const double over = line.intercept + line.slope * at;
+  const double under = line.intercept + line.slope * other;
+  Mean ratio{.value = over / under};
+  if (!level->error || !line.slope_error) return ratio;
+  const double square = under * under;
+  const double by_level = (under - over) / square * *level->error;
+  const double by_slope =
+      ((at - level_depth) * under - (other - level_depth) * over) / square * *line.slope_error;
+  ratio.error = std::hypot(by_level, by_slope);
+  return ratio;
+}
+
+Mean quotient(const Mean& over, const Mean& under) {
+  Mean ratio{.value = over.value / under.value};
+  if (over.error && under.error)
+    ratio.error =
+        std::abs(ratio.value) * std::hypot(*over.error / over.value, *under.error / under.value);
+  return ratio;
+}
 
 std::optional<double> PaperStrength::constant_down_to() const {
   if (depth.size() < 2 || std::ranges::any_of(error, [](double e) { return e <= 0; })) return {};
@@ -68,34 +89,38 @@ PaperStrength paper_strength(const PaperResults& results, const RunGroup& shears
   }
   pooled.against_depth = fit_line(depth_of_grain, strength_of_grain);
   pooled.against_weight = fit_line(weight_of_grain, strength_of_grain);
+  if (pooled.grains > 0) {
+    pooled.level = Mean{.value = mean_of(strength_of_grain)->value};
+    pooled.level_depth = mean_of(depth_of_grain)->value;
+    if (pooled.against_depth)
+      pooled.level->error = level_error(*pooled.against_depth, pooled.level_depth);
+  }
   return pooled;
 }
 
-std::vector<Curve> strength_curves(const PaperStrength& strength, const std::string& name,
-                                   double x_scale, double y_scale) {
+void add_strength(Plot& plot, const PaperStrength& strength, const std::string& name,
+                  double x_scale, double y_scale) {
   Curve points{.name = name};
   for (std::size_t k = 0; k < strength.depth.size(); ++k) {
     points.x.push_back(strength.depth[k] * x_scale);
     points.y.push_back(strength.strength[k] * y_scale);
     points.y_error.push_back(strength.error[k] * y_scale);
   }
-  std::vector<Curve> curves;
-  if (strength.against_depth && !points.x.empty()) {
-    const auto line = [&](double depth) {
-      return (strength.against_depth->intercept + strength.against_depth->slope * depth) * y_scale;
-    };
-    // Enough points for a logarithmic axis, on which the line is bent.
-    constexpr int kPoints = 400;
-    Curve fit{.kind = Curve::Kind::line, .role = Curve::Role::fit};
-    for (int k = 0; k <= kPoints; ++k) {
-      const double depth = strength.depth.back() * k / kPoints;
-      fit.x.push_back(depth * x_scale);
-      fit.y.push_back(line(depth));
-    }
-    curves.push_back(std::move(fit));
+  const bool any = !points.x.empty();
+  add_with_band(plot, std::move(points));
+  if (!strength.against_depth || !any) return;
+  const auto line = [&](double depth) {
+    return (strength.against_depth->intercept + strength.against_depth->slope * depth) * y_scale;
+  };
+  // Enough points for a logarithmic axis, on which the line is bent.
+  constexpr int kPoints = 400;
+  Curve fit{.kind = Curve::Kind::line, .role = Curve::Role::fit};
+  for (int k = 0; k <= kPoints; ++k) {
+    const double depth = strength.depth.back() * k / kPoints;
+    fit.x.push_back(depth * x_scale);
+    fit.y.push_back(line(depth));
   }
-  curves.insert(curves.begin(), std::move(points));
-  return curves;
+  plot.curves.push_back(std::move(fit));
 }
 
 StrengthRuns plan_strength(PaperJobs& jobs) {

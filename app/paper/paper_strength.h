@@ -20,20 +20,27 @@ struct PaperStrength {
   std::optional<Line> against_depth;   // [F_g/d], [F_g]
   std::optional<Line> against_weight;  // slope: the effective friction coefficient [1]
 
-  double mean() const;        // over depths [F_g]; needs one
-  double mean_depth() const;  // [d]; needs one
+  // Of the line at the mean depth of all grains, which is their mean strength, and that depth; absent without grains.
+  std::optional<Mean> level;  // [F_g]
+  double level_depth = 0;     // [d]
+
+  // The line at one depth over that at another; needs a line. [1]
+  Mean line_ratio(double at, double other) const;
 
   // Greatest depth down to which all strengths agree with their weighted mean within two standard errors;
   // absent unless there are two depths, each with an error. [d]
   std::optional<double> constant_down_to() const;
 };
 
+// Of two independent values. [1]
+Mean quotient(const Mean& over, const Mean& under);
+
 // Of the shear runs of a group; empty vectors if none has finished.
 PaperStrength paper_strength(const PaperResults& results, const RunGroup& shears);
 
-// Points with error bars, and the straight line through them.
-std::vector<Curve> strength_curves(const PaperStrength& strength, const std::string& name,
-                                   double x_scale = 1, double y_scale = 1);
+// Adds points with the band of one standard error, and the straight line through all grains.
+void add_strength(Plot& plot, const PaperStrength& strength, const std::string& name,
+                  double x_scale = 1, double y_scale = 1);
 
 // The groups of shear runs that the figures on strength share.
 struct StrengthRuns {

@@ -38,11 +38,18 @@ struct Verbatim {
   std::string text{};
 };
 
+// To a file beside the report, or to a page.
+struct ReportLink {
+  std::string text{};
+  std::string address{};
+};
+
 struct Cell {
   // What a cell is to the eye: besides its colour it has a symbol and says it in words.
   enum class Mark : std::uint8_t { none, inside, outside, undecided };
   std::string text{};
   Mark mark = Mark::none;
+  std::vector<ReportLink> links{};  // behind the text
 };
 
 struct Column {
@@ -59,6 +66,7 @@ struct Table {
 struct Figure {
   Plot plot{};
   std::string caption{};
+  std::string command{};  // that makes it again; under it
 };
 
 // Pictures side by side.
@@ -66,6 +74,7 @@ struct Gallery {
   struct Picture {
     std::filesystem::path file{};  // a PNG
     std::string caption{};
+    std::string command{};  // that makes it again; under it
   };
   std::vector<Picture> pictures{};
   std::string caption{};
@@ -80,7 +89,8 @@ struct Section {
 
 struct Report {
   std::string title{};
-  std::vector<std::string> intro{};                               // paragraphs
+  std::vector<std::string> intro{};  // paragraphs
+  std::vector<Block> lead{};         // before the contents: no pictures
   std::vector<std::pair<std::string, std::string>> provenance{};  // what, value
   std::vector<Section> sections{};
 };

@@ -39,6 +39,17 @@ std::string class_of(Cell::Mark mark) {
   }
 }
 
+std::string command_of(const std::string& command) {
+  return command.empty() ? "" : "<br><code>" + html_attribute(command) + "</code>";
+}
+
+std::string links_of(const Cell& cell) {
+  std::string links;
+  for (const ReportLink& link : cell.links)
+    links += " <a href=\"" + html_attribute(link.address) + "\">" + html_text(link.text) + "</a>";
+  return links;
+}
+
 class HtmlWriter {
  public:
   explicit HtmlWriter(const ReportFiles& files) : files_(files) {}
@@ -82,7 +93,7 @@ class HtmlWriter {
         std::string kind = class_of(row[i].mark);
         if (block.columns.at(i).number) kind += kind.empty() ? "number" : " number";
         cells += element(kind.empty() ? "td" : "td class=\"" + kind + "\"",
-                         symbol_of(row[i].mark) + html_text(row[i].text));
+                         symbol_of(row[i].mark) + html_text(row[i].text) + links_of(row[i]));
       }
       body += element("tr", cells) + "\n";
     }
@@ -115,7 +126,7 @@ class HtmlWriter {
                     element("figcaption", html_text(block.caption) + " <span class=\"files\">" +
                                               download(".csv", "text/csv", "data") + ", " +
                                               download(".gp", "text/plain", "gnuplot script") +
-                                              "</span>")));
+                                              "</span>" + command_of(block.command))));
   }
 
   void operator()(const Gallery& block) {
@@ -123,10 +134,12 @@ class HtmlWriter {
     for (const Gallery::Picture& picture : block.pictures) {
       const std::string bytes =
           read_text(files_.folder / "pictures" / files_.pictures.at(next_picture_++));
-      inside += element("figure", image("class=\"frame\"", picture.caption,
-                                        data_address("image/png", bytes)) +
-                                      element("figcaption", html_text(picture.caption))) +
-                "\n";
+      inside +=
+          element(
+              "figure",
+              image("class=\"frame\"", picture.caption, data_address("image/png", bytes)) +
+                  element("figcaption", html_text(picture.caption) + command_of(picture.command))) +
+          "\n";
     }
     add(element("div class=\"gallery\"", "\n" + inside));
     if (!block.caption.empty()) add(element("p class=\"caption\"", html_text(block.caption)));
@@ -165,6 +178,7 @@ std::string report_html(const Report& report, const ReportFiles& files) {
   writer.add(element("style", kReportStyle) + "\n</head>\n<body>");
   writer.add(element("h1", html_text(report.title)));
   for (const std::string& paragraph : report.intro) writer(Paragraph{paragraph});
+  for (const Block& block : report.lead) std::visit(writer, block);
   writer.add(contents_of(sections));
   for (std::size_t i = 0; i < sections.size(); ++i) {
     writer.add("<section id=\"" + section_name(i) + "\">");

@@ -29,6 +29,20 @@ std::string table_row(const std::vector<std::string>& cells) {
   return row + "\n";
 }
 
+// Letter by letter, in a line or in a table, where a bar would end the cell.
+std::string code(const std::string& text, bool in_table = false) {
+  std::string inside;
+  for (const char c : text) inside += (in_table && c == '|' ? "\\" : "") + std::string(1, c);
+  return "`" + inside + "`";
+}
+
+std::string cell_text(const Cell& cell) {
+  std::string text = symbol_of(cell.mark) + markdown_text(cell.text);
+  for (const ReportLink& link : cell.links)
+    text += " ([" + markdown_text(link.text) + "](" + link.address + "))";
+  return text;
+}
+
 class MarkdownWriter {
  public:
   explicit MarkdownWriter(const ReportFiles& files) : files_(files) {}
@@ -70,7 +84,7 @@ class MarkdownWriter {
     for (const std::vector<Cell>& row : block.rows) {
       std::vector<std::string> cells;
       cells.reserve(row.size());
-      for (const Cell& cell : row) cells.push_back(symbol_of(cell.mark) + markdown_text(cell.text));
+      for (const Cell& cell : row) cells.push_back(cell_text(cell));
       table += table_row(cells);
     }
     if (!block.caption.empty()) add("*" + markdown_text(block.caption) + "*");
@@ -89,6 +103,7 @@ class MarkdownWriter {
     }
     add("*" + caption + "* (" + (plot.files.drawn ? "[SVG](" + path + ".svg), " : "") + "[data](" +
         path + ".csv), [gnuplot script](" + path + ".gp))");
+    if (!block.command.empty()) add(code(block.command));
   }
 
   void operator()(const Gallery& block) {
@@ -100,7 +115,8 @@ class MarkdownWriter {
       pictures.push_back("![" + caption + "](pictures/" + files_.pictures.at(next_picture_++) +
                          ")");
       rules.emplace_back(":---:");
-      captions.push_back(caption);
+      captions.push_back(caption +
+                         (picture.command.empty() ? "" : "<br>" + code(picture.command, true)));
     }
     if (!pictures.empty()) {
       std::string table = table_row(pictures) + table_row(rules) + table_row(captions);
@@ -131,6 +147,7 @@ std::string report_markdown(const Report& report, const ReportFiles& files) {
   MarkdownWriter writer(files);
   writer.add("# " + markdown_text(report.title));
   for (const std::string& paragraph : report.intro) writer.add(markdown_text(paragraph));
+  for (const Block& block : report.lead) std::visit(writer, block);
   const std::vector<Section> sections = all_sections(report);
   std::string contents;
   for (const Section& section : sections) {

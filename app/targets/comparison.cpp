@@ -1,5 +1,6 @@
 #include "app/targets/comparison.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/plot/typeset_number.h"
@@ -9,33 +10,9 @@ namespace quicksand {
 
 namespace {
 
-std::string with_unit(const std::string& number, const std::string& unit) {
+std::string with_unit(const std::string& text, const std::string& unit) {
   const std::string brackets = typeset_unit(unit);
-  return brackets.empty() ? number : number + " " + brackets;
-}
-
-// Two runs give an error, but with one degree of freedom no measure of what is far.
-bool has_scatter(const Measured& measured) {
-  constexpr int kFewest = 3;
-  return measured.standard_error && *measured.standard_error > 0 && measured.n >= kFewest;
-}
-
-std::string with_sign(double value) { return (value > 0 ? "+" : "") + typeset(value, 3); }
-
-// From the paper's value or the nearest bound: "+0.08 (12 se), 0.06 beyond the tolerance".
-std::string deviation_text(const Measured& measured, const Verdict& verdict) {
-  if (verdict.deviation == 0) return "none";
-  std::string text = with_sign(verdict.deviation);
-  if (has_scatter(measured)) {
-    text += " (" + typeset(std::abs(verdict.deviation) / *measured.standard_error, 2) + " se)";
-  }
-  if (!verdict.inside) text += ", " + typeset(verdict.beyond, 3) + " beyond the tolerance";
-  return text;
-}
-
-std::string ours_text(const Measured& measured) {
-  return typeset_with_error(measured.value, measured.standard_error) +
-         " (n = " + std::to_string(measured.n) + ")";
+  return brackets.empty() ? text : text + " " + brackets;
 }
 
 std::string quantity_text(const Target& target) {
@@ -44,106 +21,174 @@ std::string quantity_text(const Target& target) {
   return with_unit(text, target.unit);
 }
 
-std::string tolerance_text(const Target& target) {
-  return target.tolerance == 0 ? "none" : "± " + typeset(target.tolerance, 3);
+// "0.372 ± 0.004, n = 10", "0.372, n = 1 (error unknown)".
+std::string ours_text(const Target& target, const Measured& measured) {
+  std::string text = typeset_with_error(measured.value, measured.standard_error) +
+                     ", n = " + std::to_string(measured.n);
+  if (!target.counts.empty()) text += " " + target.counts;
+  return text + (measured.standard_error ? "" : " (error unknown)");
 }
 
-// What a reader needs besides: how words became a bound, what the measurement was, and where the paper
-// says so.
-std::string remarks(const Target& target, const std::string& note, bool close) {
-  std::string text;
-  for (const std::string& part :
-       {target.because, note, std::string(close ? "less than 2 se from turning" : ""),
-        target.source}) {
-    if (!part.empty()) text += (text.empty() ? "" : "; ") + part;
+// One method on one target.
+struct ByMethod {
+  std::string method;
+  const Measured* measured = nullptr;  // null: not measured
+  bool inside = false;
+  bool by_error = false;  // inside, but with no scatter it were not
+
+  std::string word() const {
+    if (!measured) return "not measured";
+    return !inside ? "outside" : by_error ? "inside by its error" : "inside";
   }
-  return text;
+  bool outside() const { return measured && !inside; }
+};
+
+std::vector<ByMethod> entries_of(const Target& target, const std::vector<MethodFindings>& methods) {
+  std::vector<ByMethod> entries;
+  for (const MethodFindings& method : methods) {
+    ByMethod entry{.method = method.method};
+    if (const auto found = method.findings.find(target.id); found != method.findings.end()) {
+      entry.measured = &found->second;
+      entry.inside = verdict_on(target, found->second).inside;
+      entry.by_error = entry.inside && !verdict_on(target, {.value = found->second.value}).inside;
+    }
+    entries.push_back(entry);
+  }
+  return entries;
+}
+
+Cell number_cell(const Target& target, const ByMethod& entry) {
+  if (!entry.measured) return {"not measured", Cell::Mark::undecided};
+  return {ours_text(target, *entry.measured),
+          entry.inside ? Cell::Mark::inside : Cell::Mark::outside};
+}
+
+Cell inside_cell(const std::vector<ByMethod>& entries) {
+  const bool alike = std::ranges::all_of(
+      entries, [&](const ByMethod& e) { return e.word() == entries.front().word(); });
+  if (alike)
+    return {entries.size() == 2 && entries.front().measured ? "both " + entries.front().word()
+                                                            : entries.front().word()};
+  std::string text;
+  for (const ByMethod& entry : entries)
+    text += (text.empty() ? "" : ", ") + method_title(entry.method) + " " + entry.word();
+  return {text};
+}
+
+Cell reason_cell(const Target& target, const std::vector<ByMethod>& entries,
+                 const Evidence& evidence, const std::filesystem::path& report) {
+  Cell cell;
+  std::vector<const Reason*> given;
+  for (const ByMethod& entry : entries) {
+    if (!entry.outside()) continue;
+    const Reason* reason = evidence.reason(target.id, entry.method);
+    const std::string name = entries.size() > 1 ? method_title(entry.method) + ": " : "";
+    if (reason && std::ranges::find(given, reason) != given.end()) continue;
+    cell.text += (cell.text.empty() ? "" : " ") + (reason && reason->method.empty() ? "" : name) +
+                 (reason ? reason->sentence : "no reason is measured.");
+    if (!reason) continue;
+    given.push_back(reason);
+    cell.links.push_back(evidence_link(reason->evidence, report));
+  }
+  return cell;
 }
 
 }  // namespace
 
 Measured measured_over(std::span<const double> values, std::string note) {
-  const Mean mean = *mean_of(values);
+  Mean mean = *mean_of(values);
+  // Equal values scatter by no more than their rounding.
+  constexpr double kRounding = 1e-14;
+  if (mean.error && *mean.error <= kRounding * std::abs(mean.value))
+    mean = {.value = values.front(), .error = 0};
   return {mean.value, mean.error, static_cast<int>(values.size()), std::move(note)};
 }
+
+std::string method_title(const std::string& method) { return method == "nscd" ? "NSCD" : method; }
 
 Verdict verdict_on(const Target& target, const Measured& measured) {
   Verdict verdict;
   if (std::isnan(measured.value)) return verdict;
   if (target.low && measured.value < *target.low) verdict.deviation = measured.value - *target.low;
-  if (target.high && measured.value > *target.high) {
+  if (target.high && measured.value > *target.high)
     verdict.deviation = measured.value - *target.high;
-  }
-  // Sums of decimals: a value at the tolerance's end is inside.
+  // Sums of decimals: a value at the end is inside.
   constexpr double kRounding = 1e-12;
-  const double distance = std::abs(verdict.deviation);
-  verdict.inside = distance <= target.tolerance + kRounding * std::abs(measured.value);
-  if (!verdict.inside) verdict.beyond = distance - target.tolerance;
-  // The nearest end of what is still inside.
-  double to_turn = HUGE_VAL;
-  if (target.low) {
-    to_turn = std::min(to_turn, std::abs(measured.value - (*target.low - target.tolerance)));
-  }
-  if (target.high) {
-    to_turn = std::min(to_turn, std::abs(measured.value - (*target.high + target.tolerance)));
-  }
-  verdict.close = has_scatter(measured) && to_turn < 2 * *measured.standard_error;
+  verdict.inside = std::abs(verdict.deviation) <= target.half_digit +
+                                                      2 * measured.standard_error.value_or(0) +
+                                                      kRounding * std::abs(measured.value);
   return verdict;
 }
 
 std::string paper_text(const Target& target) {
-  std::string text;
-  if (target.low && target.high) {
-    text = typeset(*target.low);
-    if (*target.low != *target.high) text += " to " + typeset(*target.high);
-  } else {
+  std::string text = target.printed;
+  if (text.empty() && target.low && target.high)
+    text = typeset(*target.low) + " to " + typeset(*target.high);
+  if (text.empty())
     text = target.low ? "at least " + typeset(*target.low) : "at most " + typeset(*target.high);
-  }
-  return target.words.empty() ? text : target.words + ": " + text;
+  return target.words.empty() ? text : target.words + " (read as " + text + ")";
 }
 
-Table comparison_table(const PaperTargets& targets,
-                       const std::map<std::string, Measured>& measured) {
-  for (const auto& [id, value] : measured) targets.at(id);
-  Table table{.caption =
-                  "se: standard error of the mean over n realizations. Inside means: within the "
-                  "stated tolerance of what the paper admits, whatever the standard error. The "
-                  "deviation is from the paper's value or nearest bound, in se from three runs on.",
-              .columns = {{.title = "quantity"},
-                          {.title = "paper"},
-                          {.title = "tolerance", .number = true},
-                          {.title = "ours ± standard error", .number = true},
-                          {.title = "verdict"},
-                          {.title = "deviation"},
-                          {.title = "remarks"}}};
+Table comparison_table(const PaperTargets& targets, const std::vector<MethodFindings>& methods,
+                       const Evidence& evidence, const std::filesystem::path& report) {
+  Table table{
+      .caption =
+          "Mean ± standard error; n counts realizations where it does not say otherwise. Inside: "
+          "within the paper's interval, or half a unit of the last digit that it prints, widened "
+          "by two standard errors of ours; inside by its error, where only these reach it. Where "
+          "the error is unknown nothing is added, and the "
+          "verdict is that of a single specimen.",
+      .columns = {{.title = "experiment"}, {.title = "paper"}}};
+  for (const MethodFindings& method : methods)
+    table.columns.push_back({.title = method_title(method.method), .number = true});
+  table.columns.insert(table.columns.end(), {{.title = "inside or not"}, {.title = "why outside"}});
   for (const Target& target : targets.targets) {
-    std::vector<Cell> row{{quantity_text(target)}, {paper_text(target)}, {tolerance_text(target)}};
-    const auto found = measured.find(target.id);
-    if (found == measured.end()) {
-      row.insert(row.end(),
-                 {{}, {"not measured", Cell::Mark::undecided}, {}, {remarks(target, {}, false)}});
-    } else {
-      const Verdict verdict = verdict_on(target, found->second);
-      row.insert(row.end(), {{ours_text(found->second)},
-                             {verdict.inside ? "inside" : "outside",
-                              verdict.inside ? Cell::Mark::inside : Cell::Mark::outside},
-                             {deviation_text(found->second, verdict)},
-                             {remarks(target, found->second.note, verdict.close)}});
-    }
+    const std::vector<ByMethod> entries = entries_of(target, methods);
+    std::vector<Cell> row{{quantity_text(target)}, {paper_text(target)}};
+    for (const ByMethod& entry : entries) row.push_back(number_cell(target, entry));
+    row.push_back(inside_cell(entries));
+    row.push_back(reason_cell(target, entries, evidence, report));
     table.rows.push_back(std::move(row));
   }
   return table;
 }
 
-Tally tally(const PaperTargets& targets, const std::map<std::string, Measured>& measured) {
+Table reading_table(const PaperTargets& targets, const std::vector<MethodFindings>& methods) {
+  Table table{
+      .caption =
+          "How words became bounds, where each number of the paper stands, and how ours was "
+          "taken.",
+      .columns = {{.title = "experiment"},
+                  {.title = "paper"},
+                  {.title = "reading"},
+                  {.title = "source"},
+                  {.title = "ours"}}};
+  for (const Target& target : targets.targets) {
+    std::string notes;
+    for (const ByMethod& entry : entries_of(target, methods))
+      if (entry.measured && !entry.measured->note.empty())
+        notes += (notes.empty() ? "" : "; ") +
+                 (methods.size() > 1 ? method_title(entry.method) + ": " : "") +
+                 entry.measured->note;
+    if (target.because.empty() && notes.empty()) continue;
+    table.rows.push_back({{quantity_text(target)},
+                          {paper_text(target)},
+                          {target.because},
+                          {target.source},
+                          {notes}});
+  }
+  return table;
+}
+
+Tally tally(const PaperTargets& targets, const Findings& findings) {
+  for (const auto& [id, measured] : findings) targets.at(id);
   Tally counts;
   for (const Target& target : targets.targets) {
-    const auto found = measured.find(target.id);
-    if (found == measured.end()) {
+    const auto found = findings.find(target.id);
+    if (found == findings.end())
       ++counts.not_measured;
-    } else {
+    else
       ++(verdict_on(target, found->second).inside ? counts.inside : counts.outside);
-    }
   }
   return counts;
 }

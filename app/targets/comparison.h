@@ -1,46 +1,63 @@
-// The comparison of a measurement with the paper: a verdict and its row in a table.
+// The comparison of measurements with the paper: a verdict on each, and the table of all.
+//
+// Inside: within the paper's interval, or within half a unit of the last digit that it prints, widened by two
+// standard errors of the measurement. Of a single realization the error is unknown, and nothing is added.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "app/report/report.h"
+#include "app/targets/evidence.h"
 #include "app/targets/paper_targets.h"
 
 namespace quicksand {
 
 struct Measured {
   double value = 0;                        // mean over realizations [unit of the target]
-  std::optional<double> standard_error{};  // of the mean; absent for a single one
-  int n = 1;                               // realizations
-  std::string note{};                      // for the table: what was different, what could be seen
+  std::optional<double> standard_error{};  // of the mean; absent where it is unknown
+  int n = 1;                               // realizations, or what the target counts
+  std::string note{};                      // what was different, what could be seen
 };
 
 // Mean, standard error and number of the values; there must be one.
 Measured measured_over(std::span<const double> values, std::string note = {});
 
+// By id of the target in assets/paper/targets.json.
+using Findings = std::map<std::string, Measured>;
+
+struct MethodFindings {
+  std::string method;  // "nscd", "exact"
+  Findings findings;
+};
+// As it stands in a table: "NSCD".
+std::string method_title(const std::string& method);
+
 struct Verdict {
   bool inside = false;
   double deviation = 0;  // from the nearest value that the paper admits, 0 there [unit]
-  double beyond = 0;     // past the tolerance, 0 if inside [unit]
-  // The bound of the tolerance is nearer than two standard errors of at least three: more might turn it.
-  bool close = false;
 };
 Verdict verdict_on(const Target& target, const Measured& measured);
 
-// "0.68", "0.40 to 0.43", "at least 0.9 (almost the bottom)".
+// "0.68", "0.40 to 0.43", "almost the bottom (read as at least 0.9)".
 std::string paper_text(const Target& target);
 
-// A row a target, in their order: quantity, paper, tolerance, ours, verdict, note, source. Those without a
-// measurement are "not measured". Throws InputError if something measured is no target.
-Table comparison_table(const PaperTargets& targets,
-                       const std::map<std::string, Measured>& measured);
+// A row a target: experiment, paper, each method's number, what is inside, and for what is outside the measured reason,
+// or that there is none. Links are as seen from the folder of the report.
+Table comparison_table(const PaperTargets& targets, const std::vector<MethodFindings>& methods,
+                       const Evidence& evidence, const std::filesystem::path& report);
+
+// How each number of the paper is read, and what was measured for it.
+Table reading_table(const PaperTargets& targets, const std::vector<MethodFindings>& methods);
 
 struct Tally {
   int inside = 0, outside = 0, not_measured = 0;
 };
-Tally tally(const PaperTargets& targets, const std::map<std::string, Measured>& measured);
+// Throws InputError if something measured is no target.
+Tally tally(const PaperTargets& targets, const Findings& findings);
 
 }  // namespace quicksand

@@ -1,8 +1,10 @@
 #include "app/targets/paper_targets.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "app/base/assets.h"
 #include "app/base/nearest_name.h"
@@ -19,15 +21,19 @@ constexpr std::size_t kMostTargets = 1000;
 // What a file says of one target, before it is worked out.
 struct Entry {
   Target target;
-  std::optional<double> value, at_least, at_most;
+  std::optional<double> at_least, at_most;
   std::optional<Vec2> interval;
-  std::optional<double> absolute, relative;
 };
 
-void describe_tolerance(Fields& f, Entry& e) {
-  f.number({"absolute", "in the unit of the target"}, between(0, kHuge, "unit"), e.absolute);
-  f.number({"relative", "over the value, or over the nearer end"}, between(0, 1, "1"), e.relative);
-  f.exactly_one({"absolute", "relative"});
+// "23.4": its value, and half a unit of its last digit; absent if it is no decimal number.
+std::optional<std::pair<double, double>> printed_number(const std::string& text) {
+  const std::size_t point = text.find('.');
+  const bool decimal =
+      !text.empty() && text.find_first_not_of("0123456789.", text[0] == '-') == std::string::npos &&
+      point == text.rfind('.') && std::isdigit(static_cast<unsigned char>(text.back()));
+  if (!decimal) return std::nullopt;
+  const std::size_t places = point == std::string::npos ? 0 : text.size() - point - 1;
+  return std::pair(std::stod(text), 0.5 * std::pow(10.0, -static_cast<double>(places)));
 }
 
 void describe(Fields& f, Entry& e) {
@@ -35,34 +41,33 @@ void describe(Fields& f, Entry& e) {
   f.text({"quantity", "what it is", Presence::required}, e.target.quantity);
   f.text({"symbol", "its letter"}, e.target.symbol);
   f.text({"unit", "1 if none", Presence::required}, e.target.unit);
-  f.number({"value", "a single value"}, between(-kHuge, kHuge, "unit"), e.value);
+  f.text({"printed", "a single value, with the digits that the paper prints"}, e.target.printed);
   f.vector({"interval", "[low, high]"}, between(-kHuge, kHuge, "unit"), e.interval);
   f.number({"at_least", "a lower bound"}, between(-kHuge, kHuge, "unit"), e.at_least);
   f.number({"at_most", "an upper bound"}, between(-kHuge, kHuge, "unit"), e.at_most);
-  f.exactly_one({"value", "interval", "at_least", "at_most"});
-  f.object({"tolerance", "how far beyond is still inside", Presence::required},
-           [&](Fields& inner) { describe_tolerance(inner, e); });
+  f.exactly_one({"printed", "interval", "at_least", "at_most"});
   f.text({"words", "the paper's, where it gives no number"}, e.target.words);
+  f.text({"counts", "what a measurement's n counts, if not realizations"}, e.target.counts);
   f.text({"source", "where it stands", Presence::required}, e.target.source);
-  f.text({"because", "why this tolerance or bound"}, e.target.because);
-  if (e.interval && e.interval->x() > e.interval->y()) {
+  f.text({"because", "how words became this bound, or where the interval is from"},
+         e.target.because);
+  if (e.interval && e.interval->x() > e.interval->y())
     f.refuse("interval", "has its ends the wrong way round");
-  }
+  if (!e.target.printed.empty() && !printed_number(e.target.printed))
+    f.refuse("printed", "is no decimal number");
 }
 
 Target worked_out(Entry entry) {
   Target target = std::move(entry.target);
-  target.low = entry.value ? entry.value : entry.at_least;
-  target.high = entry.value ? entry.value : entry.at_most;
+  target.low = entry.at_least;
+  target.high = entry.at_most;
   if (entry.interval) {
     target.low = entry.interval->x();
     target.high = entry.interval->y();
   }
-  target.tolerance = entry.absolute.value_or(0);
-  if (entry.relative) {
-    double size = std::abs(target.low.value_or(0));
-    size = std::max(size, std::abs(target.high.value_or(0)));
-    target.tolerance = *entry.relative * size;
+  if (const auto number = printed_number(target.printed)) {
+    target.low = target.high = number->first;
+    target.half_digit = number->second;
   }
   return target;
 }

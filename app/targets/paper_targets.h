@@ -1,7 +1,6 @@
-// What the paper found, as targets to compare with, each with a stated tolerance.
+// What the paper found, as targets to compare with.
 //
-// A target is a value, an interval, or a bound that stands for words ("almost the bottom"). Whether
-// ours is inside is decided by the tolerance alone; the standard error tells how sure that is.
+// A target is a value as the paper prints it, an interval, or a bound that stands for words ("almost the bottom").
 #pragma once
 
 #include <filesystem>
@@ -16,12 +15,15 @@ struct Target {
   std::string quantity;  // what it is, for a reader
   std::string symbol;    // empty if none
   std::string unit;      // "1" if none
-  // The admissible values before the tolerance; an open side is absent. Equal if the paper has a value.
+  // The admissible values; an open side is absent. Equal if the paper has a value.
   std::optional<double> low, high;
-  double tolerance = 0;  // beyond low and high [unit]
-  std::string words;     // the paper's, where it gives no number
-  std::string source;    // where it stands
-  std::string because;   // why this tolerance, or how the words became a bound; empty if plain
+  std::string printed;    // a value as the paper prints it; empty for others
+  double half_digit = 0;  // half a unit of the last digit that it prints, 0 for others [unit]
+  std::string words;      // the paper's, where it gives no number
+  std::string counts;     // what a measurement's n counts; empty: realizations
+  std::string source;     // where it stands
+  std::string
+      because;  // how the words became a bound, or where an interval is from; empty if plain
 };
 
 struct PaperTargets {

@@ -9,6 +9,7 @@
 #include "core/base/errors.h"
 #include "core/bodies/contact_law.h"
 #include "core/scene/scenario.h"
+#include "tests/support/files.h"
 #include "tests/support/paper_fixture.h"
 
 namespace quicksand::test {
@@ -91,25 +92,6 @@ TEST_F(PaperRuns, ANarrowPistonIsAsMuchLighter) {
   EXPECT_DOUBLE_EQ(piston.force, 15 * 1e4);
 }
 
-TEST_F(PaperRuns, PlainContactDynamicsHasOneStepForEverything) {
-  PaperScale scale = small();
-  make_plain(scale, 2e-3);
-  PaperJobs jobs(scale, folder_.path());
-  const RunGroup samples = jobs.samples();
-  jobs.shears(jobs.pistons(samples), 10, 5);
-  jobs.pulls(jobs.pushes(samples, 1), 1);
-  for (const Job& job : jobs.jobs()) {
-    const StepSettings& step = job.scenario.step;
-    EXPECT_EQ(step.dt, 2e-3) << job.id;
-    EXPECT_EQ(step.break_rule, FailureCriterion::geometric) << job.id;
-    EXPECT_FALSE(step.curvature_term) << job.id;
-    EXPECT_FALSE(step.max_turn) << job.id;
-    for (const Phase& phase : job.scenario.phases) EXPECT_FALSE(phase.dt) << job.id;
-  }
-  const Scenario& sample = jobs.jobs()[samples.runs[0]].scenario;
-  EXPECT_EQ(std::get<DepositPhase>(sample.phases[0].kind).interval, 2e-3);
-}
-
 TEST_F(PaperRuns, ByNscdEveryRunHasItsSettingAndDepositsBondAtEveryTouch) {
   PaperScale scale = small();
   make_nscd(scale, {.sweeps = 30, .deposit_step = 2e-3, .fast_step = 1e-3, .drop_velocity = 3});
@@ -147,25 +129,30 @@ TEST_F(PaperRuns, TheSettingOfNscdIsChosenFromASpecimenThatIsNoRealization) {
     EXPECT_LT(jobs.jobs()[k].scenario.seed, 101U);
 }
 
-TEST_F(PaperRuns, FindingsAreReadAsTheyWereWrittenAndStandBesideOthers) {
+TEST_F(PaperRuns, FindingsAreReadAsTheyWereWritten) {
   const auto file = folder_.path() / "findings.json";
-  const std::string id = "unperturbed.volume_fraction";
-  write_findings(file, "nscd",
-                 {{id, {.value = 0.41, .standard_error = 0.01, .n = 3, .note = "x"}}});
-  const MethodFindings read = read_findings(file);
+  const std::string known = "unperturbed.volume_fraction", single = "unperturbed.coordination";
+  write_findings(file,
+                 {"nscd",
+                  {{known, {.value = 0.41, .standard_error = 0.01, .n = 3, .note = "x"}},
+                   {single, {.value = 2.05}}}},
+                 {51, 199});
+  const MethodFindings read = read_findings(file, {51, 199});
   EXPECT_EQ(read.method, "nscd");
-  EXPECT_EQ(read.findings.at(id).value, 0.41);
-  EXPECT_EQ(read.findings.at(id).standard_error, 0.01);
-  EXPECT_EQ(read.findings.at(id).n, 3);
-  PaperTargets targets = read_targets(shipped_targets());
-  std::erase_if(targets.targets, [&](const Target& t) { return t.id != id; });
-  const Table table =
-      comparison_of_methods(targets, {read, {"exact", {{id, {.value = 0.3}}}}, {"none", {}}});
-  ASSERT_EQ(table.rows.size(), 1U);
-  EXPECT_EQ(table.rows[0][3].text, "inside");
-  EXPECT_EQ(table.rows[0][5].text, "outside");
-  EXPECT_EQ(table.rows[0][7].text, "not measured");
-  EXPECT_THROW(read_findings(folder_.write("other.json", "{}")), InputError);
+  EXPECT_EQ(read.findings.at(known).value, 0.41);
+  EXPECT_EQ(read.findings.at(known).standard_error, 0.01);
+  EXPECT_EQ(read.findings.at(known).n, 3);
+  EXPECT_EQ(read.findings.at(known).note, "x");
+  EXPECT_EQ(read.findings.at(single).standard_error, std::nullopt);
+  EXPECT_THROW(read_findings(file, {24, 50}), InputError) << "of another box";
+  EXPECT_THROW(read_findings(folder_.write("other.json", "{}"), {51, 199}), InputError);
+}
+
+TEST(ShippedFindings, OfTheExactMethodAreOfThePapersBox) {
+  const MethodFindings exact =
+      read_findings(kSource / "assets/paper/full/findings.json", {51, 199});
+  EXPECT_EQ(exact.method, "exact");
+  EXPECT_GT(exact.findings.size(), 30U);
 }
 
 TEST_F(PaperRuns, AHigherSampleIsPressedMoreSlowly) {

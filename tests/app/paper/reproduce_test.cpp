@@ -277,7 +277,7 @@ TEST_F(Reproduce, NamesTheBreakRuleThatComesNearestToThePaper) {
   all_leave(0.9);
   EXPECT_NE(said().find("No setting gives the four shares"), std::string::npos) << said();
   EXPECT_NE(said().find("The linearised rule with dt = 0.01"), std::string::npos) << said();
-  EXPECT_NE(said().find("4.4 tolerances off"), std::string::npos) << said();
+  EXPECT_NE(said().find("4.4 tolerances (0.03 and 0.05) off"), std::string::npos) << said();
   EXPECT_EQ(mean_step, "0.005");  // 400 steps in 2 sqrt(d/g), halved ones with them
   all_leave(0.7);
   EXPECT_NE(said().find("gives all four shares"), std::string::npos) << said();
@@ -302,19 +302,6 @@ TEST_F(Reproduce, AnUnknownFigureIsRefusedWithTheNearest) {
   EXPECT_NE(outcome.err.find("did you mean \"penetration\""), std::string::npos) << outcome.err;
 }
 
-TEST_F(Reproduce, TheComparisonOfRulesHasNoPlainForm) {
-  const Outcome refused = reproduce({"break_rule", "--plain", "0.002", "--dry-run"});
-  EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_NE(refused.err.find("varies the failure criterion itself"), std::string::npos)
-      << refused.err;
-  const Outcome other_step = reproduce({"--plain", "0.002", "--push-step", "0.01", "--dry-run"});
-  EXPECT_EQ(other_step.exit_code, 2);
-  EXPECT_NE(other_step.err.find("leave out --push-step"), std::string::npos) << other_step.err;
-  const Outcome all = reproduce({"--plain", "0.002", "--dry-run"});
-  EXPECT_EQ(all.exit_code, 0) << all.err;
-  EXPECT_EQ(all.out.find("linearised"), std::string::npos) << all.out;
-}
-
 TEST_F(Reproduce, ByNscdLeavesOutWhatIsAboutExactSteps) {
   const Outcome all = reproduce({"--method", "nscd", "--dry-run"});
   EXPECT_EQ(all.exit_code, 0) << all.err;
@@ -322,8 +309,11 @@ TEST_F(Reproduce, ByNscdLeavesOutWhatIsAboutExactSteps) {
   EXPECT_EQ(all.out.find("setting_a"), std::string::npos) << all.out;
   const Outcome other = reproduce({"--method", "nscd", "--push-step", "0.01", "--dry-run"});
   EXPECT_EQ(other.exit_code, 2);
-  EXPECT_NE(other.err.find("leave out --push-step"), std::string::npos) << other.err;
+  EXPECT_NE(other.err.find("is of exact steps"), std::string::npos) << other.err;
   EXPECT_EQ(reproduce({"--method", "nsdc", "--dry-run"}).exit_code, 2);
+  const Outcome criteria = reproduce({"break_rule", "--method", "nscd", "--dry-run"});
+  EXPECT_EQ(criteria.exit_code, 2);
+  EXPECT_NE(criteria.err.find("has one failure criterion"), std::string::npos) << criteria.err;
 }
 
 TEST_F(Reproduce, ATooSmallBoxIsRefused) {
@@ -338,7 +328,8 @@ TEST_F(Reproduce, RunsOfOtherSettingsAreNotOverwritten) {
   folder_.write(scene, "{}\n");
   const std::string out = (folder_.path() / "paper").string();
   for (const bool dry : {true, false}) {
-    std::vector<std::string> words{"piston", "--quick", "--realizations", "1", "--out", out};
+    std::vector<std::string> words{"piston",   "--quick", "--realizations", "1",
+                                   "--method", "exact",   "--out",          out};
     if (dry) words.emplace_back("--dry-run");
     const Outcome outcome = reproduce(words);
     EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
@@ -348,18 +339,36 @@ TEST_F(Reproduce, RunsOfOtherSettingsAreNotOverwritten) {
   EXPECT_EQ(contents(folder_.path() / scene), "{}\n");
 }
 
-TEST_F(Reproduce, SlowReportsOnWhatRanAndRepeatsNothing) {
+TEST_F(Reproduce, QuickIsByBothMethodsInFoldersOfTheirNames) {
+  const Outcome quick = reproduce({"--quick", "--dry-run"});
+  EXPECT_EQ(quick.exit_code, 0) << quick.err;
+  EXPECT_NE(quick.out.find("runs would go to out/paper/nscd/runs"), std::string::npos) << quick.out;
+  EXPECT_NE(quick.out.find("runs would go to out/paper/exact/runs"), std::string::npos)
+      << quick.out;
+  const Outcome one = reproduce({"break_rule", "--quick", "--dry-run"});
+  EXPECT_EQ(one.exit_code, 0) << one.err;
+  EXPECT_EQ(one.out.find("nscd"), std::string::npos) << "it compares criteria of exact steps";
+}
+
+class ReproduceParts : public Reproduce {
+ protected:
+  std::vector<std::string> words(const std::string& out) const {
+    return {"piston",  "structure", "--quick", "--width",        "12", "--height", "20",
+            "--quiet", "--out",     out,       "--realizations", "1",  "--method", "exact"};
+  }
+};
+
+TEST_F(ReproduceParts, SlowReportsOnWhatRanAndRepeatsNothing) {
   const std::string out = (folder_.path() / "paper").string();
-  const std::vector<std::string> words{"piston",         "structure", "--quick", "--width", "12",
-                                       "--height",       "20",        "--quiet", "--out",   out,
-                                       "--realizations", "1"};
-  const Outcome first = reproduce(words);
+  const Outcome first = reproduce(words(out));
   ASSERT_EQ(first.exit_code, 0) << first.err;
   EXPECT_NE(first.out.find("3 of 3 runs finished"), std::string::npos) << first.out;
   const std::string page = contents(out + "/report.md");
   EXPECT_NE(page.find("after the piston: volume fraction"), std::string::npos);
+  EXPECT_NE(page.find("n = 1 (error unknown)"), std::string::npos);
   EXPECT_NE(page.find("Compaction by a piston"), std::string::npos);
   EXPECT_NE(page.find("What counts as a contact"), std::string::npos);
+  EXPECT_NE(page.find("`quicksand reproduce piston --quick"), std::string::npos);
   for (const char* of : {"profile", "bond_angles", "contact_forces", "bond_tensions"})
     EXPECT_NE(contents(out + "/plots/structure_" + of + ".csv").find("after the piston"),
               std::string::npos)
@@ -367,9 +376,23 @@ TEST_F(Reproduce, SlowReportsOnWhatRanAndRepeatsNothing) {
   EXPECT_EQ(page.find("pull-out force over the push force before"), std::string::npos)
       << "of another figure";
   const auto when = std::filesystem::last_write_time(out + "/runs/sample/00/summary.json");
-  ASSERT_EQ(reproduce(words).exit_code, 0);
+  ASSERT_EQ(reproduce(words(out)).exit_code, 0);
   EXPECT_EQ(std::filesystem::last_write_time(out + "/runs/sample/00/summary.json"), when);
   EXPECT_EQ(contents(out + "/report.md"), page);
+
+  // Moved, with a run less, and reported on elsewhere: nothing is computed.
+  const std::string moved = (folder_.path() / "moved").string(),
+                    report = (folder_.path() / "report").string();
+  std::filesystem::rename(out, moved);
+  std::filesystem::remove_all(moved + "/runs/sample.push_1");
+  std::vector<std::string> only = words(moved);
+  only.insert(only.end(), {"--report", report});
+  const Outcome so_far = reproduce(only);
+  ASSERT_EQ(so_far.exit_code, 0) << so_far.err;
+  EXPECT_NE(so_far.out.find("2 of 3 runs finished"), std::string::npos) << so_far.out;
+  EXPECT_FALSE(std::filesystem::exists(moved + "/runs/sample.push_1"));
+  EXPECT_NE(contents(report + "/report.md").find("| sample.push\\_1 | 1 | 0 |"), std::string::npos)
+      << contents(report + "/report.md");
 }
 
 }  // namespace

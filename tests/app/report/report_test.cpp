@@ -100,6 +100,26 @@ TEST_F(ReportTest, TheMarkdownHasWholeTablesAndLinksToFilesThatAreThere) {
   EXPECT_NE(markdown.find("````text\n```\n"), std::string::npos);
 }
 
+TEST_F(ReportTest, PicturesHaveTheirCommandAndCellsTheirLinks) {
+  const fs::path picture = folder_.path() / "p.png";
+  write_png(picture, Image(4, 3));
+  Report with;
+  with.lead.emplace_back(
+      Table{"", {{"why"}}, {{{.text = "because", .links = {{"a page", "../other/page.md"}}}}}});
+  with.sections.push_back({.title = "s",
+                           .blocks = {Figure{line_plot("line"), "c", "draw a|b --plot"},
+                                      Gallery{{{picture, "p", "draw --picture"}}, ""}}});
+  write_report(with, folder_.path() / "out");
+  const std::string markdown = file("out/report.md"), html = file("out/report.html");
+  EXPECT_NE(markdown.find("because ([a page](../other/page.md))"), std::string::npos);
+  EXPECT_LT(markdown.find("because"), markdown.find("- [s](#s)")) << "before the contents";
+  EXPECT_NE(markdown.find("`draw a|b --plot`"), std::string::npos) << markdown;
+  EXPECT_NE(markdown.find("p<br>`draw --picture`"), std::string::npos);
+  EXPECT_NE(html.find("<a href=\"../other/page.md\">a page</a>"), std::string::npos);
+  EXPECT_NE(html.find("<code>draw a|b --plot</code>"), std::string::npos);
+  EXPECT_NE(html.find("<code>draw --picture</code>"), std::string::npos);
+}
+
 TEST_F(ReportTest, IsTheSameEachTime) {
   write_report(report(), folder_.path() / "a");
   write_report(report(), folder_.path() / "b");

@@ -12,57 +12,39 @@
 namespace quicksand::test {
 namespace {
 
-Target between(double low, double high, double tolerance) {
-  return {.id = "a",
-          .quantity = "a",
-          .symbol = {},
-          .unit = "1",
-          .low = low,
-          .high = high,
-          .tolerance = tolerance,
-          .words = {},
-          .source = {},
-          .because = {}};
+Target between(double low, double high, double half_digit = 0) {
+  return {
+      .id = "a", .quantity = "a", .unit = "1", .low = low, .high = high, .half_digit = half_digit};
 }
 
-TEST(Verdict, OfAValueIsTheDistanceToIt) {
-  const Target target = between(0.68, 0.68, 0.05);
-  EXPECT_TRUE(verdict_on(target, {.value = 0.68}).inside);
-  EXPECT_TRUE(verdict_on(target, {.value = 0.73}).inside);  // at the end
-  EXPECT_TRUE(verdict_on(target, {.value = 0.63}).inside);
-  const Verdict low = verdict_on(target, {.value = 0.60});
-  EXPECT_FALSE(low.inside);
-  EXPECT_NEAR(low.deviation, -0.08, 1e-12);
-  EXPECT_NEAR(low.beyond, 0.03, 1e-12);
+TEST(Verdict, OfAPrintedValueAllowsHalfAUnitOfItsLastDigitAndTwoStandardErrors) {
+  const Target target = between(0.68, 0.68, 0.005);
+  EXPECT_TRUE(verdict_on(target, {.value = 0.685}).inside);  // at the end
+  EXPECT_TRUE(verdict_on(target, {.value = 0.675}).inside);
+  const Verdict single = verdict_on(target, {.value = 0.66});
+  EXPECT_FALSE(single.inside) << "the error of a single one is unknown: nothing is added";
+  EXPECT_NEAR(single.deviation, -0.02, 1e-12);
+  EXPECT_TRUE(verdict_on(target, {.value = 0.66, .standard_error = 0.0076, .n = 10}).inside);
+  EXPECT_FALSE(verdict_on(target, {.value = 0.66, .standard_error = 0.0074, .n = 10}).inside);
 }
 
 TEST(Verdict, OfAnIntervalCountsFromItsNearerEnd) {
-  const Target target = between(0.40, 0.43, 0.01);
+  const Target target = between(0.40, 0.43);
   EXPECT_EQ(verdict_on(target, {.value = 0.42}).deviation, 0);
-  EXPECT_TRUE(verdict_on(target, {.value = 0.435}).inside);
-  EXPECT_NEAR(verdict_on(target, {.value = 0.435}).deviation, 0.005, 1e-12);
-  const Verdict loose = verdict_on(target, {.value = 0.37});
+  EXPECT_FALSE(verdict_on(target, {.value = 0.435}).inside);
+  EXPECT_TRUE(verdict_on(target, {.value = 0.435, .standard_error = 0.003, .n = 3}).inside);
+  const Verdict loose = verdict_on(target, {.value = 0.37, .standard_error = 0.01, .n = 3});
   EXPECT_FALSE(loose.inside);
   EXPECT_NEAR(loose.deviation, -0.03, 1e-12);
-  EXPECT_NEAR(loose.beyond, 0.02, 1e-12);
 }
 
 TEST(Verdict, OfABoundIsOpenOnTheOtherSide) {
-  Target target = between(0.9, 0, 0);
+  Target target = between(0.9, 0);
   target.high.reset();
   EXPECT_TRUE(verdict_on(target, {.value = 5}).inside);
   EXPECT_TRUE(verdict_on(target, {.value = 0.9}).inside);
   EXPECT_FALSE(verdict_on(target, {.value = 0.89}).inside);
-}
-
-TEST(Verdict, IsCloseWhereTwoStandardErrorsReachTheBoundOfTheTolerance) {
-  const Target target = between(1, 1, 0.1);
-  EXPECT_FALSE(verdict_on(target, {.value = 1, .standard_error = 0.04, .n = 10}).close);
-  EXPECT_TRUE(verdict_on(target, {.value = 1, .standard_error = 0.06, .n = 10}).close);
-  EXPECT_TRUE(verdict_on(target, {.value = 1.15, .standard_error = 0.03, .n = 10}).close);
-  EXPECT_FALSE(verdict_on(target, {.value = 1.15}).close);
-  // Of two runs it is no measure.
-  EXPECT_FALSE(verdict_on(target, {.value = 1, .standard_error = 0.06, .n = 2}).close);
+  EXPECT_TRUE(verdict_on(target, {.value = 0.89, .standard_error = 0.006, .n = 2}).inside);
 }
 
 TEST(Verdict, NoNumberIsOutside) {
@@ -96,15 +78,14 @@ class TargetsTest : public testing::Test {
 };
 
 TEST_F(TargetsTest, AreRefusedWithThePlaceOfTheMistake) {
-  const std::string tolerance = R"("tolerance": {"absolute": 0.1})";
   const std::pair<std::string, std::string> mistakes[] = {
-      {one(tolerance), "value or interval or at_least or at_most"},
-      {one(R"("value": 1, "at_least": 2, )" + tolerance), "only one"},
-      {one(R"("value": 1)"), "targets[0].tolerance: is missing"},
-      {one(R"("value": 1, "tolerance": {})"), "targets[0].tolerance.absolute: is missing"},
-      {one(R"("value": "1", )" + tolerance), "targets[0].value: is the text \"1\""},
-      {one(R"("interval": [2, 1], )" + tolerance), "wrong way round"},
-      {one(R"("value": 1, "becaus": "", )" + tolerance), "did you mean \"because\""},
+      {one(R"("words": "w")"), "printed or interval or at_least or at_most"},
+      {one(R"("printed": "1", "at_least": 2)"), "only one"},
+      {one(R"("printed": 1)"), "targets[0].printed"},
+      {one(R"("printed": "1e4")"), "targets[0].printed: is no decimal number"},
+      {one(R"("printed": "1.")"), "targets[0].printed: is no decimal number"},
+      {one(R"("interval": [2, 1])"), "wrong way round"},
+      {one(R"("printed": "1", "becaus": "")"), "did you mean \"because\""},
       {R"({"source": "s", "targets": [)", "not valid JSON"},
   };
   for (const auto& [text, answer] : mistakes) {
@@ -112,16 +93,20 @@ TEST_F(TargetsTest, AreRefusedWithThePlaceOfTheMistake) {
     EXPECT_NE(refusal(text).find("targets.json"), std::string::npos) << refusal(text);
   }
   const std::string entry =
-      R"({"id": "a", "quantity": "q", "unit": "1", "source": "s", "value": 1, )" + tolerance + "}";
+      R"({"id": "a", "quantity": "q", "unit": "1", "source": "s", "printed": "1"})";
   EXPECT_NE(refusal(R"({"source": "s", "targets": [)" + entry + "," + entry + "]}").find("twice"),
             std::string::npos);
 }
 
-TEST_F(TargetsTest, TolerancesMayBeRelative) {
-  const PaperTargets read = read_targets(
-      folder_.write("t.json", one(R"("interval": [10, 20], "tolerance": {"relative": 0.1})")));
-  EXPECT_DOUBLE_EQ(read.at("a").tolerance, 2);
-  EXPECT_EQ(read.at("a").low, 10);
+TEST_F(TargetsTest, ThatArePrintedKnowTheirLastDigit) {
+  const auto read = [&](const std::string& printed) {
+    return read_targets(folder_.write("t.json", one(R"("printed": ")" + printed + "\""))).at("a");
+  };
+  EXPECT_DOUBLE_EQ(read("0.30").half_digit, 0.005);
+  EXPECT_DOUBLE_EQ(read("23.4").half_digit, 0.05);
+  EXPECT_DOUBLE_EQ(read("199").half_digit, 0.5);
+  EXPECT_EQ(read("-0.5").low, -0.5);
+  EXPECT_EQ(paper_text(read("0.30")), "0.30");
 }
 
 TEST(PaperTargets, ShippedOnesAreReadAndNamed) {
@@ -130,7 +115,8 @@ TEST(PaperTargets, ShippedOnesAreReadAndNamed) {
   EXPECT_EQ(push.low, 0.68);
   EXPECT_EQ(paper_text(push), "0.68");
   EXPECT_EQ(paper_text(paper.at("unperturbed.volume_fraction")), "0.4 to 0.43");
-  EXPECT_EQ(paper_text(paper.at("penetration.1.0.depth")), "almost the bottom: at least 0.9");
+  EXPECT_EQ(paper_text(paper.at("penetration.1.0.depth")),
+            "almost the bottom (read as at least 0.9)");
   try {
     paper.at("penetration.1.0.active_of_contact");
     FAIL();
@@ -139,26 +125,80 @@ TEST(PaperTargets, ShippedOnesAreReadAndNamed) {
   }
 }
 
-TEST(ComparisonTable, HasARowATargetWithItsVerdictInWordsAndSymbol) {
-  const PaperTargets paper = read_targets(kSource / "assets" / "paper" / "targets.json");
-  const std::map<std::string, Measured> ours{
-      {"unperturbed.volume_fraction", {.value = 0.37, .standard_error = 0.002, .n = 10}},
-      {"penetration.1.0.active_of_contacts",
-       {.value = 0.70, .standard_error = 0.004, .n = 10, .note = "seen"}}};
-  const Table table = comparison_table(paper, ours);
-  ASSERT_EQ(table.rows.size(), paper.targets.size());
-  for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size());
-  const std::vector<Cell>& density = table.rows[0];
-  EXPECT_EQ(density[3].text, "0.370 ± 0.002 (n = 10)");
-  EXPECT_EQ(density[4].mark, Cell::Mark::outside);
-  EXPECT_EQ(density[4].text, "outside");
-  EXPECT_EQ(density[5].text, "-0.03 (15 se), 0.02 beyond the tolerance");
-  EXPECT_EQ(table.rows[1][4].text, "not measured");
-  const Tally counts = tally(paper, ours);
-  EXPECT_EQ(counts.inside, 1);
-  EXPECT_EQ(counts.outside, 1);
-  EXPECT_EQ(counts.not_measured, static_cast<int>(paper.targets.size()) - 2);
-  EXPECT_THROW(comparison_table(paper, {{"penetration.depth", {}}}), InputError);
+class ComparisonTable : public testing::Test {
+ protected:
+  const PaperTargets paper_ = read_targets(kSource / "assets" / "paper" / "targets.json");
+  const MethodFindings nscd_{
+      "nscd",
+      {{"unperturbed.volume_fraction", {.value = 0.37, .standard_error = 0.002, .n = 10}},
+       {"unperturbed.coordination", {.value = 2.2}},
+       {"penetration.1.0.active_of_contacts",
+        {.value = 0.685, .standard_error = 0.004, .n = 10, .note = "seen"}},
+       {"shear.perturbed.slope.mu_0.3", {.value = 23, .standard_error = 1, .n = 5}}}};
+  const MethodFindings exact_{
+      "exact",
+      {{"unperturbed.volume_fraction", {.value = 0.41, .standard_error = 0.002, .n = 3}},
+       {"unperturbed.coordination", {.value = 2.3}}}};
+  const Evidence evidence_{
+      .reasons = {{{"unperturbed.volume_fraction"}, "nscd", "It falls in.", "paper/a.md"},
+                  {{"unperturbed.coordination"}, "", "Both count more.", "paper/b.md"}},
+      .choices = {}};
+
+  std::vector<Cell> row(const std::string& id) const {
+    const Table table = comparison_table(paper_, {nscd_, exact_}, evidence_, "out");
+    for (std::size_t k = 0; k < table.rows.size(); ++k) {
+      EXPECT_EQ(table.rows[k].size(), table.columns.size());
+      if (paper_.targets[k].id == id) return table.rows[k];
+    }
+    return {};
+  }
+};
+
+TEST_F(ComparisonTable, HasBothMethodsWithErrorNumberAndVerdict) {
+  const std::vector<Cell> density = row("unperturbed.volume_fraction");
+  EXPECT_EQ(density[2].text, "0.370 ± 0.002, n = 10");
+  EXPECT_EQ(density[2].mark, Cell::Mark::outside);
+  EXPECT_EQ(density[3].mark, Cell::Mark::inside);
+  EXPECT_EQ(density[4].text, "NSCD outside, exact inside");
+  EXPECT_EQ(row("shear.perturbed.slope.mu_0.3")[4].text,
+            "NSCD inside by its error, exact not measured");
+  const std::vector<Cell> push = row("penetration.1.0.active_of_contacts");
+  EXPECT_EQ(push[3].text, "not measured");
+  EXPECT_EQ(push[4].text, "NSCD inside, exact not measured");
+  EXPECT_EQ(row("unperturbed.coordination")[2].text, "2.2, n = 1 (error unknown)");
+  EXPECT_EQ(row("shear.perturbed.slope.mu_0.3")[2].text, "23.0 ± 1.0, n = 5 grains");
+}
+
+TEST_F(ComparisonTable, SaysWhyWhatIsOutsideIsOrThatNoReasonIsMeasured) {
+  const Cell density = row("unperturbed.volume_fraction").back();
+  EXPECT_EQ(density.text, "NSCD: It falls in.");
+  ASSERT_EQ(density.links.size(), 1U);
+  EXPECT_TRUE(density.links[0].address.ends_with("assets/paper/a.md")) << density.links[0].address;
+  const Cell coordination = row("unperturbed.coordination").back();
+  EXPECT_EQ(coordination.text, "Both count more.") << "once, of both methods";
+  EXPECT_EQ(row("penetration.1.0.active_of_contacts").back().text, "") << "nothing is outside";
+  const Table none = comparison_table(paper_, {exact_}, {}, "out");
+  EXPECT_EQ(none.rows[1].back().text, "no reason is measured.");
+  EXPECT_EQ(none.rows[1][3].text, "outside");
+}
+
+TEST_F(ComparisonTable, CountsEveryNumberOfThePaper) {
+  const Tally counts = tally(paper_, nscd_.findings);
+  EXPECT_EQ(counts.inside, 2);
+  EXPECT_EQ(counts.outside, 2);
+  EXPECT_EQ(counts.not_measured, static_cast<int>(paper_.targets.size()) - 4);
+  EXPECT_THROW(tally(paper_, {{"penetration.depth", {}}}), InputError);
+}
+
+TEST_F(ComparisonTable, IsFollowedByHowWordsAreReadAndWhatWasSeen) {
+  const Table table = reading_table(paper_, {nscd_});
+  const auto row_of = [&](const std::string& quantity) {
+    return std::ranges::find_if(table.rows,
+                                [&](const auto& row) { return row[0].text == quantity; });
+  };
+  ASSERT_NE(row_of("pushed with 1 F_c: active bonds over contacts"), table.rows.end());
+  EXPECT_EQ(row_of("pushed with 1 F_c: active bonds over contacts")->back().text, "seen");
+  EXPECT_EQ(row_of("unperturbed specimen: volume fraction"), table.rows.end());
 }
 
 }  // namespace

@@ -1,0 +1,98 @@
+#include "app/paper_report/merge_sections.h"
+
+#include <algorithm>
+#include <map>
+
+namespace quicksand {
+
+namespace {
+
+// Puts the method in front of what is its alone.
+struct Named {
+  const std::string& method;
+
+  void operator()(Paragraph& block) const { block.text = method + ": " + block.text; }
+  void operator()(Remark& block) const { block.text = method + ": " + block.text; }
+  void operator()(BulletList& /*block*/) const {}
+  void operator()(Verbatim& /*block*/) const {}
+  void operator()(Table& block) const { block.caption = method + ": " + block.caption; }
+  void operator()(Gallery& block) const {
+    for (Gallery::Picture& picture : block.pictures)
+      picture.caption = method + ", " + picture.caption;
+  }
+  void operator()(Figure& block) const {
+    for (Curve& curve : block.plot.curves)
+      if (curve.role != Curve::Role::paper && !curve.name.empty())
+        curve.name = method + ": " + curve.name;
+    for (Reference& reference : block.plot.references)
+      if (reference.role == Reference::Role::guide && !reference.name.empty())
+        reference.name = method + ": " + reference.name;
+  }
+};
+
+void add_to(Plot& plot, Plot&& other) {
+  const auto has_curve = [&](const Curve& curve) {
+    return std::ranges::any_of(plot.curves, [&](const Curve& c) {
+      return c.role == Curve::Role::paper && c.name == curve.name;
+    });
+  };
+  for (Curve& curve : other.curves)
+    if (curve.role != Curve::Role::paper || !has_curve(curve))
+      plot.curves.push_back(std::move(curve));
+  for (Reference& reference : other.references)
+    if (std::ranges::find(plot.references, reference.name, &Reference::name) ==
+        plot.references.end())
+      plot.references.push_back(std::move(reference));
+  std::ranges::move(other.annotations, std::back_inserter(plot.annotations));
+  if (plot.legend == LegendPlace::none) return;
+  plot.legend = LegendPlace::below;  // there is more in it
+}
+
+bool has_points(const Plot& plot) {
+  return std::ranges::any_of(plot.curves, [](const Curve& curve) {
+    return curve.role == Curve::Role::ours && !curve.x.empty();
+  });
+}
+
+// The first column names the rows.
+bool has_numbers(const Table& table) {
+  return std::ranges::any_of(table.rows, [](const std::vector<Cell>& row) {
+    return std::any_of(row.begin() + 1, row.end(), [](const Cell& cell) {
+      return !cell.text.empty() && cell.text != "-" && cell.text != "0";
+    });
+  });
+}
+
+}  // namespace
+
+Section merge_sections(std::vector<std::pair<std::string, Section>> parts) {
+  if (parts.size() == 1) return std::move(parts.front().second);
+  Section merged{.title = parts.front().second.title, .blocks = {}};
+  std::map<std::string, std::size_t> plots;  // place of each among the blocks
+  for (auto& [method, section] : parts)
+    for (Block& block : section.blocks) {
+      std::visit(Named{method}, block);
+      if (auto* figure = std::get_if<Figure>(&block)) {
+        const auto [known, is_new] = plots.emplace(figure->plot.name, merged.blocks.size());
+        if (!is_new) {
+          add_to(std::get<Figure>(merged.blocks[known->second]).plot, std::move(figure->plot));
+          continue;
+        }
+      }
+      merged.blocks.push_back(std::move(block));
+    }
+  return merged;
+}
+
+bool drop_empty_blocks(Section& section) {
+  std::erase_if(section.blocks, [](const Block& block) {
+    if (const auto* figure = std::get_if<Figure>(&block)) return !has_points(figure->plot);
+    if (const auto* table = std::get_if<Table>(&block)) return !has_numbers(*table);
+    return false;
+  });
+  return std::ranges::any_of(section.blocks, [](const Block& block) {
+    return std::holds_alternative<Figure>(block) || std::holds_alternative<Table>(block);
+  });
+}
+
+}  // namespace quicksand

@@ -1,0 +1,190 @@
+#include "app/paper_report/paper_report.h"
+
+#include <algorithm>
+
+#include "app/json/json_reader.h"
+#include "app/paper/findings_file.h"
+#include "app/paper_report/merge_sections.h"
+#include "app/paper_report/runs_section.h"
+#include "app/report/provenance.h"
+
+namespace quicksand {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// What one programme's runs say.
+struct Found {
+  MethodFindings numbers;
+  std::vector<std::pair<const PaperFigure*, Section>> sections;
+};
+
+Found found_by(const Programme& programme, const PaperResults& results, const fs::path& pictures) {
+  Found found{.numbers = {.method = programme.method, .findings = {}}, .sections = {}};
+  for (const PlannedFigure& planned : programme.figures) {
+    Section section{.title = std::string(planned.figure->title), .blocks = {}};
+    planned.experiment->report(results, pictures, section, found.numbers.findings);
+    found.sections.emplace_back(planned.figure, std::move(section));
+  }
+  return found;
+}
+
+std::string method_paragraph(const PaperScale& scale) {
+  if (!scale.nscd)
+    return "exact: every step is solved to a tolerance, and a bond fails by the energy of an "
+           "impact. "
+           "Pushes take steps of " +
+           number_text(scale.push_step) + " sqrt(d/g) at most; a grain is deposited every " +
+           number_text(scale.interval) + " sqrt(d/g).";
+  return "NSCD, standard nonsmooth contact dynamics: " + std::to_string(scale.nscd->sweeps) +
+         " sweeps of projected Gauss-Seidel a step in random order, taken as they are, in steps "
+         "of " +
+         number_text(scale.nscd->deposit_step) + " (deposition) and " +
+         number_text(scale.nscd->fast_step) +
+         " sqrt(d/g) (all else). A bond fails where the gap after the step is above d_c, whether "
+         "the "
+         "step converged or not; while grains are deposited every touch forms a bond. The numbers "
+         "depend on sweeps and time step.";
+}
+
+std::string tally_text(const PaperTargets& targets, const MethodFindings& method) {
+  const Tally count = tally(targets, method.findings);
+  return method_title(method.method) + ": " + std::to_string(count.inside) + " inside, " +
+         std::to_string(count.outside) + " outside, " + std::to_string(count.not_measured) +
+         " not measured";
+}
+
+// The first page, but for its head.
+void add_lead(Report& report, const PaperReport& made, const std::vector<MethodFindings>& methods) {
+  PaperTargets targets = read_targets(shipped_targets());
+  std::string counts;
+  for (const MethodFindings& method : methods)
+    counts += (counts.empty() ? "" : ". ") + tally_text(targets, method);
+  const std::size_t all = targets.targets.size();
+  if (!made.all_figures)
+    std::erase_if(targets.targets, [&](const Target& target) {
+      return std::ranges::none_of(methods, [&](const MethodFindings& method) {
+        return (!made.beside || method.method != made.beside->method) &&
+               method.findings.contains(target.id);
+      });
+    });
+  counts += ". These are of the " + std::to_string(all) + " numbers of the paper";
+  if (targets.targets.size() < all)
+    counts += "; the table has the " + std::to_string(targets.targets.size()) +
+              " that this part of the programme measures";
+  report.lead.emplace_back(Paragraph{counts + "."});
+  if (targets.targets.empty()) return;
+  report.lead.emplace_back(
+      comparison_table(targets, methods, read_evidence(shipped_evidence()), made.folder));
+}
+
+void add_commands(Section& section, const std::string& command) {
+  for (Block& block : section.blocks) {
+    if (auto* figure = std::get_if<Figure>(&block)) figure->command = command;
+    if (auto* gallery = std::get_if<Gallery>(&block))
+      for (Gallery::Picture& picture : gallery->pictures) picture.command = command;
+  }
+}
+
+// Figure by figure, the pictures apart; names of figures without a result.
+std::vector<std::string> add_figures(Report& report, const PaperReport& made,
+                                     std::vector<Found>& found) {
+  std::vector<std::string> missing;
+  Section snapshots{.title = "Snapshots", .blocks = {}};
+  snapshots.blocks.emplace_back(Paragraph{
+      "Last states of the first realization. The paper's colours are not among the facts that we "
+      "have "
+      "of it: beside our colours stand two, blue for grains all of whose bonds are active, red for "
+      "those with a broken one."});
+  for (const PaperFigure& figure : paper_figures()) {
+    std::vector<std::pair<std::string, Section>> parts;
+    bool asked = false;
+    for (Found& by : found)
+      for (auto& [of, section] : by.sections)
+        if (of == &figure) {
+          asked = true;
+          if (drop_empty_blocks(section))
+            parts.emplace_back(method_title(by.numbers.method), std::move(section));
+        }
+    if (asked && parts.empty()) missing.emplace_back(figure.name);
+    if (parts.empty()) continue;
+    Section section = merge_sections(std::move(parts));
+    add_commands(section, made.command(figure.name));
+    const auto first = std::stable_partition(
+        section.blocks.begin(), section.blocks.end(),
+        [](const Block& block) { return !std::holds_alternative<Gallery>(block); });
+    std::move(first, section.blocks.end(), std::back_inserter(snapshots.blocks));
+    section.blocks.erase(first, section.blocks.end());
+    report.sections.push_back(std::move(section));
+  }
+  if (snapshots.blocks.size() > 1) report.sections.push_back(std::move(snapshots));
+  return missing;
+}
+
+void add_intro(Report& report, const std::vector<Programme>& programmes) {
+  const PaperScale& scale = programmes.front().jobs.scale();
+  report.intro = {"Every number of the paper beside ours. Boxes of " + number_text(scale.width) +
+                  " x " + number_text(scale.height) + " d, " + std::to_string(scale.realizations) +
+                  (scale.realizations == 1 ? " realization" : " realizations") +
+                  " at most; the paper has 51 x 199 d and 10."};
+  if (scale.width != PaperScale{}.width || scale.height != PaperScale{}.height)
+    report.intro.emplace_back(
+        "The box is smaller than the paper's: depths, heights and what depends on the weight above "
+        "cannot agree, and walls and ground are nearer. The reasons for what is outside are those "
+        "measured in the paper's box where they do not say otherwise.");
+}
+
+}  // namespace
+
+Report paper_report(const PaperReport& made, const std::vector<Programme>& programmes,
+                    const std::vector<std::vector<JobOutcome>>& outcomes) {
+  Report report{.title = "Collapsing granular suspensions, reproduced"};
+  add_intro(report, programmes);
+  std::vector<Found> found;
+  std::vector<MethodFindings> methods;
+  Section runs{.title = "Runs", .blocks = {}};
+  double seconds = 0;
+  std::string commits;
+  for (std::size_t p = 0; p < programmes.size(); ++p) {
+    const Programme& programme = programmes[p];
+    const std::vector<Job>& jobs = programme.jobs.jobs();
+    const PaperResults results(jobs);
+    found.push_back(found_by(programme, results, made.folder / "snapshots" / programme.method));
+    methods.push_back(found.back().numbers);
+    const PaperScale& scale = programme.jobs.scale();
+    const fs::path folder = programmes.size() > 1 ? made.folder / programme.method : made.folder;
+    fs::create_directories(folder);
+    write_findings(folder / "findings.json", methods.back(), {scale.width, scale.height});
+    add_runs(runs, method_title(programme.method), jobs, outcomes[p], results);
+    seconds += seconds_of(results, jobs.size());
+    commits += (commits.empty() ? "" : "; ") + method_title(programme.method) + ": " +
+               commits_of(results, jobs.size());
+  }
+  if (made.beside) methods.push_back(*made.beside);
+  // NSCD, the paper's own, stands first.
+  std::ranges::stable_partition(
+      methods, [](const MethodFindings& method) { return method.method == kNscdMethod; });
+  add_lead(report, made, methods);
+  const std::vector<std::string> missing = add_figures(report, made, found);
+
+  Section free{.title = "What was free, and what each choice does", .blocks = {}};
+  for (const Programme& programme : programmes)
+    free.blocks.emplace_back(Paragraph{method_paragraph(programme.jobs.scale())});
+  free.blocks.emplace_back(choices_table(read_evidence(shipped_evidence()), made.folder));
+  report.sections.push_back(std::move(free));
+  report.sections.push_back({.title = "How the paper is read",
+                             .blocks = {reading_table(read_targets(shipped_targets()), methods)}});
+  if (!missing.empty()) {
+    std::string names;
+    for (const std::string& name : missing) names += (names.empty() ? "" : ", ") + name;
+    runs.blocks.emplace_back(
+        Remark{Remark::Kind::note, "Figures without a finished run: " + names});
+  }
+  report.sections.push_back(std::move(runs));
+  report.provenance = provenance({.command = made.command({}), .seconds = seconds});
+  report.provenance.emplace_back("runs", commits);
+  return report;
+}
+
+}  // namespace quicksand

@@ -1,0 +1,185 @@
+// What the report on the paper is put together from.
+#include "app/paper_report/paper_report.h"
+
+#include <gtest/gtest.h>
+
+#include "app/jobs/run_record.h"
+#include "app/paper_report/merge_sections.h"
+#include "tests/support/paper_fixture.h"
+
+namespace quicksand::test {
+namespace {
+
+Figure figure(const std::string& plot, const std::string& curve) {
+  Plot drawn{.name = plot};
+  drawn.curves.push_back({.name = curve, .x = {1, 2}, .y = {1, 2}});
+  drawn.curves.push_back({.name = "paper", .role = Curve::Role::paper, .x = {1}, .y = {1}});
+  return {.plot = drawn};
+}
+
+TEST(MergedSections, DrawTheSamePlotOfTwoMethodsAsOneWithThePaperOnce) {
+  const Section nscd{"t", {figure("bonds", "active"), Paragraph{"words"}}},
+      exact{"t", {figure("bonds", "active"), figure("depth", "depth")}};
+  const Section merged = merge_sections({{"NSCD", nscd}, {"exact", exact}});
+  ASSERT_EQ(merged.blocks.size(), 3U);
+  const std::vector<Curve>& curves = std::get<Figure>(merged.blocks[0]).plot.curves;
+  ASSERT_EQ(curves.size(), 3U);
+  EXPECT_EQ(curves[0].name, "NSCD: active");
+  EXPECT_EQ(curves[1].name, "paper");
+  EXPECT_EQ(curves[2].name, "exact: active");
+  EXPECT_EQ(std::get<Paragraph>(merged.blocks[1]).text, "NSCD: words");
+  const Section alone = merge_sections({{"NSCD", nscd}});
+  EXPECT_EQ(std::get<Figure>(alone.blocks[0]).plot.curves[0].name, "active");
+}
+
+TEST(EmptyBlocks, AreLeftOut) {
+  Figure of_paper = figure("bonds", "active");
+  of_paper.plot.curves.erase(of_paper.plot.curves.begin());
+  const Table dashes{"", {{"force"}, {"depth"}}, {{{"0.33"}, {"-"}}}};
+  Section section{"t", {Paragraph{"words"}, of_paper, dashes}};
+  EXPECT_FALSE(drop_empty_blocks(section));
+  EXPECT_EQ(section.blocks.size(), 1U);
+  section.blocks.emplace_back(figure("bonds", "active"));
+  EXPECT_TRUE(drop_empty_blocks(section));
+  EXPECT_EQ(section.blocks.size(), 2U);
+}
+
+TEST(Bands, AreOfOneStandardErrorAndInTheColourOfTheirCurve) {
+  Plot plot;
+  add_with_band(plot, {.name = "a", .x = {1, 2}, .y = {5, 6}, .y_error = {0.5, 1}});
+  ASSERT_EQ(plot.curves.size(), 2U);
+  EXPECT_EQ(plot.curves[1].kind, Curve::Kind::band);
+  EXPECT_EQ(plot.curves[1].role, Curve::Role::fit);
+  EXPECT_EQ(plot.curves[1].y_low, (std::vector<double>{4.5, 5}));
+  EXPECT_EQ(plot.curves[1].y_high, (std::vector<double>{5.5, 7}));
+  EXPECT_TRUE(plot.curves[0].y_error.empty());
+  Plot single;
+  add_with_band(single, {.name = "a", .x = {1, 2}, .y = {5, 6}, .y_error = {0, 0}});
+  EXPECT_EQ(single.curves.size(), 1U) << "one realization has no error";
+}
+
+class PaperReportTest : public PaperFixture {
+ protected:
+  // Of two pushes that finished by NSCD, and as many by exact steps, of which one did not.
+  Report report(std::optional<MethodFindings> other = {}) const {
+    std::vector<Programme> programmes;
+    std::vector<std::vector<JobOutcome>> outcomes;
+    for (const std::string method : {"nscd", "exact"}) {
+      PaperScale scale = small();
+      if (method == kNscdMethod) make_nscd(scale, {});
+      programmes.push_back(plan_programme(method, scale, folder_.path() / method, {"penetration"}));
+      const std::vector<Job>& jobs = programmes.back().jobs.jobs();
+      outcomes.emplace_back(jobs.size());
+      for (std::size_t k = 0; k < jobs.size(); ++k) {
+        if (jobs[k].id == "sample.push_1/01" && method == kExactMethod) continue;
+        leave_results(jobs[k],
+                      {{"depth", 18},
+                       {"packing_top", 20},
+                       {"active_bond_fraction", method == kNscdMethod ? 0.68 : 0.4},
+                       {"remaining_bond_fraction", 0.6},
+                       {"commit", "of_another_build"},
+                       {"wall_seconds", 1},
+                       {"unconverged_steps", 0},
+                       {"halved_steps", 0},
+                       {"bonds_broken_in_unconverged_steps", 0}},
+                      "time,step,phase,packing_top\n0,0,push,20\n");
+        outcomes.back()[k].status = JobStatus::finished;
+      }
+      if (other) break;
+    }
+    return paper_report(
+        {.folder = folder_.path() / "report",
+         .beside = other,
+         .all_figures = false,
+         .command = [](std::string_view name) { return "make " + std::string(name); }},
+        programmes, outcomes);
+  }
+  static const Table& first_page(const Report& report) { return std::get<Table>(report.lead[1]); }
+  static const std::vector<Cell>& row(const Table& table, const std::string& quantity) {
+    static const std::vector<Cell> none(6);
+    for (const auto& cells : table.rows)
+      if (cells[0].text == quantity) return cells;
+    ADD_FAILURE() << "no row of " << quantity;
+    return none;
+  }
+};
+
+TEST_F(PaperReportTest, HasBothMethodsOnItsFirstPageWithTheirNumberOfRuns) {
+  const Report report = this->report();
+  const Table& table = first_page(report);
+  EXPECT_EQ(table.columns[2].title, "NSCD");
+  EXPECT_EQ(table.columns[3].title, "exact");
+  const auto& push = row(table, "pushed with 1 F_c: active bonds over contacts");
+  EXPECT_EQ(push[2].text, "0.68 ± 0, n = 2");
+  EXPECT_EQ(push[3].text, "0.4, n = 1 (error unknown)");
+  EXPECT_EQ(push[4].text, "NSCD inside, exact outside");
+  EXPECT_NE(push[5].text.find("exact: "), std::string::npos);
+  const std::string counts = std::get<Paragraph>(report.lead[0]).text;
+  EXPECT_NE(counts.find("NSCD: 2 inside, "), std::string::npos) << counts;
+  EXPECT_NE(counts.find("exact: 1 inside, "), std::string::npos) << counts;
+}
+
+TEST_F(PaperReportTest, HasAnotherMethodsColumnFromItsFindings) {
+  const Report report = this->report(MethodFindings{
+      "exact",
+      {{"penetration.1.0.active_of_contacts", {.value = 0.7, .standard_error = 0.2, .n = 4}}}});
+  const auto& push = row(first_page(report), "pushed with 1 F_c: active bonds over contacts");
+  EXPECT_EQ(push[3].text, "0.7 ± 0.2, n = 4");
+  EXPECT_EQ(push[4].text, "NSCD inside, exact inside by its error");
+}
+
+TEST_F(PaperReportTest, NamesTheCommandUnderEachFigureAndTheBuildsOfTheRuns) {
+  const Report report = this->report();
+  int figures = 0;
+  std::string runs;
+  for (const Section& section : report.sections)
+    for (const Block& block : section.blocks) {
+      if (const auto* drawn = std::get_if<Figure>(&block)) {
+        ++figures;
+        EXPECT_EQ(drawn->command, "make penetration");
+      }
+      if (const auto* paragraph = std::get_if<Paragraph>(&block)) runs += paragraph->text;
+      if (const auto* remark = std::get_if<Remark>(&block)) runs += remark->text;
+    }
+  EXPECT_GT(figures, 0);
+  EXPECT_NE(runs.find("exact: 9 of 10 runs finished, 9 by commit of_another_build"),
+            std::string::npos)
+      << runs;
+  EXPECT_NE(runs.find("were made by other builds"), std::string::npos) << runs;
+}
+
+class Records : public PaperFixture {};
+
+TEST_F(Records, OfAFolderThatWasMovedWithAllItsRunsCount) {
+  PaperJobs before(small(), folder_.path() / "before"), after(small(), folder_.path() / "after");
+  const auto push = [](PaperJobs& jobs) {
+    return jobs.jobs()[jobs.pushes(jobs.samples(), 1).runs[0]];
+  };
+  const Job old = push(before), moved = push(after);
+  leave_results(old, Json::object());
+  std::filesystem::rename(folder_.path() / "before", folder_.path() / "after");
+  EXPECT_EQ(read_record(moved).status, JobStatus::finished);
+  Job other = moved;
+  other.scenario.seed += 1;
+  EXPECT_TRUE(read_record(other).other_scene);
+  Job apart = moved;
+  apart.after.reset();
+  EXPECT_TRUE(read_record(apart).other_scene) << "a state of its own choice is another scene";
+}
+
+TEST_F(Records, OfAnotherBuildCountIfTheirScenesSayTheSame) {
+  PaperJobs jobs(small(), folder_.path());
+  const Job job = jobs.jobs()[jobs.samples().runs[0]];
+  leave_results(job, Json::object());
+  Json scene = parse_json(to_text(job.scenario));
+  ASSERT_TRUE(scene["step"].contains("curvature_term"));
+  scene["step"].erase("curvature_term");
+  write_whole(job.folder.scene(), scene.dump());
+  EXPECT_EQ(read_record(job).status, JobStatus::finished) << "left out, it is the default";
+  scene["step"]["curvature_term"] = false;
+  write_whole(job.folder.scene(), scene.dump());
+  EXPECT_TRUE(read_record(job).other_scene);
+}
+
+}  // namespace
+}  // namespace quicksand::test
