@@ -2,7 +2,7 @@
 #include "app/commands/command_table.h"
 #include "core/base/errors.h"
 #include "render/image/png_reader.h"
-#include "tests/gui/gui_fixture.h"
+#include "tests/support/gui_fixture.h"
 
 namespace quicksand::test {
 namespace {

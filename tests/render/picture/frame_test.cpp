@@ -8,7 +8,7 @@
 #include "core/base/errors.h"
 #include "core/scene/scenario.h"
 #include "render/base/palette.h"
-#include "tests/render/worlds.h"
+#include "tests/support/render/worlds.h"
 
 namespace quicksand {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/base/errors.h"
-#include "tests/gui/gui_fixture.h"
+#include "tests/support/gui_fixture.h"
 
 namespace quicksand::test {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "render/base/view.h"
 #include "render/layers/colouring.h"
-#include "tests/render/worlds.h"
+#include "tests/support/render/worlds.h"
 
 namespace quicksand {
 namespace {
