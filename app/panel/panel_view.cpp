@@ -69,12 +69,15 @@ void show_view_controls(PanelFrame& frame) {
   }
   if (right) ImGui::SameLine(second);
   const Session& session = frame.session;
-  ImGui::BeginDisabled(!session.loaded() || session.world().intruder() < 0);
-  if (const auto on = w.checkbox({"follow", "Follow intruder", "Keeps the intruder in the middle."},
-                                 session.follow_intruder)) {
-    frame.command("camera", {{"follow", *on ? "intruder" : "none"}});
+  {
+    const bool intruder = session.loaded() && session.world().intruder() >= 0;
+    const Widgets::Disabled disabled(w, !intruder);
+    if (const auto on =
+            w.checkbox({"follow", "Follow intruder", "Keeps the intruder in the middle."},
+                       session.follow_intruder)) {
+      frame.command("camera", {{"follow", *on ? "intruder" : "none"}});
+    }
   }
-  ImGui::EndDisabled();
   show_camera(frame);
   w.end_section();
 }
