@@ -39,6 +39,18 @@ void show_camera(PanelFrame& frame) {
   }
 }
 
+// Those that what is drawn depends on.
+void show_numbers(PanelFrame& frame) {
+  const View& view = frame.session.view;
+  for (const ViewNumber& number : view_numbers()) {
+    if (!number.matters(view)) continue;
+    const ViewField& field = number.field;
+    if (const auto value = frame.widgets.number({field.name, field.label, sentence(field.help)},
+                                                view.*number.value, false))
+      frame.command("view", {{field.name, *value}});
+  }
+}
+
 }  // namespace
 
 void show_view_controls(PanelFrame& frame) {
@@ -79,6 +91,7 @@ void show_view_controls(PanelFrame& frame) {
     }
   }
   show_camera(frame);
+  show_numbers(frame);
   w.end_section();
 }
 

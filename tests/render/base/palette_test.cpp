@@ -93,6 +93,13 @@ TEST(Colouring, ActiveBondsCountFloorAndImagesButNotBrokenOnes) {
   EXPECT_EQ(fill[11], bonds[1]);  // across the side
 }
 
+TEST(Colouring, ARangeThatIsGivenHoldsWhateverTheDataAre) {
+  const World world = worlds::arch_with_intruder();
+  const View view{.colouring = Colouring::speed, .colour_low = 2, .colour_high = 50};
+  EXPECT_EQ(colour_grains(world, view).scale.range, (Range{2, 50}));
+  EXPECT_NE(colour_grains(world, View{.colouring = Colouring::speed}).scale.range, (Range{2, 50}));
+}
+
 TEST(Colouring, FewFastGrainsDoNotSetTheRange) {
   std::vector<double> values(200, 0.9);
   values[7] = 1000;
