@@ -1,5 +1,24 @@
-# Sourced by app/run.sh, tests/run.sh and .ci/run: installs the packages that are missing and builds.
+# Sourced by the scripts: installs the packages that are missing, builds, and answers --help.
 # Needs `root`, the source folder. Says nothing and does nothing where all is there already.
+
+# answer_help ARGUMENTS...: where the first one asks for help, prints the comment at the head of the script and ends it.
+answer_help() {
+  case ${1:-} in -h | --help) ;; *) return 0 ;; esac
+  awk 'NR > 1 { if (!sub(/^# ?/, "")) exit; print }' "$0"
+  exit 0
+}
+
+# refuse_argument TEXT: ends the script with exit code 2.
+refuse_argument() {
+  echo "$(basename "$0"): $1; --help tells what there is" >&2
+  exit 2
+}
+
+# expect_number NAME TEXT
+expect_number() { [[ $2 =~ ^[0-9]+$ ]] || refuse_argument "$1 must be a whole number, not \"$2\""; }
+
+# expect_at_most COUNT ARGUMENTS...
+expect_at_most() { [ $# -le $(($1 + 1)) ] || refuse_argument "\"${*: -1}\" is one argument too many"; }
 
 # install_packages [mark]: the unmarked packages of packages.txt and those with that mark.
 install_packages() {

@@ -1,4 +1,4 @@
-// Commands that read and check: measure, expect.
+// Commands that read and check: measure, expect. Those about the session itself: print, include, quit.
 #include "app/commands/command_definition.h"
 #include "app/commands/transcript.h"
 #include "app/export/exporter.h"
@@ -127,6 +127,36 @@ struct ExpectImage {
   }
 };
 
+constexpr std::string_view kSessionGroup = "Session";
+
+struct Print {
+  std::string text;
+  void describe(Fields& f) { f.text({"text", "what to say", Presence::required}, text); }
+  Json perform(Console& console, const std::string&) {
+    if (console.print) console.print(text);
+    return {{"text", text}};
+  }
+};
+
+struct Include {
+  std::string file;
+  void describe(Fields& f) {
+    f.text({"file", "another session file, relative to this one", Presence::required}, file);
+  }
+  Json perform(Console& console, const std::string& place) {
+    console.include(console.beside(file), place + ".file");
+    return Json::object();
+  }
+};
+
+struct Quit {
+  void describe(Fields&) {}
+  Json perform(Console& console, const std::string&) {
+    console.quit = true;
+    return Json::object();
+  }
+};
+
 }  // namespace
 
 std::vector<SessionCommand> check_commands() {
@@ -147,6 +177,17 @@ std::vector<SessionCommand> check_commands() {
            "Fails unless a picture looks like a reference; the differences are written beside it.",
            R"({"command": "expect_image", "image": "a.png", "reference": "reference/a.png"})"},
           false)};
+}
+
+std::vector<SessionCommand> session_commands_proper() {
+  return {
+      define<Print>({"print", kSessionGroup, "Prints a text when the session gets there.",
+                     R"({"command": "print", "text": "the packing stands"})"},
+                    false),
+      define<Include>({"include", kSessionGroup, "Performs the commands of another file.",
+                       R"({"command": "include", "file": "prepare.json"})"},
+                      false),
+      define<Quit>({"quit", kSessionGroup, "Ends the session.", R"({"command": "quit"})"}, false)};
 }
 
 }  // namespace quicksand

@@ -1,6 +1,9 @@
-// Commands that begin a phase at once: push, pull, piston, shear, heal, settle, deposit. Their arguments
-// are those of the phase in a scene.
+// Commands that end the present phase and begin another, one a kind. Their arguments are those of the phase in a scene.
+#include <utility>
+#include <variant>
+
 #include "app/commands/command_definition.h"
+#include "app/scene_json/phase_fields.h"
 #include "app/scene_json/scene_fields.h"
 #include "core/base/errors.h"
 #include "core/scene/scenario.h"
@@ -56,33 +59,19 @@ struct Begin {
   }
 };
 
+using Kinds = decltype(Phase::kind);
+
+template <std::size_t... kinds>
+std::vector<SessionCommand> rows(std::index_sequence<kinds...> /*all*/) {
+  return {define<Begin<std::variant_alternative_t<kinds, Kinds>>>(
+      {phase_kinds()[kinds].name, kPhaseGroup, phase_kinds()[kinds].sentence,
+       phase_kinds()[kinds].example})...};
+}
+
 }  // namespace
 
 std::vector<SessionCommand> phase_commands() {
-  return {
-      define<Begin<PushPhase>>(
-          {"push", kPhaseGroup,
-           "Ends the present phase; with the next step an intruder is pushed into the packing.",
-           R"({"command": "push", "force_over_cohesion": 1, "max_time": 2})"}),
-      define<Begin<PullPhase>>(
-          {"pull", kPhaseGroup,
-           "Begins the search for the smallest upward force that takes the intruder out.",
-           R"({"command": "pull", "first_force": 1000})"}),
-      define<Begin<PistonPhase>>(
-          {"piston", kPhaseGroup, "Lays a piston on the packing and presses it down.",
-           R"({"command": "piston", "mass": 10, "force": 1e4, "max_time": 5})"}),
-      define<Begin<ShearPhase>>(
-          {"shear", kPhaseGroup,
-           "Begins the search for the smallest horizontal forces that move grains.",
-           R"({"command": "shear", "depths": [10], "first_force": 100, "grains_per_depth": 3})"}),
-      define<Begin<HealPhase>>({"heal", kPhaseGroup,
-                                "Restores bonds at existing contacts with the next step.",
-                                R"({"command": "heal"})"}),
-      define<Begin<SettlePhase>>({"settle", kPhaseGroup,
-                                  "Nothing is added; ends at rest or at a time.",
-                                  R"({"command": "settle", "max_time": 3})"}),
-      define<Begin<DepositPhase>>({"deposit", kPhaseGroup, "Drops further grains.",
-                                   R"({"command": "deposit", "grains": 50})"})};
+  return rows(std::make_index_sequence<std::variant_size_v<Kinds>>{});
 }
 
 }  // namespace quicksand

@@ -24,7 +24,7 @@ struct ViewCommand {
     try {
       check(view);
     } catch (const InputError& error) {
-      throw InputError(place, error.what());
+      throw InputError(place + "." + error.where(), error.what());
     }
     console.session().view = view;
     return Json::object();

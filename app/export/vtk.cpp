@@ -4,8 +4,8 @@
 // belong to them as point data, those of lines as cell data.
 #include <bit>
 
-#include "app/base/base64.h"
 #include "app/export/formats.h"
+#include "app/json/base64.h"
 #include "app/json/json_reader.h"
 
 namespace quicksand {

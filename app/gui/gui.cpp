@@ -1,11 +1,11 @@
 #include "app/gui/gui.h"
 
 #include <imgui.h>
-#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "app/gui/imgui_input.h"
 #include "app/gui/triangles_of.h"
 #include "app/panel/panel_frame.h"
 #include "core/base/errors.h"
@@ -31,47 +31,6 @@ double checked_scale(double scale) {
   throw InputError("scale", "the scale of the panel must be from 0.5 to 4");
 }
 
-// Our keys in the order of ImGui's.
-void map_keys(ImGuiIO& io) {
-  const auto map = [&](ImGuiKey key, Key ours) { io.KeyMap[key] = static_cast<int>(ours); };
-  map(ImGuiKey_Tab, Key::tab);
-  map(ImGuiKey_LeftArrow, Key::left);
-  map(ImGuiKey_RightArrow, Key::right);
-  map(ImGuiKey_UpArrow, Key::up);
-  map(ImGuiKey_DownArrow, Key::down);
-  map(ImGuiKey_PageUp, Key::page_up);
-  map(ImGuiKey_PageDown, Key::page_down);
-  map(ImGuiKey_Home, Key::home);
-  map(ImGuiKey_End, Key::end);
-  map(ImGuiKey_Insert, Key::insert);
-  map(ImGuiKey_Delete, Key::erase);
-  map(ImGuiKey_Backspace, Key::backspace);
-  map(ImGuiKey_Space, Key::space);
-  map(ImGuiKey_Enter, Key::enter);
-  map(ImGuiKey_Escape, Key::escape);
-  map(ImGuiKey_A, Key::a);
-  map(ImGuiKey_C, Key::c);
-  map(ImGuiKey_V, Key::v);
-  map(ImGuiKey_X, Key::x);
-  map(ImGuiKey_Y, Key::y);
-  map(ImGuiKey_Z, Key::z);
-}
-
-void give(const GuiInput& input, ImGuiIO& io) {
-  const bool outside = input.mouse.x() < 0 || input.mouse.y() < 0;
-  io.MousePos =
-      outside ? ImVec2(-FLT_MAX, -FLT_MAX)
-              : ImVec2(static_cast<float>(input.mouse.x()), static_cast<float>(input.mouse.y()));
-  std::copy(input.buttons.begin(), input.buttons.end(), std::begin(io.MouseDown));
-  io.MouseWheel = static_cast<float>(input.wheel);
-  std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
-  for (const Key key : input.keys) io.KeysDown[static_cast<int>(key)] = true;
-  io.KeyCtrl = io.KeysDown[static_cast<int>(Key::control)];
-  io.KeyShift = io.KeysDown[static_cast<int>(Key::shift)];
-  io.KeyAlt = io.KeysDown[static_cast<int>(Key::alt)];
-  io.AddInputCharactersUTF8(input.text.c_str());
-}
-
 }  // namespace
 
 struct Gui::Impl {
@@ -87,7 +46,8 @@ struct Gui::Impl {
 
   void lay_out(PanelFrame& frame, const GuiInput& input);
   void show_column(PanelFrame& frame, float bottom);
-  void take_keys(PanelFrame& frame);
+  bool pressed(const GuiInput& input, Key key) const;
+  void take_keys(PanelFrame& frame, const GuiInput& input, bool list_open);
   void prepare_view(const Session& session);
 
   double scale;
@@ -101,7 +61,8 @@ struct Gui::Impl {
   int width = 0, height = 0;
   Theme theme = Theme::light;
   bool styled = false;
-  std::uint32_t hovered = 0;
+  std::vector<Key> held;  // in the last frame
+  bool takes_text = false;
   std::optional<TrianglePainter> painter;
 };
 
@@ -124,31 +85,31 @@ void Gui::Impl::show_column(PanelFrame& frame, float bottom) {
   ImGui::SetNextWindowSize({widgets.px(kColumn), bottom});
   ImGui::Begin("column", nullptr, kPart & ~ImGuiWindowFlags_NoScrollbar);
   show_scene(frame);
-  ImGui::BeginDisabled(!frame.session.loaded());
-  show_controls(frame);
-  show_parameters(frame);
-  show_actions(frame);
-  show_view_controls(frame);
-  show_plots(frame);
-  show_inspection(frame);
-  ImGui::EndDisabled();
+  {
+    const Widgets::Disabled disabled(widgets, !frame.session.loaded());
+    show_controls(frame);
+    show_parameters(frame);
+    show_actions(frame);
+    show_view_controls(frame);
+    show_plots(frame);
+    show_inspection(frame);
+  }
   ImGui::End();
 }
 
-// Keys that work wherever the mouse is, unless something is being typed.
-void Gui::Impl::take_keys(PanelFrame& frame) {
-  if (ImGui::GetIO().WantTextInput) return;
+// Whether the key goes down in this frame.
+bool Gui::Impl::pressed(const GuiInput& input, Key key) const {
+  return std::ranges::find(input.keys, key) != input.keys.end() &&
+         std::ranges::find(held, key) == held.end();
+}
+
+// Keys that work wherever the mouse is, unless something is being typed. Escape closes a list first.
+void Gui::Impl::take_keys(PanelFrame& frame, const GuiInput& input, bool list_open) {
+  if (takes_text) return;
   const Session& session = frame.session;
   const bool can_run = session.loaded() && !session.finished() && !session.failed();
-  if (can_run && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Space), false)) {
-    frame.command(session.running ? "pause" : "start");
-  }
-  if (!ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) return;
-  if (context.context->OpenPopupStack.empty()) {
-    notes.error.clear();
-  } else {
-    ImGui::ClosePopupToLevel(0, false);  // an open list
-  }
+  if (can_run && pressed(input, Key::space)) frame.command(session.running ? "pause" : "start");
+  if (!list_open && pressed(input, Key::escape)) notes.error.clear();
 }
 
 void Gui::Impl::lay_out(PanelFrame& frame, const GuiInput& input) {
@@ -162,9 +123,12 @@ void Gui::Impl::lay_out(PanelFrame& frame, const GuiInput& input) {
                std::floor(static_cast<double>(status_top))};
   prepare_view(frame.session);  // may throw, so it comes before the frame begins
 
-  give(input, io);
+  give_input(input, io);
   ImGui::NewFrame();
-  widgets.begin(theme);
+  takes_text = io.WantTextInput;
+  const bool list_open =
+      ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  widgets.begin(theme, pressed(input, Key::escape));
 
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
   ImGui::SetNextWindowPos({left + line, 0});
@@ -203,8 +167,8 @@ void Gui::Impl::lay_out(PanelFrame& frame, const GuiInput& input) {
     ImGui::End();
     ImGui::PopStyleColor();
   }
-  take_keys(frame);
-  hovered = context.context->HoveredIdDisabled ? 0 : context.context->HoveredId;
+  take_keys(frame, input, list_open);
+  held = input.keys;
   ImGui::Render();
 }
 
@@ -216,7 +180,7 @@ Gui::Gui(double scale) : impl_(std::make_unique<Impl>(scale)) {
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
   // Lines are smooth by their own edges; texels of the atlas would blur them at large scales.
   io.Fonts->Flags |= ImFontAtlasFlags_NoBakedLines | ImFontAtlasFlags_NoMouseCursors;
-  map_keys(io);
+  prepare_input(io);
   io.Fonts->Build();
 }
 
@@ -276,8 +240,13 @@ Image Gui::paint() {
 }
 
 std::span<const Widget> Gui::widgets() const { return impl_->widgets.all(); }
-std::uint32_t Gui::hovered() const { return impl_->hovered; }
-bool Gui::takes_text() const { return impl_->context.context->IO.WantTextInput; }
+bool Gui::takes_text() const { return impl_->takes_text; }
+const Widget* Gui::hovered() const {
+  const auto all = widgets();
+  const auto found = std::ranges::find(all, true, &Widget::hovered);
+  return found == all.end() ? nullptr : &*found;
+}
+
 int Gui::width() const { return impl_->width; }
 int Gui::height() const { return impl_->height; }
 double Gui::scale() const { return impl_->scale; }

@@ -37,8 +37,8 @@ class Gui {
 
   // Of the last frame.
   std::span<const Widget> widgets() const;
-  // Id of the widget that the mouse is on, 0 if none; a disabled one does not count.
-  std::uint32_t hovered() const;
+  // The widget that the mouse is on; null if there is none, or it is disabled.
+  const Widget* hovered() const;
   // Whether what is typed goes into a field.
   bool takes_text() const;
   int width() const;

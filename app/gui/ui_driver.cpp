@@ -131,11 +131,10 @@ Vec2 UiDriver::reach(const std::string& path) {
   Vec2 place = middle(widget.rect);
   move_to(place);
   const Widget& there = shown(path);
-  if (gui_.hovered() != there.id) {
-    const auto all = gui_.widgets();
-    const auto over = std::ranges::find(all, gui_.hovered(), &Widget::id);
+  const Widget* over = gui_.hovered();
+  if (over != &there) {
     throw InputError(path, "something covers this widget" +
-                               (over == all.end() ? std::string() : ": " + over->path));
+                               (over == nullptr ? std::string() : ": " + over->path));
   }
   return place;
 }

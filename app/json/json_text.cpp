@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/errors.h"
+#include "core/base/memory.h"
 
 namespace quicksand {
 
@@ -108,6 +109,15 @@ class Builder : public nlohmann::json_sax<Json> {
   std::string key_;
 };
 
+// Asked for beforehand: what a half-built list needs to be destroyed must be there, too.
+void require_memory(std::string_view text) {
+  constexpr double kBytesPerValue = 64;  // of a list that grows
+  const auto values = std::ranges::count(text, ',');
+  const std::string problem = memory_problem(kBytesPerValue * static_cast<double>(values));
+  if (!problem.empty())
+    throw NotEnoughMemory("reading " + std::to_string(values) + " JSON values " + problem);
+}
+
 }  // namespace
 
 Json parse_json(std::string_view text) {
@@ -115,6 +125,7 @@ Json parse_json(std::string_view text) {
     throw InputError("", "is empty; a JSON object {...} is expected");
   }
   if (text.size() > kMaxBytes) throw InputError("", "is larger than 64 MB");
+  require_memory(text);
   Builder builder(text);
   Json::sax_parse(text, &builder);
   return builder.take();

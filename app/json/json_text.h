@@ -19,7 +19,8 @@ constexpr std::size_t kMaxBytes = std::size_t{64} << 20U;
 constexpr int kMaxDepth = 64;
 constexpr std::size_t kMaxKeys = 1000;
 
-// Throws InputError, whose `where` is empty; line and column are in the message.
+// Throws InputError, whose `where` is empty; line and column are in the message; NotEnoughMemory where there is too
+// little for its values.
 Json parse_json(std::string_view text);
 
 // Contents of a file of at most kMaxBytes. Throws InputError if there is none or it is no file.

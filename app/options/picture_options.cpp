@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "app/base/nearest_name.h"
+#include "app/options/number_range.h"
 #include "app/view/view_fields.h"
 #include "core/base/errors.h"
+#include "render/picture/frame.h"
 
 namespace quicksand {
 
@@ -27,7 +29,11 @@ std::string size_text(const View& view) {
   return std::to_string(view.width) + "x" + std::to_string(view.height);
 }
 
-std::string option_of(const ViewField& field) { return std::string("--") + field.name; }
+std::string option_of(const ViewField& field) {
+  std::string name = field.name;
+  std::ranges::replace(name, '_', '-');
+  return "--" + name;
+}
 
 }  // namespace
 
@@ -52,6 +58,13 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
     if (flag.field.of_runs)
       command.add_flag(option_of(flag.field), options.view.*flag.value,
                        std::string("draw ") + flag.field.help);
+  for (const ViewNumber& number : view_numbers())
+    if (number.field.of_runs)
+      command
+          .add_option(option_of(number.field), options.view.*number.value,
+                      std::string(number.field.help) + " [" + number.limits.unit + "]")
+          ->type_name("NUMBER")
+          ->check(in_range(number.limits));
   command.option_defaults()->group("Options");
 }
 
@@ -64,6 +77,9 @@ std::string picture_words(const View& view) {
   if (size_text(view) != size_text(usual)) text += " --size " + size_text(view);
   for (const ViewFlag& flag : view_flags())
     if (flag.field.of_runs && view.*flag.value) text += " " + option_of(flag.field);
+  for (const ViewNumber& number : view_numbers())
+    if (number.field.of_runs && view.*number.value != usual.*number.value)
+      text += " " + option_of(number.field) + " " + Json(view.*number.value).dump();
   return text;
 }
 
@@ -86,6 +102,7 @@ View view_from(const PictureOptions& options) {
     word.choose(view, static_cast<int>(found - word.words.begin()));
   }
   read_size(options.size, view.width, view.height);
+  check(view);
   return view;
 }
 

@@ -10,7 +10,7 @@
 namespace quicksand {
 
 struct PictureOptions {
-  View view;                       // its flags
+  View view;                       // its flags and numbers
   std::vector<std::string> words;  // one a word of the view, in their order
   std::string size;
   PictureOptions();
@@ -24,7 +24,7 @@ std::string picture_words(const View& view);
 // Reads "1280x720". Throws InputError if it is not of that form or cannot be drawn.
 void read_size(const std::string& text, int& width, int& height);
 
-// Throws InputError if a name or the size is not valid.
+// Throws InputError if a name, the size or the range of the colours is not valid.
 View view_from(const PictureOptions& options);
 
 }  // namespace quicksand

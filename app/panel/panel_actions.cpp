@@ -36,16 +36,17 @@ void show_actions(PanelFrame& frame) {
         {{"diameter", 3}, {"density", 0.5}, {"force", entries.push_force}, {"max_time", kLongest}});
   }
   const bool intruder = frame.session.loaded() && frame.session.world().intruder() >= 0;
-  ImGui::BeginDisabled(!intruder);
-  if (act(frame,
-          {"Pull",
-           {},
-           std::string("Seeks the smallest force that takes the intruder out.") +
-               (intruder ? "" : " There is none.")},
-          {"pull force", {}, "Upward, of the first trial.", "F_g", true}, entries.pull_force)) {
-    frame.command("pull", {{"first_force", entries.pull_force}});
+  {
+    const Widgets::Disabled disabled(w, !intruder);
+    if (act(frame,
+            {"Pull",
+             {},
+             std::string("Seeks the smallest force that takes the intruder out.") +
+                 (intruder ? "" : " There is none.")},
+            {"pull force", {}, "Upward, of the first trial.", "F_g", true}, entries.pull_force)) {
+      frame.command("pull", {{"first_force", entries.pull_force}});
+    }
   }
-  ImGui::EndDisabled();
   if (act(frame, {"Piston", {}, "Lays a piston on the packing and presses it down."},
           {"piston force", {}, "Downward, besides the piston's weight.", "F_g", true},
           entries.piston_force)) {

@@ -72,16 +72,17 @@ void show_controls(PanelFrame& frame) {
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float third = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
   const bool over = session.loaded() && (session.finished() || session.failed());
-  ImGui::BeginDisabled(over);
-  if (w.button({"Run", session.running ? "Pause" : "Run", "Also by the space bar."}, third,
-               !session.running)) {
-    frame.command(session.running ? "pause" : "start");
+  {
+    const Widgets::Disabled disabled(w, over);
+    if (w.button({"Run", session.running ? "Pause" : "Run", "Also by the space bar."}, third,
+                 !session.running)) {
+      frame.command(session.running ? "pause" : "start");
+    }
+    ImGui::SameLine();
+    if (w.button({"Step", {}, "Computes one time step."}, third)) {
+      frame.command("run", {{"steps", 1}});
+    }
   }
-  ImGui::SameLine();
-  if (w.button({"Step", {}, "Computes one time step."}, third)) {
-    frame.command("run", {{"steps", 1}});
-  }
-  ImGui::EndDisabled();
   ImGui::SameLine();
   if (w.button({"Reset", {}, "Starts the scene again, with the values that it has now."}, third)) {
     frame.command("reset");

@@ -39,6 +39,18 @@ void show_camera(PanelFrame& frame) {
   }
 }
 
+// Those that what is drawn depends on.
+void show_numbers(PanelFrame& frame) {
+  const View& view = frame.session.view;
+  for (const ViewNumber& number : view_numbers()) {
+    if (!number.matters(view)) continue;
+    const ViewField& field = number.field;
+    if (const auto value = frame.widgets.number({field.name, field.label, sentence(field.help)},
+                                                view.*number.value, false))
+      frame.command("view", {{field.name, *value}});
+  }
+}
+
 }  // namespace
 
 void show_view_controls(PanelFrame& frame) {
@@ -69,13 +81,17 @@ void show_view_controls(PanelFrame& frame) {
   }
   if (right) ImGui::SameLine(second);
   const Session& session = frame.session;
-  ImGui::BeginDisabled(!session.loaded() || session.world().intruder() < 0);
-  if (const auto on = w.checkbox({"follow", "Follow intruder", "Keeps the intruder in the middle."},
-                                 session.follow_intruder)) {
-    frame.command("camera", {{"follow", *on ? "intruder" : "none"}});
+  {
+    const bool intruder = session.loaded() && session.world().intruder() >= 0;
+    const Widgets::Disabled disabled(w, !intruder);
+    if (const auto on =
+            w.checkbox({"follow", "Follow intruder", "Keeps the intruder in the middle."},
+                       session.follow_intruder)) {
+      frame.command("camera", {{"follow", *on ? "intruder" : "none"}});
+    }
   }
-  ImGui::EndDisabled();
   show_camera(frame);
+  show_numbers(frame);
   w.end_section();
 }
 

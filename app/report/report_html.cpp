@@ -2,7 +2,7 @@
 // inside the page; it asks for nothing from elsewhere and runs no script.
 #include <string>
 
-#include "app/base/base64.h"
+#include "app/json/base64.h"
 #include "app/json/json_text.h"
 #include "app/plot/report_text.h"
 #include "app/report/report.h"

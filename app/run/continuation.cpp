@@ -9,24 +9,36 @@
 #include "app/json/json_reader.h"
 #include "app/scene_json/scenario_json.h"
 #include "core/base/errors.h"
-#include "core/measures/critical_force.h"
 #include "core/scene/scenario.h"
 
 namespace quicksand {
 
+namespace {
+
+using Keys = std::vector<std::string>;
+
+// Besides its type. A kind without a line here does not compile.
+struct SetUpBy {
+  // Either way of depositing stays what it is.
+  Keys operator()(const DepositPhase& p) const { return {p.adiabatic ? "interval" : "adiabatic"}; }
+  Keys operator()(const SettlePhase&) const { return {}; }
+  Keys operator()(const PushPhase& p) const {
+    Keys keys{"diameter", "density", "x", "threshold"};
+    if (p.threshold) keys.emplace_back("force");
+    return keys;
+  }
+  Keys operator()(const PullPhase&) const { return {"first_force"}; }
+  Keys operator()(const ShearPhase&) const { return {"first_force", "depths", "grains_per_depth"}; }
+  Keys operator()(const HealPhase&) const { return {}; }
+  Keys operator()(const PistonPhase&) const { return {"mass"}; }
+};
+
+}  // namespace
+
 std::vector<std::string> set_up_by(const Phase& phase) {
-  if (search_kind(phase) == SearchKind::push)
-    return {"type", "diameter", "density", "x", "force", "threshold"};
-  if (std::holds_alternative<PushPhase>(phase.kind))
-    return {"type", "diameter", "density", "x", "threshold"};
-  if (std::holds_alternative<PistonPhase>(phase.kind)) return {"type", "mass"};
-  if (std::holds_alternative<PullPhase>(phase.kind)) return {"type", "first_force"};
-  if (std::holds_alternative<ShearPhase>(phase.kind))
-    return {"type", "first_force", "depths", "grains_per_depth"};
-  const auto* deposit = std::get_if<DepositPhase>(&phase.kind);
-  if (deposit && deposit->adiabatic) return {"type", "interval"};
-  if (deposit) return {"type", "adiabatic"};
-  return {"type"};
+  Keys keys = std::visit(SetUpBy{}, phase.kind);
+  keys.insert(keys.begin(), "type");
+  return keys;
 }
 
 namespace {

@@ -34,7 +34,7 @@ std::optional<std::filesystem::path> missing_frame(const RunFolder& folder, std:
 
 Resumption resumption_of(const RunFolder& folder, bool frames) {
   using enum Resumption::How;
-  RunPosition position;
+  std::optional<RunPosition> position;
   std::error_code ignored;
   if (!std::filesystem::exists(folder.state(), ignored))
     return {starts_again, "it has no state yet"};
@@ -44,13 +44,12 @@ Resumption resumption_of(const RunFolder& folder, bool frames) {
     throw;
   } catch (const InputError& error) {
     return {starts_again, error.where() + " " + error.what()};
-  } catch (const std::exception&) {
-    return {starts_again, folder.state().string() + " was not left by a run"};
   }
-  if (whole_rows(folder.series(), position.rows) < position.rows)
+  if (!position) return {starts_again, folder.state().string() + " was not left by a run"};
+  if (whole_rows(folder.series(), position->rows) < position->rows)
     return {starts_again, folder.series().string() + " lacks rows that were there"};
   if (frames)
-    if (const auto missing = missing_frame(folder, position.rows))
+    if (const auto missing = missing_frame(folder, position->rows))
       return {starts_again, missing->string() + " is not whole"};
   return {has_finished(folder) ? finished : goes_on, {}};
 }

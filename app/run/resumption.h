@@ -24,7 +24,7 @@ struct Resumption {
 std::optional<std::filesystem::path> missing_frame(const RunFolder& folder, std::int64_t rows);
 
 // `frames`: whether the run draws pictures. Throws InputError if the state is of another format version:
-// the program that wrote it can go on with it.
+// the program that wrote it can go on with it; NotEnoughMemory where there is too little to read it.
 Resumption resumption_of(const RunFolder& folder, bool frames);
 
 }  // namespace quicksand

@@ -1,6 +1,7 @@
 #include "app/run/run_position.h"
 
-#include <stdexcept>
+#include <exception>
+#include <new>
 
 #include "app/json/json_text.h"
 
@@ -59,14 +60,19 @@ std::vector<std::uint8_t> to_bytes(const RunPosition& position) {
   return Json::to_cbor(json);  // keeps every bit of a number, and those that are not finite
 }
 
-RunPosition position_from(const std::vector<std::uint8_t>& bytes) {
-  const Json json = Json::from_cbor(bytes);
+std::optional<RunPosition> position_from(const std::vector<std::uint8_t>& bytes) {
   RunPosition position;
-  describe(Reader{json}, position);
-  describe_row(Reader{json.at("last")}, position.samples.last);
-  describe_row(Reader{json.at("pending")}, position.samples.pending);
-  if (position.rows < 0) throw std::runtime_error("a number of rows cannot be below 0");
-  return position;
+  try {
+    const Json json = Json::from_cbor(bytes);
+    describe(Reader{json}, position);
+    describe_row(Reader{json.at("last")}, position.samples.last);
+    describe_row(Reader{json.at("pending")}, position.samples.pending);
+  } catch (const std::bad_alloc&) {
+    throw;  // which says nothing of the bytes
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+  return position.rows >= 0 ? std::optional(position) : std::nullopt;
 }
 
 }  // namespace quicksand

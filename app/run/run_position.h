@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "app/series/sampled_run.h"
@@ -17,7 +18,7 @@ struct RunPosition {
 
 std::vector<std::uint8_t> to_bytes(const RunPosition& position);
 
-// Throws std::runtime_error if the bytes are not those of a position.
-RunPosition position_from(const std::vector<std::uint8_t>& bytes);
+// Nothing if the bytes are not those of a position.
+std::optional<RunPosition> position_from(const std::vector<std::uint8_t>& bytes);
 
 }  // namespace quicksand

@@ -212,12 +212,9 @@ class Run {
 
 // Where the run stands that left this state.
 RunPosition position_of(const Checkpoint& checkpoint, const fs::path& state) {
-  try {
-    return position_from(checkpoint.samples);
-  } catch (const std::exception&) {
-    throw InputError(state.string(),
-                     "was not left by a run; go on from it in another folder with --out");
-  }
+  if (const auto position = position_from(checkpoint.samples)) return *position;
+  throw InputError(state.string(),
+                   "was not left by a run; go on from it in another folder with --out");
 }
 
 void require_frames(const RunFolder& folder, std::int64_t rows) {

@@ -110,7 +110,7 @@ Scenario read_scene(const SceneRequest& request) {
     // What the method sets can be set apart, whatever the order on the command line.
     std::stable_partition(changes.begin(), changes.end(),
                           [](const Override& c) { return c.path == "method"; });
-    for (const Override& change : changes) apply_override(json, change);
+    for (Override& change : changes) change.path = apply_override(json, change);
     Scenario scenario = scenario_from_json(json);
     if (request.seed) scenario.seed = *request.seed;
     if (scenario.name.empty()) scenario.name = request.file.stem().string();

@@ -14,9 +14,12 @@ namespace quicksand {
 
 namespace {
 
+constexpr std::string_view kAppend = "[+]";
+
 struct PathPart {
   std::string name;       // of a key, or
-  std::size_t index = 0;  // of a list entry if the name is empty
+  std::size_t index = 0;  // of a list entry if the name is empty, or
+  bool append = false;    // the entry after the last
 };
 
 std::size_t parse_index(std::string_view digits, const std::string& where) {
@@ -24,17 +27,28 @@ std::size_t parse_index(std::string_view digits, const std::string& where) {
   const char* end = digits.data() + digits.size();
   const auto [stop, error] = std::from_chars(digits.data(), end, index);
   if (error != std::errc() || stop != end) {
-    throw InputError(where, "\"[" + std::string(digits) + "]\" is not the number of a list entry");
+    throw InputError(where,
+                     "\"[" + std::string(digits) +
+                         "]\" is not the number of a list entry, nor [+], which appends one");
   }
   return index;
 }
 
-// name, or [index], each further name after a dot.
+// name, or [index], each further name after a dot; [+] may be the last.
 std::vector<PathPart> parse_path(const std::string& path, const std::string& where) {
   std::vector<PathPart> parts;
   std::size_t at = 0;
   while (at < path.size() || parts.empty()) {
     if (!parts.empty() && path[at] == '[') {
+      if (std::string_view(path).substr(at).starts_with(kAppend)) {
+        at += kAppend.size();
+        if (at < path.size())
+          throw InputError(where,
+                           "\"[+]\" appends a whole entry and must be the last of the path, "
+                           "as in phases[+]={\"type\": \"settle\"}");
+        parts.push_back({"", 0, true});
+        continue;
+      }
       const std::size_t close = std::min(path.find(']', at), path.size());
       const std::string_view digits = std::string_view(path).substr(at + 1, close - at - 1);
       parts.push_back({"", parse_index(digits, where)});
@@ -58,11 +72,14 @@ std::vector<std::string> keys_of(const Json& object) {
   return keys;
 }
 
+void require_list(const Json& list, const std::string& name, const std::string& where) {
+  if (!list.is_array())
+    throw InputError(where, "\"" + name + "\" is " + described(list) + ", not a list");
+}
+
 // The entry of a list, which must exist.
 Json& entry(Json& list, std::size_t index, const std::string& name, const std::string& where) {
-  if (!list.is_array()) {
-    throw InputError(where, "\"" + name + "\" is " + described(list) + ", not a list");
-  }
+  require_list(list, name, where);
   if (index >= list.size()) {
     throw InputError(where, "there is no entry " + std::to_string(index) + "; \"" + name +
                                 "\" has " + std::to_string(list.size()) +
@@ -115,16 +132,23 @@ Override parse_override(const std::string& assignment) {
   return {assignment.substr(0, equals), assignment.substr(equals + 1)};
 }
 
-void apply_override(Json& scene, const Override& change) {
-  set_value(scene, change.path, value_of(change.value), "--set " + change.path);
+std::string apply_override(Json& scene, const Override& change) {
+  return set_value(scene, change.path, value_of(change.value), "--set " + change.path);
 }
 
-void set_value(Json& scene, const std::string& path, Json value, const std::string& where) {
+std::string set_value(Json& scene, const std::string& path, Json value, const std::string& where) {
   const std::vector<PathPart> parts = parse_path(path, where);
   Json* place = &scene;
   std::string name = "the scene";
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const PathPart& part = parts[i];
+    if (part.append) {
+      require_list(*place, name, where);
+      if (value.is_null()) throw InputError(where, "null removes a key, and [+] appends an entry");
+      place->push_back(std::move(value));
+      return path.substr(0, path.size() - kAppend.size()) + "[" +
+             std::to_string(place->size() - 1) + "]";
+    }
     if (part.name.empty()) {
       place = &entry(*place, part.index, name, where);
       continue;
@@ -135,12 +159,15 @@ void set_value(Json& scene, const std::string& path, Json value, const std::stri
     const bool last = i + 1 == parts.size();
     const bool wants_list = !last && parts[i + 1].name.empty();
     if (wants_list && !place->contains(part.name)) {
-      throw InputError(
-          where, "there is no list \"" + part.name + "\"" + suggestion(part.name, keys_of(*place)));
+      if (parts[i + 1].append)
+        (*place)[part.name] = Json::array();
+      else
+        throw InputError(where, "there is no list \"" + part.name + "\"" +
+                                    suggestion(part.name, keys_of(*place)));
     }
     if (last && value.is_null()) {
       place->erase(part.name);
-      return;
+      return path;
     }
     if (last) erase_other_terms(*place, part.name);
     if (!last && !place->contains(part.name)) (*place)[part.name] = Json::object();
@@ -150,17 +177,19 @@ void set_value(Json& scene, const std::string& path, Json value, const std::stri
   const bool other_method = path == "method" && (place->is_null() ? "exact" : *place) != value;
   *place = std::move(value);
   if (other_method) erase_of_method(scene);
+  return path;
 }
 
 Json value_at(const Json& scene, const std::string& path) {
   const Json* place = &scene;
   for (const PathPart& part : parse_path(path, path)) {
     const bool listed = part.name.empty();
-    if (listed ? !place->is_array() || part.index >= place->size()
+    const std::size_t index = part.append ? place->size() - 1 : part.index;
+    if (listed ? !place->is_array() || index >= place->size()
                : !place->is_object() || !place->contains(part.name)) {
       return nullptr;
     }
-    place = listed ? &(*place)[part.index] : &(*place)[part.name];
+    place = listed ? &(*place)[index] : &(*place)[part.name];
   }
   return *place;
 }

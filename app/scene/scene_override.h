@@ -9,24 +9,25 @@
 namespace quicksand {
 
 struct Override {
-  std::string path;   // "step.dt", "phases[1].force"
+  std::string path;   // "step.dt", "phases[1].force", "phases[+]"
   std::string value;  // JSON, or plain text; null removes the key
 };
 
 // Splits "path=value". Throws InputError if there is no "=".
 Override parse_override(const std::string& assignment);
 
-// Objects on the way are made if they are absent, list entries must exist. Keys that say the same in other terms,
+// Objects on the way are made if they are absent, list entries must exist, but for [+] at the end, which appends one.
+// Returns the path with the number of such an entry. Keys that say the same in other terms,
 // such as force and force_over_cohesion, make room. Whether the key means something is the reader's business.
 // Throws InputError.
-void apply_override(Json& scene, const Override& change);
+std::string apply_override(Json& scene, const Override& change);
 
 // Another method, of the time step, takes away what the method sets: step but its max_halvings, dt of the phases, and
 // nscd with the exact one.
 // The same with a JSON value; `where` is the place that an error names.
-void set_value(Json& scene, const std::string& path, Json value, const std::string& where);
+std::string set_value(Json& scene, const std::string& path, Json value, const std::string& where);
 
-// The value that the path names; null if there is none. Throws InputError if it is not a path.
+// The value that the path names, the last entry for [+]; null if there is none. Throws InputError if it is not a path.
 Json value_at(const Json& scene, const std::string& path);
 
 }  // namespace quicksand

@@ -1,6 +1,7 @@
 // The phases of a protocol, as fields of a scene file.
 #include "app/scene_json/phase_fields.h"
 
+#include <array>
 #include <numbers>
 #include <utility>
 
@@ -11,11 +12,6 @@
 namespace quicksand {
 
 namespace {
-
-// In the order of Phase::kind's alternatives.
-constexpr std::string_view kPhases[] = {"deposit", "settle", "push",  "pull",
-                                        "shear",   "heal",   "piston"};
-static_assert(std::size(kPhases) == std::variant_size_v<decltype(Phase::kind)>);
 
 constexpr std::string_view kBondingTouches[] = {"first_touch", "every_touch"};
 constexpr std::string_view kPushEnds[] = {"rest", "intruder_rest"};
@@ -111,6 +107,9 @@ void describe_force(Fields& f, const char* help, double least, double& force,
 
 namespace {
 
+using Kinds = decltype(Phase::kind);
+constexpr auto kAllKinds = std::make_index_sequence<std::variant_size_v<Kinds>>{};
+
 // Makes the phase one of that kind, with its defaults.
 template <std::size_t... kinds>
 void set_kind(Phase& phase, int type, std::index_sequence<kinds...> /*all*/) {
@@ -118,11 +117,55 @@ void set_kind(Phase& phase, int type, std::index_sequence<kinds...> /*all*/) {
                                     : static_cast<void>(0)),
    ...);
 }
-void set_kind(Phase& phase, int type) {
-  set_kind(phase, type, std::make_index_sequence<std::variant_size_v<decltype(Phase::kind)>>{});
+
+// In the order of Phase::kind's alternatives.
+template <std::size_t... kinds>
+constexpr auto names_of(std::index_sequence<kinds...> /*all*/) {
+  return std::array{std::variant_alternative_t<kinds, Kinds>::kName...};
+}
+constexpr auto kPhases = names_of(kAllKinds);
+
+// A kind without a line here, or in KindFields, does not compile.
+struct KindText {
+  const char* sentence;
+  const char* example;  // of a session
+
+  explicit KindText(const DepositPhase&)
+      : sentence(
+            "Grains fall one by one and stick where they touch. Ends with a number of grains or "
+            "with the top of the packing at a height."),
+        example(R"({"command": "deposit", "grains": 50})") {}
+  explicit KindText(const SettlePhase&)
+      : sentence("Nothing is added. Ends at rest or at a time."),
+        example(R"({"command": "settle", "max_time": 3})") {}
+  explicit KindText(const PushPhase&)
+      : sentence("An intruder is placed on the surface and pushed down by a constant force."),
+        example(R"({"command": "push", "force_over_cohesion": 1, "max_time": 2})") {}
+  explicit KindText(const PullPhase&)
+      : sentence("Seeks the smallest upward force that takes the intruder out."),
+        example(R"({"command": "pull", "first_force": 1000})") {}
+  explicit KindText(const ShearPhase&)
+      : sentence("Seeks the smallest horizontal force that moves a grain, at several depths."),
+        example(
+            R"({"command": "shear", "depths": [10], "first_force": 100, "grains_per_depth": 3})") {}
+  explicit KindText(const HealPhase&)
+      : sentence("Restores bonds of pairs in touch. No time passes."),
+        example(R"({"command": "heal"})") {}
+  explicit KindText(const PistonPhase&)
+      : sentence("A wall with mass is laid on the packing and presses it down."),
+        example(R"({"command": "piston", "mass": 10, "force": 1e4, "max_time": 5})") {}
+};
+
+template <class Kind>
+PhaseKind kind_of() {
+  const KindText text(Kind{});
+  return {Kind::kName, text.sentence, text.example};
+}
+template <std::size_t... kinds>
+auto kinds_of(std::index_sequence<kinds...> /*all*/) {
+  return std::array{kind_of<std::variant_alternative_t<kinds, Kinds>>()...};
 }
 
-// A kind without a line here does not compile.
 struct KindFields {
   Fields& f;
   const Scenario& scenario;
@@ -137,6 +180,11 @@ struct KindFields {
 };
 
 }  // namespace
+
+std::span<const PhaseKind> phase_kinds() {
+  static const auto kinds = kinds_of(kAllKinds);
+  return kinds;
+}
 
 void describe_kind(Fields& f, Phase& phase, const Scenario& scenario) {
   std::visit(KindFields{f, scenario}, phase.kind);
@@ -154,7 +202,8 @@ void describe_kind(Fields& f, Phase& phase, const Scenario& scenario) {
 void describe_phase(Fields& f, Phase& phase, const Scenario& scenario) {
   f.variant({"type", "what happens"}, kPhases, static_cast<int>(phase.kind.index()),
             [&](Fields& g, int type) {
-              if (phase.kind.index() != static_cast<std::size_t>(type)) set_kind(phase, type);
+              if (phase.kind.index() != static_cast<std::size_t>(type))
+                set_kind(phase, type, kAllKinds);
               describe_kind(g, phase, scenario);
             });
 }

@@ -1,11 +1,22 @@
 // The parts of a phase's fields: those that several kinds share, and kinds with a file of their own.
 #pragma once
 
+#include <span>
+#include <string_view>
+
 #include "app/json/fields.h"
 #include "core/bodies/contact_law.h"
 #include "core/scene/phases.h"
 
 namespace quicksand {
+
+// A kind of phase, told in pages, lists and sessions.
+struct PhaseKind {
+  std::string_view name, sentence;
+  std::string_view example;  // as a command of a session
+};
+// In the order of Phase::kind's alternatives.
+std::span<const PhaseKind> phase_kinds();
 
 constexpr double kMaxTime = 1e9;  // [sqrt(d/g)]
 

@@ -1,10 +1,10 @@
 #include "app/scene_json/scene_reference.h"
 
 #include <cctype>
-#include <map>
 #include <set>
 
 #include "app/json/schema_tables.h"
+#include "app/scene_json/phase_fields.h"
 #include "app/scene_json/scenario_json.h"
 
 namespace quicksand {
@@ -26,17 +26,6 @@ constexpr const char* kPhaseKinds = R"(
 
 `phases` is a list: what happens, in order. The `type` of each says which of the following it is.
 )";
-
-const std::map<std::string, const char*> kPhaseSentences{
-    {"deposit",
-     "Grains fall one by one and stick where they touch. Ends with a number of grains or with the "
-     "top of the packing at a height."},
-    {"settle", "Nothing is added. Ends at rest or at a time."},
-    {"push", "An intruder is placed on the surface and pushed down by a constant force."},
-    {"pull", "Seeks the smallest upward force that takes the intruder out."},
-    {"shear", "Seeks the smallest horizontal force that moves a grain, at several depths."},
-    {"heal", "Restores bonds of pairs in touch. No time passes."},
-    {"piston", "A wall with mass is laid on the packing and presses it down."}};
 
 // An object, or a list of objects, has a section of its own.
 const Json* fields_of(const Json& schema) {
@@ -72,10 +61,11 @@ std::string scene_reference() {
   }
   general = "\n## Scene\n\n" + key_table(scene, left_out);
   std::string phases = kPhaseKinds;
-  for (const Json& phase : scene["properties"]["phases"]["items"]["oneOf"]) {
-    const std::string type = phase["properties"]["type"]["const"];
-    phases +=
-        "\n### " + type + "\n\n" + kPhaseSentences.at(type) + "\n\n" + key_table(phase, {"type"});
+  const Json& schemas = scene["properties"]["phases"]["items"]["oneOf"];
+  for (std::size_t k = 0; k < schemas.size(); ++k) {
+    const PhaseKind& kind = phase_kinds()[k];
+    phases += "\n### " + std::string(kind.name) + "\n\n" + std::string(kind.sentence) + "\n\n" +
+              key_table(schemas[k], {"type"});
   }
   return kIntroduction + general + sections + phases;
 }

@@ -21,6 +21,25 @@ constexpr auto kFlags = std::to_array<ViewFlag>(
      {{"detail", "a close-up of the intruder where there is room for it", nullptr},
       &View::detail}});
 
+bool colours_by_value(const View& view) { return info(view.colouring).unit != "1"; }
+bool draws_forces(const View& view) { return view.forces; }
+
+constexpr double kMostValue = 1e12;
+constexpr const char* kValueUnit = "sqrt(g d) or F_g/d";  // of speed and pressure
+constexpr auto kNumbers = std::to_array<ViewNumber>(
+    {{{"colour_low", "speed or pressure of the first colour", "Colours from", true},
+      between(0, kMostValue, kValueUnit),
+      &View::colour_low,
+      colours_by_value},
+     {{"colour_high", "speed or pressure of the last colour; 0: from the data", "Colours to", true},
+      between(0, kMostValue, kValueUnit),
+      &View::colour_high,
+      colours_by_value},
+     {{"force_scale", "force of a line 0.4 d wide; 0: from the data", "Force of 0.4 d", true},
+      between(0, kMostValue, "F_g"),
+      &View::force_scale,
+      draws_forces}});
+
 std::vector<std::string_view> colouring_names() {
   std::vector<std::string_view> names;
   std::ranges::transform(colourings(), std::back_inserter(names), &ColouringInfo::name);
@@ -42,11 +61,15 @@ void describe_fields(Fields& f, View& view, bool all) {
   describe_size(f, view.width, view.height);
   for (const ViewFlag& flag : kFlags)
     if (all || flag.field.of_runs) f.flag({flag.field.name, flag.field.help}, view.*flag.value);
+  for (const ViewNumber& number : kNumbers)
+    if (all || number.field.of_runs)
+      f.number({number.field.name, number.field.help}, number.limits, view.*number.value);
 }
 
 }  // namespace
 
 std::span<const ViewFlag> view_flags() { return kFlags; }
+std::span<const ViewNumber> view_numbers() { return kNumbers; }
 
 std::string_view ViewWord::word(const View& view) const {
   return words[static_cast<std::size_t>(index(view))];

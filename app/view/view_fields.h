@@ -26,6 +26,14 @@ struct ViewFlag {
 };
 std::span<const ViewFlag> view_flags();
 
+struct ViewNumber {
+  ViewField field;
+  Limits limits;
+  double View::*value;
+  bool (*matters)(const View& view);  // where not, the panel leaves it out
+};
+std::span<const ViewNumber> view_numbers();
+
 struct ViewWord {
   ViewField field;
   std::vector<std::string_view> words;

@@ -1,5 +1,5 @@
 // A curve over time, with axes, numbers and its last value.
-#include <imgui_internal.h>
+#include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
@@ -78,19 +78,19 @@ void Widgets::plot(const std::string& name, const std::string& title, const Curv
   const ImVec2 size(ImGui::GetContentRegionAvail().x, px(86));
   ImGui::InvisibleButton(("###" + path(name)).c_str(), size);
   record(name, Widget::Kind::plot, points.empty() ? curve.nothing : last);
-  const ImRect frame(at.x + px(44), at.y + px(3), at.x + size.x, at.y + size.y - small - px(4));
+  const ImVec2 low(at.x + px(44), at.y + px(3));
+  const ImVec2 high(at.x + size.x, at.y + size.y - small - px(4));
   const ImU32 ink = ImGui::GetColorU32(look_->faint), line = ImGui::GetColorU32(look_->line);
-  list->AddRectFilled(frame.Min, frame.Max, ImGui::GetColorU32(look_->field));
-  list->AddRect(frame.Min, frame.Max, line, 0, 0, px(1));
+  list->AddRectFilled(low, high, ImGui::GetColorU32(look_->field));
+  list->AddRect(low, high, line, 0, 0, px(1));
   const auto put = [&](const ImVec2& place, float align, const std::string& text) {
     const float width = fonts_.small->CalcTextSizeA(small, 1e6F, 0, text.c_str()).x;
-    const float x = std::min(place.x - align * width, frame.Max.x - width);
+    const float x = std::min(place.x - align * width, high.x - width);
     list->AddText(fonts_.small, small, {std::round(x), std::round(place.y)}, ink, text.c_str());
   };
   if (points.empty()) {
     const float width = fonts_.small->CalcTextSizeA(small, 1e6F, 0, curve.nothing.c_str()).x;
-    put({(frame.Min.x + frame.Max.x + width) / 2, frame.GetCenter().y - small / 2}, 1,
-        curve.nothing);
+    put({(low.x + high.x + width) / 2, (low.y + high.y) / 2 - small / 2}, 1, curve.nothing);
     return;
   }
 
@@ -99,25 +99,25 @@ void Widgets::plot(const std::string& name, const std::string& title, const Curv
   x.high += 0.02 * (x.high - x.low);  // the last point is seen whole
   const Range y = axis(range_of(points, &ImVec2::y), curve.logarithmic);
   const auto place_x = [&](double value) {
-    return frame.Min.x + static_cast<float>((value - x.low) / (x.high - x.low)) * frame.GetWidth();
+    return low.x + static_cast<float>((value - x.low) / (x.high - x.low)) * (high.x - low.x);
   };
   const auto place_y = [&](double value) {
-    return frame.Max.y - static_cast<float>((value - y.low) / (y.high - y.low)) * frame.GetHeight();
+    return high.y - static_cast<float>((value - y.low) / (y.high - y.low)) * (high.y - low.y);
   };
   for (const double tick : ticks(y, curve.logarithmic)) {
     const float height = std::round(place_y(tick));
-    list->AddLine({frame.Min.x, height}, {frame.Max.x, height}, line, px(1));
-    put({frame.Min.x - px(5), height - small / 2}, 1, tick_text(tick, curve.logarithmic));
+    list->AddLine({low.x, height}, {high.x, height}, line, px(1));
+    put({low.x - px(5), height - small / 2}, 1, tick_text(tick, curve.logarithmic));
   }
   for (const double tick : ticks(x, false)) {
     const float place = std::round(place_x(tick));
-    list->AddLine({place, frame.Max.y}, {place, frame.Max.y - px(4)}, ink, px(1));
-    put({place, frame.Max.y + px(3)}, 0.5F, short_number(tick));
+    list->AddLine({place, high.y}, {place, high.y - px(4)}, ink, px(1));
+    put({place, high.y + px(3)}, 0.5F, short_number(tick));
   }
   std::vector<ImVec2> places;
   places.reserve(points.size());
   for (const ImVec2& point : points) places.emplace_back(place_x(point.x), place_y(point.y));
-  list->PushClipRect(frame.Min, frame.Max, true);
+  list->PushClipRect(low, high, true);
   const ImU32 colour = ImGui::GetColorU32(look_->curve);
   list->AddPolyline(places.data(), static_cast<int>(places.size()), colour, 0, px(1.5F));
   list->PopClipRect();

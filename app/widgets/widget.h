@@ -25,7 +25,7 @@ struct Widget {
   Kind kind = Kind::button;
   PixelRect rect;        // [px]
   PixelRect clip;        // where its window lets it be seen [px]
-  std::uint32_t id = 0;  // equal to Gui::hovered() while the mouse is on it
+  bool hovered = false;  // whether the mouse is on it, with nothing between, and it is not disabled
   bool visible = false;  // whether its middle can be seen
   bool disabled = false;
   std::string value;

@@ -1,6 +1,6 @@
 #include "app/widgets/widgets.h"
 
-#include <imgui_internal.h>
+#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -9,10 +9,8 @@
 namespace quicksand::gui {
 namespace {
 
-PixelRect rect_of(const ImRect& r) { return {r.Min.x, r.Min.y, r.GetWidth(), r.GetHeight()}; }
-
-bool last_item_disabled() {
-  return (ImGui::GetCurrentContext()->LastItemData.InFlags & ImGuiItemFlags_Disabled) != 0;
+PixelRect rect_of(const ImVec2& low, const ImVec2& high) {
+  return {low.x, low.y, high.x - low.x, high.y - low.y};
 }
 
 // Where a tooltip of this size does not hide what it is about: right of the mouse, or below, or above it. Versions of
@@ -46,23 +44,38 @@ std::string shown(double value, bool integer) {
 
 }  // namespace
 
-void Widgets::begin(Theme theme) {
+void Widgets::begin(Theme theme, bool close_lists) {
   look_ = &look(theme);
+  close_lists_ = close_lists;
   all_.clear();
   prefix_.clear();
 }
 
+Widgets::Disabled::Disabled(Widgets& widgets, bool when)
+    : widgets_(widgets), before_(widgets.disabled_) {
+  widgets.disabled_ = before_ || when;
+  ImGui::BeginDisabled(when);
+}
+
+Widgets::Disabled::~Disabled() {
+  ImGui::EndDisabled();
+  widgets_.disabled_ = before_;
+}
+
 void Widgets::record(const std::string& name, Widget::Kind kind, std::string value) {
-  const ImGuiLastItemData& item = ImGui::GetCurrentContext()->LastItemData;
-  const ImRect clip = ImGui::GetCurrentWindow()->ClipRect;
-  all_.push_back({.path = path(name),
-                  .kind = kind,
-                  .rect = rect_of(item.Rect),
-                  .clip = rect_of(clip),
-                  .id = item.ID,
-                  .visible = clip.Contains(item.Rect.GetCenter()),
-                  .disabled = last_item_disabled(),
-                  .value = std::move(value)});
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const ImDrawList* list = ImGui::GetWindowDrawList();
+  const ImVec2 clip_low = list->GetClipRectMin(), clip_high = list->GetClipRectMax();
+  const float x = (low.x + high.x) / 2, y = (low.y + high.y) / 2;
+  all_.push_back(
+      {.path = path(name),
+       .kind = kind,
+       .rect = rect_of(low, high),
+       .clip = rect_of(clip_low, clip_high),
+       .hovered = ImGui::IsItemHovered(),
+       .visible = x >= clip_low.x && x < clip_high.x && y >= clip_low.y && y < clip_high.y,
+       .disabled = disabled_,
+       .value = std::move(value)});
 }
 
 void Widgets::tooltip(const std::string& text) const {
@@ -197,6 +210,7 @@ std::optional<std::string> Widgets::combo(const Label& label,
       if (i < helps.size()) tooltip(helps[i]);
     }
     end_section();
+    if (close_lists_) ImGui::CloseCurrentPopup();
     ImGui::EndCombo();
   }
   record(label.name, Widget::Kind::combo, chosen);
@@ -228,7 +242,7 @@ std::optional<double> Widgets::number(const Label& label, double value, bool int
 }
 
 void Widgets::no_number(const Label& label) {
-  ImGui::BeginDisabled();
+  const Disabled disabled(*this, true);
   line_label(label);
   ImGui::SetNextItemWidth(field_width());
   double none = 0;
@@ -237,7 +251,6 @@ void Widgets::no_number(const Label& label) {
   record(label.name, Widget::Kind::number);
   tooltip(label.help);
   line_unit(label);
-  ImGui::EndDisabled();
 }
 
 std::optional<std::string> Widgets::text(const Label& label, const std::string& value) {

@@ -26,7 +26,8 @@ class Widgets {
  public:
   explicit Widgets(float scale) : scale_(scale), fonts_(load_fonts(scale)) {}
 
-  void begin(Theme theme);
+  // `close_lists`: a list that is open closes in this frame.
+  void begin(Theme theme, bool close_lists);
   std::span<const Widget> all() const { return all_; }
   const Look& colours() const { return *look_; }
   const Fonts& fonts() const { return fonts_; }
@@ -34,6 +35,19 @@ class Widgets {
   // Room for label and value of a line [px]; the rest is for the unit.
   float label_width() const { return px(132); }
   float field_width() const { return px(92); }
+
+  // Disables the widgets of its scope.
+  class Disabled {
+   public:
+    Disabled(Widgets& widgets, bool when);
+    ~Disabled();
+    Disabled(const Disabled&) = delete;
+    Disabled& operator=(const Disabled&) = delete;
+
+   private:
+    Widgets& widgets_;
+    const bool before_;
+  };
 
   // A part of the panel that can be folded. If true, its widgets follow, then end_section().
   // `open_now` unfolds it.
@@ -83,6 +97,7 @@ class Widgets {
   float scale_;
   Fonts fonts_;
   const Look* look_ = nullptr;
+  bool close_lists_ = false, disabled_ = false;
   std::string prefix_;
   std::vector<Widget> all_;
   // What is being given and not yet finished, by path.

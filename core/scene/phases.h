@@ -1,9 +1,10 @@
-// The phases of a scene, in grain units: what happens to the grains, one after the other.
+// The phases of a scene, in grain units: what happens to the grains, one after the other. `kName` is the word of a kind.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct Polydispersity {
 // Ballistic deposition: grains fall straight down at random places and stick where they touch, or at
 // the side of what captures them.
 struct DepositPhase {
+  static constexpr std::string_view kName = "deposit";
   std::int64_t grains = 0;   // number of grains; 0: until the height is reached
   double height = 0;         // top of the packing that ends the phase [d]; 0: by number only
   double interval = 1e-2;    // time between grains [sqrt(d/g)]; 0: all at once, no dynamics
@@ -43,6 +45,7 @@ struct DepositPhase {
 
 // Nothing is added; ends at rest or at a time.
 struct SettlePhase {
+  static constexpr std::string_view kName = "settle";
   double rest_speed = 1e-3;  // rest: no body faster than this ... [sqrt(g d)]
   double rest_time = 0.5;    // ... for this long [sqrt(d/g)]
   double max_time = 1000;    // ends the phase in any case [sqrt(d/g)]
@@ -65,6 +68,7 @@ struct Threshold {
 
 // An intruder is placed on the surface and pushed by a constant force.
 struct PushPhase {
+  static constexpr std::string_view kName = "push";
   double diameter = 3;       // [d]
   double density = 0.5;      // over that of a grain [1]
   double force = 0;          // downward, besides its weight [F_g]
@@ -96,6 +100,7 @@ struct SearchTrials {
 
 // The smallest upward force that takes the intruder out. It replaces the force on the intruder.
 struct PullPhase {
+  static constexpr std::string_view kName = "pull";
   SearchTrials trials;
   std::optional<double> distance = {};  // rise that counts as out; absent: above the packing [d]
   bool operator==(const PullPhase&) const = default;
@@ -103,6 +108,7 @@ struct PullPhase {
 
 // The smallest force along +x, on one grain, that moves it; on grains drawn at several depths.
 struct ShearPhase {
+  static constexpr std::string_view kName = "shear";
   SearchTrials trials{.tolerance = 0.05};
   std::vector<double> depths = {};     // below the top of the packing [d]
   std::int64_t grains_per_depth = 10;  // all that are there if these are fewer
@@ -113,6 +119,7 @@ struct ShearPhase {
 // Bonds are restored where contacts are. Nothing moves and no time passes: the healing itself is not
 // simulated, only its result.
 struct HealPhase {
+  static constexpr std::string_view kName = "heal";
   enum class Which : std::uint8_t { touching, broken };
   // touching: all pairs in touch whose law has a cohesion; broken: of these, the formerly bonded ones.
   Which which = Which::touching;
@@ -127,6 +134,7 @@ struct HealPhase {
 // that rises linearly from 0. Ends at max_time, or when the packing no longer yields: at rest after the
 // ramp. Marks the bonds as initial ones unless some are marked already.
 struct PistonPhase {
+  static constexpr std::string_view kName = "piston";
   double mass = 1;           // [grain masses]
   double force = 0;          // downward, besides its weight [F_g]
   double ramp_time = 1;      // in which the force reaches its full value [sqrt(d/g)]; 0: at once
@@ -150,6 +158,10 @@ struct Phase {
   std::optional<double> solver_tolerance;  // overrides SolverSettings::tolerance [1]
   bool operator==(const Phase&) const = default;
 };
-std::string_view phase_name(const Phase& phase);  // "deposit", "settle", ...
+// "deposit", "settle", ...
+inline std::string_view phase_name(const Phase& phase) {
+  return std::visit([](const auto& kind) { return std::decay_t<decltype(kind)>::kName; },
+                    phase.kind);
+}
 
 }  // namespace quicksand

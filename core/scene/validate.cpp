@@ -101,27 +101,41 @@ void check_way_down(const Scenario& scenario, std::size_t phase, const std::stri
   }
 }
 
-void check_phases(const Scenario& scenario) {
-  for (std::size_t k = 0; k < scenario.phases.size(); ++k) {
-    const std::string where = "phases[" + std::to_string(k) + "]";
-    if (const auto* push = std::get_if<PushPhase>(&scenario.phases[k].kind)) {
-      check_push(scenario, *push, where);
-      check_way_down(scenario, k, where);
-    }
-    if (std::holds_alternative<PullPhase>(scenario.phases[k].kind)) check_pull(scenario, k, where);
-    if (std::holds_alternative<HealPhase>(scenario.phases[k].kind)) check_heal(scenario, where);
-    if (std::holds_alternative<PistonPhase>(scenario.phases[k].kind))
-      check_piston(scenario, k, where);
-    const auto* deposit = std::get_if<DepositPhase>(&scenario.phases[k].kind);
-    if (!deposit) continue;
-    check_way_down(scenario, k, where);
-    if (!scenario.box.floor || scenario.box.sides == Sides::open)
-      throw InputError(where, "a deposit needs a floor and sides that are periodic or walls");
-    if (deposit->grains == 0 && deposit->height == 0)
-      throw InputError(where, "a deposit needs a number of grains or a height");
-    if (!scenario.gravity && deposit->interval > 0)
-      throw InputError(where, "a deposit needs gravity, or an interval of 0");
+void check_deposit(const Scenario& scenario, const DepositPhase& deposit,
+                   const std::string& where) {
+  if (!scenario.box.floor || scenario.box.sides == Sides::open)
+    throw InputError(where, "a deposit needs a floor and sides that are periodic or walls");
+  if (deposit.grains == 0 && deposit.height == 0)
+    throw InputError(where, "a deposit needs a number of grains or a height");
+  if (!scenario.gravity && deposit.interval > 0)
+    throw InputError(where, "a deposit needs gravity, or an interval of 0");
+}
+
+// A kind without a line here does not compile.
+struct PhaseCheck {
+  const Scenario& scenario;
+  std::size_t phase;
+  std::string where;
+
+  void operator()(const DepositPhase& p) const {
+    check_way_down(scenario, phase, where);
+    check_deposit(scenario, p, where);
   }
+  void operator()(const SettlePhase&) const {}
+  void operator()(const PushPhase& p) const {
+    check_push(scenario, p, where);
+    check_way_down(scenario, phase, where);
+  }
+  void operator()(const PullPhase&) const { check_pull(scenario, phase, where); }
+  void operator()(const ShearPhase&) const {}
+  void operator()(const HealPhase&) const { check_heal(scenario, where); }
+  void operator()(const PistonPhase&) const { check_piston(scenario, phase, where); }
+};
+
+void check_phases(const Scenario& scenario) {
+  for (std::size_t k = 0; k < scenario.phases.size(); ++k)
+    std::visit(PhaseCheck{scenario, k, "phases[" + std::to_string(k) + "]"},
+               scenario.phases[k].kind);
 }
 
 }  // namespace

@@ -60,10 +60,10 @@ struct View {
   Fit fit = Fit::box;
   // Shown instead of what `fit` finds; keeps a film steady.
   std::optional<WorldRect> window = std::nullopt;
-  // Of a continuous colouring; from the data if absent.
-  std::optional<Range> range = std::nullopt;
-  // Force of a line 0.4 d wide [F_g]; from the data if absent.
-  std::optional<double> force_scale = std::nullopt;
+  // What the first and the last colour stand for, of a colouring by a value with a unit [its unit]. Both 0: from the data.
+  double colour_low = 0;
+  double colour_high = 0;
+  double force_scale = 0;  // force of a line 0.4 d wide [F_g]; 0: from the data
   // The time-stepping scheme, where pictures must name it; empty: the exact one.
   std::string method = {};
   // Adds SI units to the scale bar and the time.

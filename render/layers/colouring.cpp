@@ -30,7 +30,8 @@ ColouredGrains by_value(const World& world, const View& view, const std::vector<
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (world.disks.role[i] == Role::grain) of_grains.push_back(values[i]);
   }
-  const Range range = view.range ? *view.range : range_of(std::move(of_grains));
+  const Range range = view.colour_high > 0 ? Range{view.colour_low, view.colour_high}
+                                           : range_of(std::move(of_grains));
   ColouredGrains grains;
   grains.scale = {.title = std::move(title),
                   .swatches = {},

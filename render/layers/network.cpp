@@ -52,7 +52,7 @@ double bar_width(double pixels_per_diameter) {
 }
 
 double force_scale(const World& world, const View& view) {
-  if (view.force_scale) return *view.force_scale;
+  if (view.force_scale > 0) return view.force_scale;
   std::vector<double> forces;
   if (world.impulse_dt > 0) {
     for (const Contact& contact : world.contacts) {

@@ -133,11 +133,13 @@ void check(const View& view) {
   if (view.window && !(positive(view.window->size().x()) && positive(view.window->size().y()))) {
     throw InputError("window", "the window of a picture must have a positive width and height");
   }
-  if (view.range && !positive(view.range->high - view.range->low)) {
-    throw InputError("range", "the range of the colours must end above its beginning");
+  const bool from_data = view.colour_low == 0 && view.colour_high == 0;
+  if (!from_data && !(view.colour_low >= 0 && positive(view.colour_high - view.colour_low))) {
+    throw InputError("colour_high",
+                     "must be above colour_low, or both 0, which takes them from the data");
   }
-  if (view.force_scale && !positive(*view.force_scale)) {
-    throw InputError("force_scale", "the force of a line of reference width must be positive");
+  if (view.force_scale != 0 && !positive(view.force_scale)) {
+    throw InputError("force_scale", "must be positive, or 0, which takes it from the data");
   }
   if (view.text_size && !(*view.text_size >= 6 && *view.text_size <= 100)) {
     throw InputError("text_size", "text must be from 6 to 100 pixels high");

@@ -4,6 +4,9 @@
 # shorter ones would take weeks to compute. Neither memory may grow nor grains creep: `tests/robustness/day.sh`.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+source "$root/app/setup.sh"
+answer_help "$@"
+expect_at_most 0 "$@"
 program=${QUICKSAND_PROGRAM:-$root/build/quicksand}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

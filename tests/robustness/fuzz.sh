@@ -7,10 +7,16 @@
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 source "$root/app/setup.sh"
+answer_help "$@"
 seconds=${1:-600}
+expect_number SECONDS "$seconds"
 [ $# -gt 0 ] && shift
+all=(scene campaign session line options checkpoint)
 readers=("$@")
-[ ${#readers[@]} -gt 0 ] || readers=(scene campaign session line options checkpoint)
+[ ${#readers[@]} -gt 0 ] || readers=("${all[@]}")
+for reader in "${readers[@]}"; do
+  [[ " ${all[*]} " == *" $reader "* ]] || refuse_argument "there is no reader \"$reader\", only ${all[*]}"
+done
 
 command -v clang++ >/dev/null || install_packages ci
 build_in fuzz fuzzers

@@ -3,6 +3,11 @@
 # an unbroken run. `tests/robustness/kills.sh 200 [SEED]`: until there were 200 kills.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+source "$root/app/setup.sh"
+answer_help "$@"
+expect_at_most 2 "$@"
+expect_number KILLS "${1:-200}"
+expect_number SEED "${2:-1}"
 program=${QUICKSAND_PROGRAM:-$root/build/quicksand}
 kills=${1:-200}
 RANDOM=${2:-1}

@@ -3,6 +3,10 @@
 # saved; a session has 100 000 commands, a film 10 000 frames. `tests/robustness/load.sh [BODIES]` needs 3 GB.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+source "$root/app/setup.sh"
+answer_help "$@"
+expect_at_most 1 "$@"
+expect_number BODIES "${1:-1000000}"
 program=${QUICKSAND_PROGRAM:-$root/build/quicksand}
 width=$((${1:-1000000} / 250))
 work=$(mktemp -d)

@@ -3,6 +3,10 @@
 # stay flat: `tests/robustness/soak.sh 10`. Fails if the second half needs a tenth more than the first.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+source "$root/app/setup.sh"
+answer_help "$@"
+expect_at_most 1 "$@"
+expect_number MINUTES "${1:-10}"
 program=${QUICKSAND_PROGRAM:-$root/build/quicksand}
 seconds=$((${1:-10} * 60))
 work=$(mktemp -d)

@@ -8,8 +8,8 @@
 
 #include "app/commands/console.h"
 #include "render/image/png_reader.h"
-#include "tests/render/golden.h"
 #include "tests/support/files.h"
+#include "tests/support/render/golden.h"
 #include "tests/support/temporary_folder.h"
 
 namespace quicksand::test {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/base/base64.h"
 #include "app/base/status_line.h"
+#include "app/json/base64.h"
 #include "app/plot/typeset_number.h"
 #include "app/report/provenance.h"
 

@@ -6,9 +6,11 @@
 #include "app/run/run_scene.h"
 #include "app/scene_json/scenario_json.h"
 #include "core/base/errors.h"
+#include "core/base/memory.h"
 #include "core/checkpoint/checkpoint.h"
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
+#include "tests/support/bounded_memory.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
@@ -72,6 +74,19 @@ TEST_F(ContinueTest, KilledInItsOwnFolderItIsNotTakenForFinished) {
   ASSERT_EQ(resumption_of(in("killed"), false).how, goes_on);
   run_scene(deposited(true), to("killed", "killed"));
   EXPECT_EQ(summary("killed")["world_hash"], summary("deposit")["world_hash"]);
+}
+
+// It would start again, over what is there.
+TEST_F(ContinueTest, AStateThatDoesNotFitIntoMemoryIsNotTakenForDamaged) {
+  if (!kMemoryCanBeBounded) GTEST_SKIP() << "not under the address sanitizer";
+  run_scene(deposited(false), to("deposit"));
+  {
+    Checkpoint state = read_checkpoint(in("deposit").state());
+    state.scene.assign(64'000'000, ' ');
+    write_checkpoint(in("deposit").state(), state);
+  }
+  const BoundedMemory bound(100'000'000);
+  EXPECT_THROW(resumption_of(in("deposit"), false), NotEnoughMemory);
 }
 
 // Rows and frames are numbered alike: a film would lack its beginning, and a resumed run would begin anew.

@@ -20,6 +20,8 @@ TEST(RunOptions, ReadBackAsTheyWereWritten) {
   options.view.theme = Theme::dark;
   options.view.colouring = Colouring::pressure;
   options.view.forces = true;
+  options.view.colour_high = 30;
+  options.view.force_scale = 1e4;
   write_options(folder.path() / "run.json", options);
   const RunOptions read = read_options(folder.path() / "run.json");
   EXPECT_EQ(read.every, options.every);

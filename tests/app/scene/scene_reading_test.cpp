@@ -67,6 +67,18 @@ TEST(SceneReading, AnotherMethodTakesAwayWhatItSets) {
   EXPECT_EQ(read_scene({file, {"method=exact"}, {}}).step.dt, 2e-2) << "it is that already";
 }
 
+TEST(SceneReading, AnAppendedPhaseIsReadLikeAWrittenOne) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("scene.json", kSceneReadingScene);
+  const Scenario scene =
+      read_scene({file, {R"(phases[+]={"type": "heal"})", R"(phases[1].which="broken")"}, {}});
+  ASSERT_EQ(scene.phases.size(), 2U);
+  EXPECT_EQ(std::get<HealPhase>(scene.phases[1].kind).which, HealPhase::Which::broken);
+  const std::string message = refusal(kSceneReadingScene, {R"(phases[+]={"type": "heel"})"});
+  EXPECT_NE(message.find("phases[1].type (from --set): "), std::string::npos) << message;
+  EXPECT_NE(message.find("did you mean \"heal\""), std::string::npos) << message;
+}
+
 TEST(SceneReading, APlainSceneIsRead) { EXPECT_EQ(refusal(kSceneReadingScene), ""); }
 
 struct Mistake {

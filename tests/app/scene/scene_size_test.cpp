@@ -3,12 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include "app/base/exit_code.h"
+#include "app/cli/command_line.h"
 #include "app/scene/scene_file.h"
 #include "app/scene/scene_report.h"
 #include "app/scene_json/scenario_json.h"
 #include "core/base/errors.h"
 #include "core/scene/scenario.h"
 #include "tests/support/bounded_memory.h"
+#include "tests/support/temporary_folder.h"
 
 namespace quicksand::test {
 namespace {
@@ -68,6 +71,27 @@ TEST(SceneSize, WhatCanBeListedButNotComputedIsRefusedWhereItStarts) {
             "row: to compute about 1000000 bodies takes at least 2.7 GB of memory, ");
   EXPECT_NE(refusal_of([] { start_world(deposit_of("1e6")); }), "was not refused");
   start_world(deposit_of("1e5"));
+}
+
+// The program's message: neither the scene's syntax nor a state is to blame.
+TEST(SceneSize, ATextThatDoesNotFitIsAMatterOfMemory) {
+  if (!kMemoryCanBeBounded) GTEST_SKIP() << "not under the address sanitizer";
+  const TemporaryFolder folder;
+  std::string text = R"({"box": {"width": 3}, "bodies": [0)";
+  for (int k = 0; k < 5'000'000; ++k) text += ",0";  // 16 times as large when it is read
+  const std::string file = folder.write("scene.json", text + "]}");
+  const char* const words[] = {"quicksand", "check", file.c_str()};
+  testing::internal::CaptureStderr();
+  int code = 0;
+  {
+    const BoundedMemory bound(100'000'000);
+    code = run_command_line(3, words);
+  }
+  const std::string message = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(code, kRunFailed);
+  EXPECT_NE(message.find("reading 5000001 JSON values takes at least 0.3 GB of memory"),
+            std::string::npos)
+      << message;
 }
 
 }  // namespace

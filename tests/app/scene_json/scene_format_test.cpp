@@ -162,6 +162,40 @@ TEST(Override, ReachesEveryPlaceOfAScene) {
   EXPECT_FALSE(json["a"].contains("new"));
 }
 
+TEST(Override, AppendsToAList) {
+  Json json = parse_json(R"({"phases": [{"type": "settle"}]})");
+  const std::string heal = R"(phases[+]={"type": "heal"})";
+  EXPECT_EQ(apply_override(json, parse_override(heal)), "phases[1]");
+  EXPECT_EQ(apply_override(json, parse_override(heal)), "phases[2]");
+  apply_override(json, parse_override("phases[1].waited=3"));
+  apply_override(json, parse_override("walls[+]={}"));
+  EXPECT_EQ(json, parse_json(R"({"phases": [{"type": "settle"}, {"type": "heal", "waited": 3},
+                                           {"type": "heal"}], "walls": [{}]})"));
+  EXPECT_EQ(value_at(json, "phases[+]"), parse_json(R"({"type": "heal"})"));
+  EXPECT_EQ(value_at(json, "bodies[+]"), nullptr);
+}
+
+TEST(Override, SaysWhatIsWrongWithAnAppendedEntry) {
+  const auto refusal = [](const std::string& assignment) -> std::string {
+    Json json = parse_json(R"({"phases": [], "box": {"width": 3}})");
+    try {
+      apply_override(json, parse_override(assignment));
+    } catch (const InputError& error) {
+      return error.where() + ": " + error.what();
+    }
+    return "was accepted";
+  };
+  EXPECT_EQ(refusal("phases[+].type=settle"),
+            "--set phases[+].type: \"[+]\" appends a whole entry and must be the last of the path, "
+            "as in phases[+]={\"type\": \"settle\"}");
+  EXPECT_EQ(refusal("phases[+]=null"),
+            "--set phases[+]: null removes a key, and [+] appends an entry");
+  EXPECT_EQ(refusal("box[+]=1"), "--set box[+]: \"box\" is an object, not a list");
+  EXPECT_EQ(
+      refusal("phases[-]={}"),
+      "--set phases[-]: \"[-]\" is not the number of a list entry, nor [+], which appends one");
+}
+
 TEST(Override, ATextMayContainEqualSigns) {
   EXPECT_EQ(parse_override("description=a = b").value, "a = b");
 }

@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "app/json/json_reader.h"
 #include "app/json/json_writer.h"
 #include "app/options/picture_options.h"
+#include "core/base/errors.h"
 
 namespace quicksand::test {
 namespace {
@@ -18,6 +20,7 @@ View unusual() {
   view.width = 320;
   for (const ViewWord& word : view_words()) word.choose(view, 1);
   for (const ViewFlag& flag : view_flags()) view.*flag.value = !(view.*flag.value);
+  for (const ViewNumber& number : view_numbers()) view.*number.value = 0.25;
   return view;
 }
 
@@ -35,11 +38,27 @@ TEST(ViewFields, OfARunComeBackFromTheWordsOfItsOptions) {
   View view;
   for (const ViewWord& word : view_words()) word.choose(view, 1);
   view.width = 640, view.bonds = view.forces = true;
+  view.colour_low = 0.1, view.colour_high = 1e3, view.force_scale = 2.5e4;
   CLI::App app;
   PictureOptions options;
   add_picture_options(app, options);
   app.parse("quicksand" + picture_words(view), true);
   EXPECT_EQ(view_from(options), view);
+}
+
+TEST(ViewFields, OfColoursThatEndBelowTheirBeginningAreRefused) {
+  PictureOptions options;
+  options.view.colour_low = 2, options.view.colour_high = 1;
+  EXPECT_THROW(view_from(options), InputError);
+}
+
+TEST(ViewFields, NumbersMatterWhereTheyChangeThePicture) {
+  const auto shown = [](const View& view) {
+    return std::ranges::count_if(view_numbers(), [&](const auto& n) { return n.matters(view); });
+  };
+  EXPECT_EQ(shown(View{}), 0);
+  EXPECT_EQ(shown(View{.colouring = Colouring::pressure}), 2);
+  EXPECT_EQ(shown(View{.forces = true}), 1);
 }
 
 TEST(ViewFields, WordsAreThoseOfTheirEnums) {

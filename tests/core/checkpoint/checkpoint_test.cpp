@@ -1,6 +1,7 @@
 #include "core/checkpoint/checkpoint.h"
 
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <cmath>
 #include <string_view>
@@ -170,6 +171,22 @@ TEST_F(CheckpointFile, OfMoreItemsThanMemoryHoldsIsRefusedBeforeTheyAreRead) {
     EXPECT_NE(std::string_view(error.what()).find("takes at least 0.6 GB of memory"),
               std::string::npos)
         << error.what();
+  }
+}
+
+// What takes little is not counted before it is read: that it does not fit shows on the way.
+TEST_F(CheckpointFile, ThatRunsOutOfMemoryOnTheWayIsNotTakenForDamaged) {
+  if (!test::kMemoryCanBeBounded) GTEST_SKIP() << "not under the address sanitizer";
+  original_.scene.assign(16'000'000, ' ');
+  write_checkpoint(path_, original_);
+  original_.scene = {};
+  malloc_trim(0);  // or what writing took would be there to read into
+  const test::BoundedMemory bound(24'000'000);
+  try {
+    read_checkpoint(path_);
+    FAIL() << "was read";
+  } catch (const NotEnoughMemory& error) {
+    EXPECT_EQ(error.what(), path_.string() + ": there is not enough memory to read it");
   }
 }
 

@@ -1,4 +1,4 @@
-#include "tests/render/golden.h"
+#include "tests/support/render/golden.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/render/worlds.h"
+#include "tests/support/render/worlds.h"
 
 namespace quicksand {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/render/worlds.h"
+#include "tests/support/render/worlds.h"
 
 #include <cmath>
 

@@ -1,11 +1,11 @@
 // One feature a picture.
-#include "tests/render/golden.h"
+#include "tests/support/render/golden.h"
 
 #include <gtest/gtest.h>
 
 #include "core/scene/scenario.h"
 #include "render/picture/renderer.h"
-#include "tests/render/worlds.h"
+#include "tests/support/render/worlds.h"
 
 namespace quicksand {
 namespace {

@@ -2,7 +2,7 @@
 #include "app/commands/command_table.h"
 #include "core/base/errors.h"
 #include "render/image/png_reader.h"
-#include "tests/gui/gui_fixture.h"
+#include "tests/support/gui_fixture.h"
 
 namespace quicksand::test {
 namespace {
@@ -136,6 +136,7 @@ TEST_F(PanelTest, ChangesTheView) {
   load();
   perform({{"command", "run"}, {"steps", 2}});
   UiDriver& r = driver();
+  EXPECT_EQ(widget("View/colour_high"), nullptr) << "colours of counts have no range";
   expect_command(r.set("View/colour", "speed"), {{"command", "view"}, {"colour", "speed"}});
   EXPECT_EQ(session().view.colouring, Colouring::speed);
   expect_command(r.set("View/theme", "dark"), {{"command", "view"}, {"theme", "dark"}});
@@ -147,6 +148,10 @@ TEST_F(PanelTest, ChangesTheView) {
     EXPECT_EQ(widget(path)->value, on ? "off" : "on");
     EXPECT_TRUE(r.set(path, !on).empty()) << "it is so already";
   }
+  perform({{"command", "view"}, {"colour", "pressure"}, {"forces", true}});
+  expect_command(r.set("View/colour_high", 30), {{"command", "view"}, {"colour_high", 30.0}});
+  EXPECT_THROW(perform({{"command", "view"}, {"colour_low", 40}}), InputError);
+  expect_command(r.set("View/force_scale", 500), {{"command", "view"}, {"force_scale", 500.0}});
   expect_command(r.click("View/Fit box"), {{"command", "camera"}, {"fit", "box"}});
   expect_command(r.click("View/Fit bodies"), {{"command", "camera"}, {"fit", "content"}});
   expect_command(r.click("View/Zoom in"), {{"command", "camera"}, {"zoom", 1.25}});

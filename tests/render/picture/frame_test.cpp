@@ -8,7 +8,7 @@
 #include "core/base/errors.h"
 #include "core/scene/scenario.h"
 #include "render/base/palette.h"
-#include "tests/render/worlds.h"
+#include "tests/support/render/worlds.h"
 
 namespace quicksand {
 namespace {
@@ -176,8 +176,9 @@ TEST(Frame, ViewsThatCannotBeDrawnAreRefused) {
   EXPECT_THROW(compose(world, View{.width = 10}, font()), InputError);
   EXPECT_THROW(compose(world, View{.height = 100000}, font()), InputError);
   EXPECT_THROW(compose(world, View{.window = WorldRect{{0, 0}, {0, 5}}}, font()), InputError);
-  EXPECT_THROW(compose(world, View{.range = Range{1, 1}}, font()), InputError);
-  EXPECT_THROW(compose(world, View{.force_scale = 0}, font()), InputError);
+  EXPECT_THROW(compose(world, View{.colour_low = 1, .colour_high = 1}, font()), InputError);
+  EXPECT_THROW(compose(world, View{.colour_low = 1}, font()), InputError);
+  EXPECT_THROW(compose(world, View{.force_scale = -1}, font()), InputError);
   EXPECT_THROW(compose(world, View{.text_size = 1000}, font()), InputError);
 }
 

@@ -1,6 +1,6 @@
 // What the panel looks like, against stored pictures.
-#include "tests/gui/gui_fixture.h"
-#include "tests/render/golden.h"
+#include "tests/support/gui_fixture.h"
+#include "tests/support/render/golden.h"
 
 namespace quicksand::test {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "render/base/view.h"
 #include "render/layers/colouring.h"
-#include "tests/render/worlds.h"
+#include "tests/support/render/worlds.h"
 
 namespace quicksand {
 namespace {
@@ -91,6 +91,13 @@ TEST(Colouring, ActiveBondsCountFloorAndImagesButNotBrokenOnes) {
   EXPECT_EQ(fill[0], bonds[2]);   // the next one and the floor
   EXPECT_EQ(fill[9], bonds[0]);   // broken off
   EXPECT_EQ(fill[11], bonds[1]);  // across the side
+}
+
+TEST(Colouring, ARangeThatIsGivenHoldsWhateverTheDataAre) {
+  const World world = worlds::arch_with_intruder();
+  const View view{.colouring = Colouring::speed, .colour_low = 2, .colour_high = 50};
+  EXPECT_EQ(colour_grains(world, view).scale.range, (Range{2, 50}));
+  EXPECT_NE(colour_grains(world, View{.colouring = Colouring::speed}).scale.range, (Range{2, 50}));
 }
 
 TEST(Colouring, FewFastGrainsDoNotSetTheRange) {
