@@ -3,26 +3,14 @@
 #include <stdexcept>
 
 #include "app/json/json_text.h"
+#include "core/checkpoint/archive.h"
 
 namespace quicksand {
 
 namespace {
 
-// One description for both directions.
-struct Writer {
-  Json& json;
-  template <class T>
-  void value(const char* key, const T& x) {
-    json[key] = x;
-  }
-};
-struct Reader {
-  const Json& json;
-  template <class T>
-  void value(const char* key, T& x) {
-    json.at(key).get_to(x);
-  }
-};
+using Writer = CheckpointArchive<Json>;
+using Reader = CheckpointArchive<const Json>;
 
 template <class Archive, class AnyRow>
 void describe_row(Archive archive, AnyRow& row) {
@@ -51,9 +39,9 @@ void describe(Archive archive, Position& position) {
 
 std::vector<std::uint8_t> to_bytes(const RunPosition& position) {
   Json json, last, pending;
-  describe(Writer{json}, position);
-  describe_row(Writer{last}, position.samples.last);
-  describe_row(Writer{pending}, position.samples.pending);
+  describe(Writer(json), position);
+  describe_row(Writer(last), position.samples.last);
+  describe_row(Writer(pending), position.samples.pending);
   json["last"] = std::move(last);
   json["pending"] = std::move(pending);
   return Json::to_cbor(json);  // keeps every bit of a number, and those that are not finite
@@ -62,9 +50,9 @@ std::vector<std::uint8_t> to_bytes(const RunPosition& position) {
 RunPosition position_from(const std::vector<std::uint8_t>& bytes) {
   const Json json = Json::from_cbor(bytes);
   RunPosition position;
-  describe(Reader{json}, position);
-  describe_row(Reader{json.at("last")}, position.samples.last);
-  describe_row(Reader{json.at("pending")}, position.samples.pending);
+  describe(Reader(json), position);
+  describe_row(Reader(json.at("last")), position.samples.last);
+  describe_row(Reader(json.at("pending")), position.samples.pending);
   if (position.rows < 0) throw std::runtime_error("a number of rows cannot be below 0");
   return position;
 }
