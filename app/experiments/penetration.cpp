@@ -27,8 +27,7 @@ constexpr Shown kShown[] = {{"depth", "depth [d]"},
 
 class Penetration : public PaperExperiment {
  public:
-  void plan(PaperJobs& jobs) override {
-    all_ = jobs.scale().realizations;
+  void ask_for_runs(PaperJobs& jobs) override {
     height_ = jobs.scale().height;
     curve_ = jobs.push_curve(jobs.samples());
   }
@@ -47,7 +46,7 @@ class Penetration : public PaperExperiment {
         row.push_back(cell_of(results.mean(curve_.pushes[k], column.quantity), all_));
       table.rows.push_back(std::move(row));
     }
-    section.blocks.emplace_back(std::move(table));
+    section.add(std::move(table));
     add_plots(results, section);
     for (std::size_t k = 0; k < curve_.forces.size(); ++k) compare(results, k, findings);
   }
@@ -64,7 +63,7 @@ class Penetration : public PaperExperiment {
       if (auto picture = picture_of(results, curve_.pushes[k], folder, caption))
         gallery.pictures.push_back(*picture);
     }
-    if (!gallery.pictures.empty()) section.blocks.emplace_back(std::move(gallery));
+    if (!gallery.pictures.empty()) section.add(std::move(gallery));
   }
 
   static Curve paper_curve(const std::string& name, const std::string& quantity) {
@@ -87,10 +86,9 @@ class Penetration : public PaperExperiment {
                                "remaining_bond_fraction"),
                     paper_curve("paper: active of contacts", "active_of_contacts"),
                     paper_curve("paper: remaining of initial", "remaining_of_initial")};
-    section.blocks.emplace_back(
-        Figure{std::move(bonds),
-               "Shares of bonds against the push force. The paper's strong force has no "
-               "number; its points are drawn at 3 F_c."});
+    section.add(Figure{std::move(bonds),
+                       "Shares of bonds against the push force. The paper's strong force has no "
+                       "number; its points are drawn at 3 F_c."});
     Plot depth{.name = "penetration_depth",
                .title = "Depth of the intruder",
                .x = {.label = "push force", .unit = "F_c", .logarithmic = true},
@@ -101,8 +99,7 @@ class Penetration : public PaperExperiment {
                                .role = Reference::Role::guide}},
                .legend = LegendPlace::none};
     depth.curves = {curve_over(results, "depth", curve_.forces, curve_.pushes, "depth")};
-    section.blocks.emplace_back(
-        Figure{std::move(depth), "Final depth of the intruder's lowest point."});
+    section.add(Figure{std::move(depth), "Final depth of the intruder's lowest point."});
   }
 
   void compare(const PaperResults& results, std::size_t k, Findings& findings) const {
@@ -134,7 +131,6 @@ class Penetration : public PaperExperiment {
 
   PushCurve curve_;
   double height_ = 0;
-  int all_ = 0;
 };
 
 }  // namespace

@@ -7,8 +7,7 @@ namespace {
 
 class Piston : public PaperExperiment {
  public:
-  void plan(PaperJobs& jobs) override {
-    all_ = jobs.scale().realizations;
+  void ask_for_runs(PaperJobs& jobs) override {
     before_ = jobs.samples();
     after_ = jobs.pistons(before_);
   }
@@ -21,7 +20,7 @@ class Piston : public PaperExperiment {
       gallery.pictures.push_back(*picture);
     if (auto picture = picture_of(results, after_, pictures, "after"))
       gallery.pictures.push_back(*picture);
-    if (!gallery.pictures.empty()) section.blocks.emplace_back(std::move(gallery));
+    if (!gallery.pictures.empty()) section.add(std::move(gallery));
 
     struct Line {
       const char* quantity;
@@ -40,7 +39,7 @@ class Piston : public PaperExperiment {
       table.rows.push_back({{.text = line.title},
                             cell_of(results.mean(before_, line.quantity), all_),
                             cell_of(results.mean(after_, line.quantity), all_)});
-    section.blocks.emplace_back(std::move(table));
+    section.add(std::move(table));
 
     Plot plot{.name = "piston",
               .title = "Compaction by the piston",
@@ -63,8 +62,7 @@ class Piston : public PaperExperiment {
       break;
     }
     if (!plot.curves.empty())
-      section.blocks.emplace_back(
-          Figure{std::move(plot), "The first realization while the piston comes down."});
+      section.add(Figure{std::move(plot), "The first realization while the piston comes down."});
 
     note(findings, "piston.active_of_contacts", results.mean(after_, "active_bond_fraction"));
     note(findings, "piston.remaining_of_initial", results.mean(after_, "remaining_bond_fraction"));
@@ -78,7 +76,6 @@ class Piston : public PaperExperiment {
 
  private:
   RunGroup before_, after_;
-  int all_ = 0;
 };
 
 }  // namespace

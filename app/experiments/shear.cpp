@@ -29,7 +29,7 @@ std::string line_text(const std::optional<Line>& line, double Line::*value,
 
 class Shear : public PaperExperiment {
  public:
-  void plan(PaperJobs& jobs) override {
+  void ask_for_runs(PaperJobs& jobs) override {
     runs_ = plan_strength(jobs);
     scale_ = jobs.scale();
     scene_ = jobs.jobs()[runs_.loose.runs.front()].scenario;
@@ -42,7 +42,7 @@ class Shear : public PaperExperiment {
                         strong = paper_strength(results, runs_.strong),
                         compact = paper_strength(results, runs_.compact),
                         rough = paper_strength(results, runs_.compact_rough);
-    section.blocks.emplace_back(Paragraph{
+    section.add(Paragraph{
         "A grain has been moved where it has gone " + number_text(scale_.shear_distance) +
         " d within " + number_text(scale_.shear_time) +
         " sqrt(d/g); the paper takes 20 d. Its strength is the middle of the interval between the "
@@ -51,26 +51,25 @@ class Shear : public PaperExperiment {
         (scale_.grains_per_depth == 1 ? " grain" : " grains") +
         " a depth and specimen, the paper takes 10. Steps of " + number_text(scene_.step.dt) +
         " sqrt(d/g)."});
-    section.blocks.emplace_back(table({{"unperturbed, F_c = 10² F_g", &weak},
-                                       {"unperturbed, F_c = 10⁴ F_g", &loose},
-                                       {"unperturbed, F_c = 10⁶ F_g", &strong},
-                                       {"perturbed, friction 0.3", &compact},
-                                       {"perturbed, friction 0.6", &rough}}));
+    section.add(table({{"unperturbed, F_c = 10² F_g", &weak},
+                       {"unperturbed, F_c = 10⁴ F_g", &loose},
+                       {"unperturbed, F_c = 10⁶ F_g", &strong},
+                       {"perturbed, friction 0.3", &compact},
+                       {"perturbed, friction 0.6", &rough}}));
     if (loose.against_depth && !weak.depth.empty())
-      section.blocks.emplace_back(Paragraph{about_weak_bonds(loose, weak)});
+      section.add(Paragraph{about_weak_bonds(loose, weak)});
     if (loose.grains + weak.grains + strong.grains > 0)
-      section.blocks.emplace_back(Figure{
+      section.add(Figure{
           plot("shear_unperturbed", "Shear strength of unperturbed samples",
                {.label = "shear strength", .unit = "F_g", .logarithmic = true},
                {{"F_c = 10² F_g", &weak}, {"F_c = 10⁴ F_g", &loose}, {"F_c = 10⁶ F_g", &strong}}),
           "Smallest horizontal force that moves a grain, with standard errors over grains, and "
           "straight lines through them."});
     if (compact.grains + rough.grains > 0)
-      section.blocks.emplace_back(
-          Figure{plot("shear_perturbed", "Shear strength of perturbed samples",
-                      {.label = "shear strength", .unit = "F_g", .low = 0},
-                      {{"friction 0.3", &compact}, {"friction 0.6", &rough}}),
-                 "The same after the piston."});
+      section.add(Figure{plot("shear_perturbed", "Shear strength of perturbed samples",
+                              {.label = "shear strength", .unit = "F_g", .low = 0},
+                              {{"friction 0.3", &compact}, {"friction 0.6", &rough}}),
+                         "The same after the piston."});
     compare_perturbed(compact, rough, findings);
     compare_unperturbed(loose, strong, compact, findings);
   }
@@ -80,8 +79,8 @@ class Shear : public PaperExperiment {
 
   static Table table(const std::vector<Named>& all) {
     Table table{.caption =
-                    "Straight lines through the strength against depth; effective friction: "
-                    "slope of the strength against the weight of all grains above.",
+                    "Straight lines through the strength against depth; effective friction: slope "
+                    "of the strength against the weight of all grains above.",
                 .columns = {{"sample"},
                             {"slope [F_g/d]", true},
                             {"at the surface [F_g]", true},
@@ -150,13 +149,9 @@ class Shear : public PaperExperiment {
   static std::string about_weak_bonds(const PaperStrength& loose, const PaperStrength& weak) {
     const double depth = weak.mean_depth();
     return "The paper says that a hundredfold cohesion force changes the unperturbed strength "
-           "little. The table of "
-           "numbers reads that of 10⁴ and 10⁶ F_g. It may speak of 10² and 10⁴, since the paper "
-           "gives the density "
-           "of a specimen made with 10², whose bonds are so weak that it falls in until it is "
-           "dense: "
-           "at the mean depth "
-           "of its grains, " +
+           "little. The table of numbers reads that of 10⁴ and 10⁶ F_g. It may speak of 10² and "
+           "10⁴, since the paper gives the density of a specimen made with 10², whose bonds are so "
+           "weak that it falls in until it is dense: at the mean depth of its grains, " +
            typeset(depth) + " d, its mean strength is " + typeset(weak.mean()) +
            " F_g, and the line of 10⁴ has " +
            typeset(loose.against_depth->intercept + loose.against_depth->slope * depth) +
