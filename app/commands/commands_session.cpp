@@ -27,25 +27,22 @@ struct Include {
   }
 };
 
-struct Quit {
-  void describe(Fields&) {}
-  Json perform(Console& console, const std::string&) {
-    console.quit = true;
-    return Json::object();
-  }
-};
+Json quit_session(Console& console) {
+  console.quit = true;
+  return Json::object();
+}
 
 }  // namespace
 
 std::vector<SessionCommand> session_commands_proper() {
-  return {
-      define<Print>({"print", kSessionGroup, "Prints a text when the session gets there.",
-                     R"({"command": "print", "text": "the packing stands"})"},
-                    false),
-      define<Include>({"include", kSessionGroup, "Performs the commands of another file.",
-                       R"({"command": "include", "file": "prepare.json"})"},
-                      false),
-      define<Quit>({"quit", kSessionGroup, "Ends the session.", R"({"command": "quit"})"}, false)};
+  return {define<Print>({"print", kSessionGroup, "Prints a text when the session gets there.",
+                         R"({"command": "print", "text": "the packing stands"})"},
+                        false),
+          define<Include>({"include", kSessionGroup, "Performs the commands of another file.",
+                           R"({"command": "include", "file": "prepare.json"})"},
+                          false),
+          define<Without<quit_session>>(
+              {"quit", kSessionGroup, "Ends the session.", R"({"command": "quit"})"}, false)};
 }
 
 }  // namespace quicksand
