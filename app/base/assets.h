@@ -1,4 +1,4 @@
-// Where the shipped scenes are.
+// Where the files are that come with the program.
 #pragma once
 
 #include <filesystem>

@@ -1,9 +1,14 @@
 // Offers the name that a mistyped one was probably meant to be.
 #pragma once
 
+#include <algorithm>
+#include <functional>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "core/base/errors.h"
 
 namespace quicksand {
 
@@ -16,5 +21,16 @@ std::string nearest_name(std::string_view word, const std::vector<std::string>& 
 
 // `; did you mean "x"?` if a name is near, otherwise `; known: a, b, c`.
 std::string suggestion(std::string_view word, const std::vector<std::string>& names);
+
+// The one of `known` with this name. Throws InputError: `where`, `problem` and a suggestion.
+template <class Known, class Name>
+const auto& named(const Known& known, std::string_view word, Name name, const std::string& where,
+                  const std::string& problem) {
+  const auto found = std::ranges::find(known, word, name);
+  if (found != std::end(known)) return *found;
+  std::vector<std::string> names;
+  for (const auto& one : known) names.emplace_back(std::invoke(name, one));
+  throw InputError(where, problem + suggestion(word, names));
+}
 
 }  // namespace quicksand

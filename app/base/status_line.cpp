@@ -2,9 +2,10 @@
 
 #include <unistd.h>
 
-#include <array>
 #include <cmath>
 #include <cstdio>
+
+#include "core/base/format.h"
 
 namespace quicksand {
 
@@ -18,19 +19,12 @@ constexpr double kLinesPeriod = 10;      // [s]
 std::string duration_text(double seconds) {
   constexpr double kMinute = 60, kHour = 3600;
   const double whole = std::round(seconds);
-  std::array<char, 64> text{};
-  if (seconds < 10) {
-    std::snprintf(text.data(), text.size(), "%.2g s", seconds);
-  } else if (whole < kMinute) {
-    std::snprintf(text.data(), text.size(), "%.0f s", whole);
-  } else if (whole < kHour) {
-    std::snprintf(text.data(), text.size(), "%.0f min %.0f s", std::floor(whole / kMinute),
-                  std::fmod(whole, kMinute));
-  } else {
-    std::snprintf(text.data(), text.size(), "%.0f h %.0f min", std::floor(whole / kHour),
-                  std::floor(std::fmod(whole, kHour) / kMinute));
-  }
-  return text.data();
+  if (seconds < 10) return format("%.2g s", seconds);
+  if (whole < kMinute) return format("%.0f s", whole);
+  if (whole < kHour)
+    return format("%.0f min %.0f s", std::floor(whole / kMinute), std::fmod(whole, kMinute));
+  return format("%.0f h %.0f min", std::floor(whole / kHour),
+                std::floor(std::fmod(whole, kHour) / kMinute));
 }
 
 StatusLine::Style StatusLine::style_of_stderr(bool quiet) {

@@ -17,6 +17,7 @@
 #include "app/bench/stopwatch.h"
 #include "app/report/report.h"
 #include "app/run/progress_line.h"
+#include "core/base/format.h"
 
 namespace quicksand::bench {
 
@@ -87,9 +88,6 @@ struct Interrupted : std::runtime_error {
   Interrupted() : std::runtime_error("interrupted") {}
 };
 void stop_if_interrupted();
-
-// printf into a string.
-std::string format(const char* pattern, ...) __attribute__((format(printf, 1, 2)));
 
 std::vector<Task> precision_tasks(const Options& options);
 void report_precision(std::span<const Row> rows, const Options& options, Section& section);

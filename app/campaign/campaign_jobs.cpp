@@ -1,7 +1,5 @@
 // From a campaign to its runs.
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <functional>
 #include <map>
 #include <set>
@@ -13,6 +11,7 @@
 #include "app/scene/scene_override.h"
 #include "app/scene_json/scenario_json.h"
 #include "core/base/errors.h"
+#include "core/base/format.h"
 #include "core/scene/scenario.h"
 #include "core/scene/validate.h"
 
@@ -31,9 +30,8 @@ constexpr std::size_t kMaxListedBodies = 5'000'000;
 // 00012 is the first run of point 12, 00012_3 its fourth: a longer list, more values of the grid's first parameter
 // and more realizations keep the names of the runs that are there already.
 std::string id_of(std::size_t point, std::int64_t realization) {
-  std::array<char, 48> text{};
-  std::snprintf(text.data(), text.size(), "%05zu", point);
-  return text.data() + (realization > 0 ? "_" + std::to_string(realization) : std::string());
+  return format("%05zu", point) +
+         (realization > 0 ? "_" + std::to_string(realization) : std::string());
 }
 
 // Each path is given in one place only, and none is also a column of its own in results.csv.
@@ -107,8 +105,7 @@ class Expansion {
       check_paths(campaign_);
       check_number_of_runs(campaign_);
     } catch (const InputError& error) {
-      throw InputError(file_.string() + (error.where().empty() ? "" : ": " + error.where()),
-                       error.what());
+      throw in_file(file_, error);
     }
     for (const ParameterValues& point : points_of(campaign_)) add(point);
     std::vector<Job> jobs;

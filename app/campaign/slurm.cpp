@@ -14,13 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Slurm reads a percent sign in a file name as the start of a number.
-std::string escape_percent(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) escaped += c == '%' ? std::string("%%") : std::string(1, c);
-  return escaped;
-}
-
 std::string script(const fs::path& out) {
   return "#!/bin/sh\nexec " + shell_text(fs::read_symlink("/proc/self/exe")) + " campaign " +
          shell_text(out / "campaign.json") + " --out " + shell_text(out) +
@@ -32,7 +25,7 @@ std::vector<std::string> arguments(const Campaign& campaign, const fs::path& out
   const SlurmOptions& slurm = campaign.slurm;
   std::vector<std::string> words{
       "sbatch", "--parsable", "--job-name=" + campaign.name, "--array=" + array_text(tasks),
-      "--output=" + escape_percent((out / "slurm").string()) + "/%a.log"};
+      "--output=" + escaped_percent((out / "slurm").string()) + "/%a.log"};
   if (wait) words.emplace_back("--wait");
   if (!slurm.partition.empty()) words.push_back("--partition=" + slurm.partition);
   if (!slurm.time.empty()) words.push_back("--time=" + slurm.time);

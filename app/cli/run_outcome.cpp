@@ -59,11 +59,10 @@ int tell_failure(const RunResult& result, const RunOptions& options) {
     std::fprintf(stderr, "  continue with: %s --set step.max_halvings=%d\n", command.c_str(),
                  kManyHalvings);
   else
-    std::fprintf(
-        stderr,
-        "  continue with a larger tolerance, here or as solver_tolerance of the phase: %s --set "
-        "solver.tolerance=1e-4\n",
-        command.c_str());
+    std::fprintf(stderr,
+                 "  continue with a larger tolerance, here or as solver_tolerance of the phase: %s "
+                 "--set solver.tolerance=1e-4\n",
+                 command.c_str());
   std::fprintf(stderr,
                "  or, to take such steps as they are, with --set step.on_unconverged=continue\n");
   return kRunFailed;

@@ -28,6 +28,13 @@ void read_arguments(Arguments& arguments, const Json& command, const std::string
   reader.refuse_unknown_keys();
 }
 
+// Arguments of a command that has none.
+template <Json (*act)(Console&)>
+struct Without {
+  void describe(Fields&) {}
+  Json perform(Console& console, const std::string&) { return act(console); }
+};
+
 struct CommandText {
   std::string_view name, group, help, example;
 };

@@ -75,25 +75,15 @@ const SessionCommand& command_of(const Json& command, const std::string& place) 
   const auto name = command.find("command");
   if (name == command.end() || !name->is_string())
     throw InputError(place, R"(has no text "command" that names what to do)");
-  const auto all = session_commands();
-  const auto found =
-      std::ranges::find(all, name->get_ref<const std::string&>(), &SessionCommand::name);
-  if (found != all.end()) return *found;
-  std::vector<std::string> names;
-  std::ranges::transform(all, std::back_inserter(names),
-                         [](const SessionCommand& c) { return std::string(c.name); });
-  throw InputError(place + ".command", described(*name) + " is no command" +
-                                           suggestion(name->get_ref<const std::string&>(), names));
+  return named(session_commands(), name->get_ref<const std::string&>(), &SessionCommand::name,
+               place + ".command", described(*name) + " is no command");
 }
 
 Json session_schema() {
-  JsonSchema schema;
   SessionFile file;
   Json commands;
-  describe_session_file(schema, file, commands);
-  Json result = {{"$schema", "http://json-schema.org/draft-07/schema#"},
-                 {"title", "quicksand session"}};
-  result.update(schema.take());
+  Json result = file_schema("quicksand session", "",
+                            [&](Fields& f) { describe_session_file(f, file, commands); });
   Json alternatives = Json::array();
   for (const SessionCommand& command : session_commands())
     alternatives.push_back(schema_of(command));

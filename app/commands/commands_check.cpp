@@ -149,13 +149,10 @@ struct Include {
   }
 };
 
-struct Quit {
-  void describe(Fields&) {}
-  Json perform(Console& console, const std::string&) {
-    console.quit = true;
-    return Json::object();
-  }
-};
+Json quit_session(Console& console) {
+  console.quit = true;
+  return Json::object();
+}
 
 }  // namespace
 
@@ -187,7 +184,7 @@ std::vector<SessionCommand> session_commands_proper() {
       define<Include>({"include", kSessionGroup, "Performs the commands of another file.",
                        R"({"command": "include", "file": "prepare.json"})"},
                       false),
-      define<Quit>({"quit", kSessionGroup, "Ends the session.", R"({"command": "quit"})"}, false)};
+      define<Without<quit_session>>({"quit", kSessionGroup, "Ends the session.", R"({"command": "quit"})"}, false)};
 }
 
 }  // namespace quicksand

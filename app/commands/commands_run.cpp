@@ -54,13 +54,10 @@ struct RunCommand {
   }
 };
 
-struct Start {
-  void describe(Fields&) {}
-  Json perform(Console& console, const std::string&) {
-    console.session().running = true;
-    return Json::object();
-  }
-};
+Json start_computing(Console& console) {
+  console.session().running = true;
+  return Json::object();
+}
 
 struct Pace {
   std::int64_t steps_per_frame = 1;
@@ -75,13 +72,10 @@ struct Pace {
   }
 };
 
-struct Pause {
-  void describe(Fields&) {}
-  Json perform(Console& console, const std::string&) {
-    console.session().running = false;
-    return Json::object();
-  }
-};
+Json pause_computing(Console& console) {
+  console.session().running = false;
+  return Json::object();
+}
 
 // Grains whose centres lie in it: a circle, or a lens.
 struct Ellipse {
@@ -134,23 +128,23 @@ struct Apply {
 }  // namespace
 
 std::vector<SessionCommand> run_commands() {
-  return {
-      define<RunCommand>(
-          {"run", kRunGroup,
-           "Computes until the first of its ends; without any, to the end of the scene.",
-           R"({"command": "run", "time": 0.5})"}),
-      define<Start>({"start", kRunGroup, "Lets every frame of the panel compute.",
-                     R"({"command": "start"})"}),
-      define<Pace>(
-          {"pace", kRunGroup, "Sets how many steps a frame of the panel computes after start.",
-           R"({"command": "pace", "steps_per_frame": 10})"},
-          false),
-      define<Pause>({"pause", kRunGroup, "Ends what start began.", R"({"command": "pause"})"}),
-      define<Apply>(
-          {"apply", kRunGroup,
-           "Lets a force act on the centre of a body, or of each grain of a region, from now on, "
-           "instead of the one that acted, besides its weight.",
-           R"({"command": "apply", "body": 12, "force": [100, 0]})"})};
+  return {define<RunCommand>(
+              {"run", kRunGroup,
+               "Computes until the first of its ends; without any, to the end of the scene.",
+               R"({"command": "run", "time": 0.5})"}),
+          define<Without<start_computing>>({"start", kRunGroup,
+                                            "Lets every frame of the panel compute.",
+                                            R"({"command": "start"})"}),
+          define<Pace>(
+              {"pace", kRunGroup, "Sets how many steps a frame of the panel computes after start.",
+               R"({"command": "pace", "steps_per_frame": 10})"},
+              false),
+          define<Without<pause_computing>>(
+              {"pause", kRunGroup, "Ends what start began.", R"({"command": "pause"})"}),
+          define<Apply>({"apply", kRunGroup,
+                         "Lets a force act on the centre of a body, or of each grain of a region, "
+                         "from now on, instead of the one that acted, besides its weight.",
+                         R"({"command": "apply", "body": 12, "force": [100, 0]})"})};
 }
 
 }  // namespace quicksand

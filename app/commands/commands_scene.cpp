@@ -84,13 +84,10 @@ struct Set {
   }
 };
 
-struct Reset {
-  void describe(Fields&) {}
-  Json perform(Console& console, const std::string&) {
-    console.session().reset();
-    return about(console.session());
-  }
-};
+Json reset_scene(Console& console) {
+  console.session().reset();
+  return about(console.session());
+}
 
 struct Save {
   std::string file = "state.cbor";
@@ -118,22 +115,23 @@ struct Restore {
 }  // namespace
 
 std::vector<SessionCommand> scene_commands() {
-  return {define<Load>({"load", kSceneGroup, "Starts a scene. The commands that follow act on it.",
-                        R"({"command": "load", "scene": "collapse", "set": {"box.width": 20}})"},
-                       false),
-          define<Set>(
-              {"set", kSceneGroup,
-               "Changes a value of the scene. Laws, gravity, drag, method, step, solver and phases "
-               "change in the present run; box, bodies and seed from the next reset on.",
-               R"({"command": "set", "path": "contact.cohesion_force", "value": 1e3})"}),
-          define<Reset>({"reset", kSceneGroup, "Starts the scene again, with all its changes.",
-                         R"({"command": "reset"})"}),
-          define<Save>({"save", kSceneGroup, "Writes the present state.",
-                        R"({"command": "save", "file": "before.cbor"})"}),
-          define<Restore>(
-              {"restore", kSceneGroup, "Goes back to a state that was saved, with its scene.",
-               R"({"command": "restore", "file": "before.cbor"})"},
-              false)};
+  return {
+      define<Load>({"load", kSceneGroup, "Starts a scene. The commands that follow act on it.",
+                    R"({"command": "load", "scene": "collapse", "set": {"box.width": 20}})"},
+                   false),
+      define<Set>({"set", kSceneGroup,
+                   "Changes a value of the scene. Laws, gravity, drag, method, step, solver and "
+                   "phases change in the present run; box, bodies and seed from the next reset on.",
+                   R"({"command": "set", "path": "contact.cohesion_force", "value": 1e3})"}),
+      define<Without<reset_scene>>({"reset", kSceneGroup,
+                                    "Starts the scene again, with all its changes.",
+                                    R"({"command": "reset"})"}),
+      define<Save>({"save", kSceneGroup, "Writes the present state.",
+                    R"({"command": "save", "file": "before.cbor"})"}),
+      define<Restore>(
+          {"restore", kSceneGroup, "Goes back to a state that was saved, with its scene.",
+           R"({"command": "restore", "file": "before.cbor"})"},
+          false)};
 }
 
 }  // namespace quicksand

@@ -142,20 +142,17 @@ struct Frames {
   }
 };
 
-struct Widgets {
-  void describe(Fields&) {}
-  Json perform(Console& console, const std::string&) {
-    console.ui_driver().wait(2);  // a panel that was not seen yet has none
-    Json list = Json::array();
-    for (const Widget& widget : console.panel().widgets())
-      list.push_back(
-          {{"path", widget.path},
-           {"value", widget.value},
-           {"disabled", widget.disabled},
-           {"rectangle", {widget.rect.x, widget.rect.y, widget.rect.width, widget.rect.height}}});
-    return {{"widgets", list}};
-  }
-};
+Json widgets_of(Console& console) {
+  console.ui_driver().wait(2);  // a panel that was not seen yet has none
+  Json list = Json::array();
+  for (const Widget& widget : console.panel().widgets())
+    list.push_back(
+        {{"path", widget.path},
+         {"value", widget.value},
+         {"disabled", widget.disabled},
+         {"rectangle", {widget.rect.x, widget.rect.y, widget.rect.width, widget.rect.height}}});
+  return {{"widgets", list}};
+}
 
 }  // namespace
 
@@ -184,11 +181,12 @@ std::vector<SessionCommand> widget_commands() {
       define<Frames>({"frames", kWidgetGroup, "Lets the panel live for some frames.",
                       R"({"command": "frames", "count": 10})"},
                      false),
-      define<Widgets>({"widgets", kWidgetGroup,
-                       "Tells the widgets of the panel, with their values and rectangles (x, y, "
-                       "width, height [px]).",
-                       R"({"command": "widgets"})"},
-                      false)};
+      define<Without<widgets_of>>(
+          {"widgets", kWidgetGroup,
+           "Tells the widgets of the panel, with their values and rectangles (x, y, "
+           "width, height [px]).",
+           R"({"command": "widgets"})"},
+          false)};
 }
 
 }  // namespace quicksand

@@ -31,9 +31,9 @@ fs::path Console::output(const std::string& name, const std::string& place) cons
   const fs::path relative = fs::path(name).lexically_normal();
   if (name.empty() || relative.is_absolute() || relative.begin()->string() == ".." ||
       relative.filename().empty() || relative == ".") {
-    throw InputError(place, "\"" + name +
-                                "\" must name a file in the output folder: no absolute path, "
-                                "no way out of it");
+    throw InputError(
+        place, "\"" + name +
+                   "\" must name a file in the output folder: no absolute path, no way out of it");
   }
   fs::path path = folders_.out / relative;
   std::error_code error;

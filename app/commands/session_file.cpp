@@ -68,9 +68,7 @@ SessionFile read_session_file(const std::filesystem::path& path) {
     const std::string text = read_text(path);
     const Json json = parse_json(text);
     Json commands;
-    JsonReader reader(json, "", "a session");
-    describe_session_file(reader, file, commands);
-    reader.refuse_unknown_keys();
+    read_fields(json, "a session", [&](Fields& f) { describe_session_file(f, file, commands); });
     file.lines = lines_of_commands(text);
     file.commands.assign(commands.begin(), commands.end());
     in_commands = file.lines.size() == file.commands.size();

@@ -1,21 +1,18 @@
 #include "app/commands/transcript.h"
 
-#include <array>
 #include <chrono>
-#include <cstdio>
 #include <new>
 
 #include "app/commands/command_table.h"
 #include "core/base/errors.h"
+#include "core/base/format.h"
 #include "core/base/memory.h"
 #include "render/base/render_error.h"
 
 namespace quicksand {
 
 std::string text_of_hash(std::uint64_t hash) {
-  std::array<char, 17> text{};
-  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash));
-  return text.data();
+  return format("%016llx", static_cast<unsigned long long>(hash));
 }
 
 Answer answer_to(Console& console, const Json& command, const std::string& place) {

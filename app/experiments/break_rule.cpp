@@ -72,8 +72,7 @@ struct Distance {
 
 class BreakRules : public PaperExperiment {
  public:
-  void plan(PaperJobs& jobs) override {
-    all_ = jobs.scale().realizations;
+  void ask_for_runs(PaperJobs& jobs) override {
     samples_ = {jobs.samples()};
     if (jobs.scale().denser_if_quicker)
       samples_.push_back(jobs.samples(kDenseDeposition, {}, dense_deposition()));
@@ -84,16 +83,14 @@ class BreakRules : public PaperExperiment {
 
   void report(const PaperResults& results, const std::filesystem::path&, Section& section,
               Findings&) const override {
-    section.blocks.emplace_back(Paragraph{
+    section.add(Paragraph{
         "The same specimens, pushed until everything rests, under each failure criterion and with "
-        "smaller and smaller time steps. Where a rule still changes with the step its "
-        "numbers are the step's; the rules are to meet where it is small. Plain "
-        "geometric: without the "
-        "curvature term, in steps of one length, as Contact Dynamics is without what the "
-        "other rules "
-        "add. It breaks a bond that turns by more than √(2 d_c/d) in a step."});
-    section.blocks.emplace_back(table_of(results));
-    section.blocks.emplace_back(Paragraph{conclusion(results)});
+        "smaller and smaller time steps. Where a rule still changes with the step its numbers are "
+        "the step's; the rules are to meet where it is small. Plain geometric: without the "
+        "curvature term, in steps of one length, as Contact Dynamics is without what the other "
+        "rules add. It breaks a bond that turns by more than √(2 d_c/d) in a step."});
+    section.add(table_of(results));
+    section.add(Paragraph{conclusion(results)});
     for (std::size_t p = 0; p < std::size(kKnownPushes); ++p)
       for (const KnownShare& share : kKnownShares) add_plot(results, p, share, section);
   }
@@ -114,20 +111,20 @@ class BreakRules : public PaperExperiment {
   }
 
   Table table_of(const PaperResults& results) const {
-    Table table{.caption =
-                    "After the push, when everything rests, by the specimen's volume fraction. "
-                    "Steps are dt, but halved until no bonded pair turns farther than max_turn; "
-                    "plain ones are not.",
-                .columns = {{"sample"},
-                            {"rule"},
-                            {"dt [√(d/g)]", true},
-                            {"mean step [√(d/g)]", true},
-                            {"push force [F_c]", true},
-                            {"depth [d]", true},
-                            {"active of contacts", true},
-                            {"remaining of initial", true},
-                            {"intact: active", true},
-                            {"coordination", true}}};
+    Table table{
+        .caption =
+            "After the push, when everything rests, by the specimen's volume fraction. Steps are "
+            "dt, but halved until no bonded pair turns farther than max_turn; plain ones are not.",
+        .columns = {{"sample"},
+                    {"rule"},
+                    {"dt [√(d/g)]", true},
+                    {"mean step [√(d/g)]", true},
+                    {"push force [F_c]", true},
+                    {"depth [d]", true},
+                    {"active of contacts", true},
+                    {"remaining of initial", true},
+                    {"intact: active", true},
+                    {"coordination", true}}};
     for (const BreakSetting& setting : settings_)
       for (std::size_t p = 0; p < setting.pushes.size(); ++p) {
         std::vector<Cell> row{{.text = sample_text(results, setting.sample)},
@@ -220,16 +217,15 @@ class BreakRules : public PaperExperiment {
         }
         plot.curves.push_back(std::move(curve));
       }
-    section.blocks.emplace_back(Figure{
-        std::move(plot), "Bonds, " + std::string(share.title) +
-                             ", over the time step (the longest; the mean one is in the table); "
-                             "push force " +
-                             number_text(known.force) + " F_c."});
+    section.add(
+        Figure{std::move(plot),
+               "Bonds, " + std::string(share.title) +
+                   ", over the time step (the longest; the mean one is in the table); push force " +
+                   number_text(known.force) + " F_c."});
   }
 
   std::vector<RunGroup> samples_;
   std::vector<BreakSetting> settings_;
-  int all_ = 0;
 };
 
 }  // namespace

@@ -11,8 +11,7 @@ namespace {
 
 class Choices : public PaperExperiment {
  public:
-  void plan(PaperJobs& jobs) override {
-    all_ = jobs.scale().realizations;
+  void ask_for_runs(PaperJobs& jobs) override {
     const RunGroup samples = jobs.samples();
     const auto push = [&](const std::string& text, const std::string& tag,
                           const ParameterValues& laws) {
@@ -56,30 +55,28 @@ class Choices : public PaperExperiment {
 
   void report(const PaperResults& results, const std::filesystem::path&, Section& section,
               Findings&) const override {
-    section.blocks.emplace_back(push_outcomes(
+    section.add(push_outcomes(
         results, "Pushes of the same specimens with the cohesion force under other choices.",
         pushes_, all_));
     const PaperTargets targets = read_targets(shipped_targets());
     const auto paper = [&](const char* id) { return paper_text(targets.at(id)); };
-    section.blocks.emplace_back(
-        Paragraph{"The paper has " + paper("penetration.1.0.active_of_contacts") +
-                  " active of contacts and " + paper("penetration.1.0.remaining_of_initial") +
-                  " remaining of initial bonds, and the intruder almost at the bottom."});
-    section.blocks.emplace_back(pull_outcomes(results));
-    section.blocks.emplace_back(Paragraph{"The paper's largest pull-out force is " +
-                                          paper("penetration.pull_out_over_push") +
-                                          " times the push force."});
-    section.blocks.emplace_back(piston_outcomes(
-        results, "The same specimens after the piston, under other loads.", pistons_, all_));
-    section.blocks.emplace_back(Paragraph{
+    section.add(Paragraph{"The paper has " + paper("penetration.1.0.active_of_contacts") +
+                          " active of contacts and " +
+                          paper("penetration.1.0.remaining_of_initial") +
+                          " remaining of initial bonds, and the intruder almost at the bottom."});
+    section.add(pull_outcomes(results));
+    section.add(Paragraph{"The paper's largest pull-out force is " +
+                          paper("penetration.pull_out_over_push") + " times the push force."});
+    section.add(piston_outcomes(results, "The same specimens after the piston, under other loads.",
+                                pistons_, all_));
+    section.add(Paragraph{
         "The paper has a volume fraction of " + paper("piston.after.volume_fraction") + ", " +
         paper("piston.active_of_contacts") + " active of contacts, " +
         paper("piston.remaining_of_initial") +
-        " remaining of initial bonds and a coordination "
-        "number of " +
+        " remaining of initial bonds and a coordination number of " +
         paper("piston.after.coordination") +
-        ". Its load is not among the facts that we have of it. Choices of the deposition "
-        "are those of the figure specimens, failure criterion and time step those of break_rule."});
+        ". Its load is not among the facts that we have of it. Choices of the deposition are those "
+        "of the figure specimens, failure criterion and time step those of break_rule."});
   }
 
  private:
@@ -108,13 +105,12 @@ class Choices : public PaperExperiment {
   };
 
   Table pull_outcomes(const PaperResults& results) const {
-    Table table{.caption =
-                    "Pull-out by the share of the bonds that are restored before, drawn by "
-                    "lot.",
-                .columns = {{"push force [F_c]", true},
-                            {"restored", true},
-                            {"pull-out force [F_c]", true},
-                            {"pull-out over push", true}}};
+    Table table{
+        .caption = "Pull-out by the share of the bonds that are restored before, drawn by lot.",
+        .columns = {{"push force [F_c]", true},
+                    {"restored", true},
+                    {"pull-out force [F_c]", true},
+                    {"pull-out over push", true}}};
     for (const Pull& pull : pulls_)
       table.rows.push_back(
           {{.text = number_text(pull.force)},
@@ -127,7 +123,6 @@ class Choices : public PaperExperiment {
   std::vector<OutcomeRow> pushes_, pistons_;
   std::vector<Pull> pulls_;
   double cohesion_ = 1;  // [F_g]
-  int all_ = 0;
 };
 
 }  // namespace

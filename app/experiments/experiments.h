@@ -15,11 +15,19 @@ class PaperExperiment {
  public:
   virtual ~PaperExperiment() = default;
   // Asks for the runs. Called once, before the other.
-  virtual void plan(PaperJobs& jobs) = 0;
+  void plan(PaperJobs& jobs) {
+    all_ = jobs.scale().realizations;
+    ask_for_runs(jobs);
+  }
   // Fills the section's blocks and notes what is compared with the paper. `pictures` is a folder for
   // what it draws.
   virtual void report(const PaperResults& results, const std::filesystem::path& pictures,
                       Section& section, Findings& findings) const = 0;
+
+ protected:
+  virtual void ask_for_runs(PaperJobs& jobs) = 0;
+
+  int all_ = 0;  // realizations that there should be
 };
 
 struct PaperFigure {

@@ -16,7 +16,7 @@ constexpr double kCentimetre = 100, kKilopascal = 1e-3;
 
 class FieldExperiment : public PaperExperiment {
  public:
-  void plan(PaperJobs& jobs) override {
+  void ask_for_runs(PaperJobs& jobs) override {
     runs_ = plan_strength(jobs);
     physical_ = *jobs.jobs()[runs_.loose.runs.front()].scenario.physical;
   }
@@ -28,7 +28,7 @@ class FieldExperiment : public PaperExperiment {
     const double stress = si.force / (si.length * si.length) * kKilopascal;
     const PaperStrength loose = paper_strength(results, runs_.loose),
                         compact = paper_strength(results, runs_.compact);
-    section.blocks.emplace_back(Paragraph{
+    section.add(Paragraph{
         "A force F on a grain is read as the stress F/d² with d = " +
         typeset(physical_.grain_diameter * 1e6) + " µm and grains of " +
         typeset(physical_.grain_density) +
@@ -58,8 +58,7 @@ class FieldExperiment : public PaperExperiment {
                                  .low = strength,
                                  .high = strength});
     }
-    section.blocks.emplace_back(
-        Figure{std::move(plot), "The field's lines in black, the simulation's in colour."});
+    section.add(Figure{std::move(plot), "The field's lines in black, the simulation's in colour."});
     if (compact.against_depth) {
       const Line& fit = *compact.against_depth;
       const double scale = stress / depth;

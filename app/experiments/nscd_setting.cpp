@@ -40,7 +40,7 @@ constexpr double kOtherLoadsStop = 0.72;  // of the pistons with another mass or
 
 class NscdSettings : public PaperExperiment {
  public:
-  void plan(PaperJobs& jobs) override {
+  void ask_for_runs(PaperJobs& jobs) override {
     for (const Deposition& d : kDepositions) {
       const std::string tag = std::string("setting_") + d.tag;
       const RunGroup samples = jobs.samples_by(d.setting, kSeed, tag);
@@ -59,7 +59,7 @@ class NscdSettings : public PaperExperiment {
 
   void report(const PaperResults& results, const std::filesystem::path&, Section& section,
               Findings&) const override {
-    section.blocks.emplace_back(Paragraph{
+    section.add(Paragraph{
         "Rule, fixed beforehand: one specimen a deposition, of a seed that is not among those of "
         "the realizations, and one push with F_c a time step; the setting with the least misfit is "
         "used for all realizations and experiments. Misfit: the sum of squares of the distances "
@@ -115,7 +115,7 @@ class NscdSettings : public PaperExperiment {
       table.rows.push_back(std::move(row));
     }
     if (least) table.rows[best].back().text += " (least)";
-    section.blocks.emplace_back(std::move(table));
+    section.add(std::move(table));
     report_pistons(results, targets, section);
   }
 
@@ -142,13 +142,12 @@ class NscdSettings : public PaperExperiment {
 
   void report_pistons(const PaperResults& results, const PaperTargets& targets,
                       Section& section) const {
-    section.blocks.emplace_back(Paragraph{
-        "The piston's load is not in the paper. A force that rises to 10 F_c passes the published "
-        "state and goes on to a specimen without bonds, so the piston is taken away on the way. "
-        "Rule: "
-        "where, of these shares of the box below it, the specimen of the setting in use keeps the "
-        "share of initial bonds nearest to the paper's after it has settled; the other numbers are "
-        "predictions."});
+    section.add(
+        Paragraph{"The piston's load is not in the paper. A force that rises to 10 F_c passes the "
+                  "published state and goes on to a specimen without bonds, so the piston is taken "
+                  "away on the way. Rule: where, of these shares of the box below it, the specimen "
+                  "of the setting in use keeps the share of initial bonds nearest to the paper's "
+                  "after it has settled; the other numbers are predictions."});
     Table table{.caption = "The specimen after the piston, by where the piston is taken away.",
                 .columns = {{"filled below the piston"},
                             {"remaining of initial bonds", true},
@@ -175,7 +174,7 @@ class NscdSettings : public PaperExperiment {
         row.push_back(cell_of(results.mean(pistons_[k].runs, quantity), 1));
       table.rows.push_back(std::move(row));
     }
-    section.blocks.emplace_back(std::move(table));
+    section.add(std::move(table));
   }
 
   struct Pressed {

@@ -27,8 +27,7 @@ constexpr Shown kShown[] = {{"depth", "depth [d]"},
 
 class Penetration : public PaperExperiment {
  public:
-  void plan(PaperJobs& jobs) override {
-    all_ = jobs.scale().realizations;
+  void ask_for_runs(PaperJobs& jobs) override {
     height_ = jobs.scale().height;
     curve_ = jobs.push_curve(jobs.samples());
   }
@@ -47,7 +46,7 @@ class Penetration : public PaperExperiment {
         row.push_back(cell_of(results.mean(curve_.pushes[k], column.quantity), all_));
       table.rows.push_back(std::move(row));
     }
-    section.blocks.emplace_back(std::move(table));
+    section.add(std::move(table));
     add_plots(results, section);
     for (std::size_t k = 0; k < curve_.forces.size(); ++k) compare(results, k, findings);
   }
@@ -85,7 +84,7 @@ class Penetration : public PaperExperiment {
     ours(bonds, "remaining of initial", "remaining_bond_fraction");
     bonds.curves.push_back(paper_curve("paper: active of contacts", "active_of_contacts"));
     bonds.curves.push_back(paper_curve("paper: remaining of initial", "remaining_of_initial"));
-    section.blocks.emplace_back(
+    section.add(
         Figure{std::move(bonds),
                "Shares of bonds against the push force, with bands of one standard error. The "
                "paper's strong force has no number; its points are drawn at 3 F_c."});
@@ -107,7 +106,7 @@ class Penetration : public PaperExperiment {
                             .x = {kEqual},
                             .y = {middle},
                             .y_error = {height_ - middle}});
-    section.blocks.emplace_back(
+    section.add(
         Figure{std::move(depth),
                "Final depth of the intruder's lowest point, with a band of one standard error. The "
                "paper gives no number: its words at F_c are drawn as " +
@@ -124,7 +123,7 @@ class Penetration : public PaperExperiment {
                                .role = Curve::Role::paper,
                                .x = {kStrong},
                                .y = {*targets.at("penetration.strong.coordination").low}});
-    section.blocks.emplace_back(
+    section.add(
         Figure{std::move(contacts),
                "Coordination number against the push force, by the gap up to which a pair counts "
                "as a contact, with bands of one standard error. The paper does not say which; its "
@@ -160,7 +159,6 @@ class Penetration : public PaperExperiment {
 
   PushCurve curve_;
   double height_ = 0;
-  int all_ = 0;
 };
 
 }  // namespace

@@ -10,8 +10,7 @@ namespace {
 
 class Piston : public PaperExperiment {
  public:
-  void plan(PaperJobs& jobs) override {
-    all_ = jobs.scale().realizations;
+  void ask_for_runs(PaperJobs& jobs) override {
     before_ = jobs.samples();
     after_ = jobs.pistons(before_);
   }
@@ -38,9 +37,9 @@ class Piston : public PaperExperiment {
       table.rows.push_back({{.text = line.title},
                             cell_of(results.mean(before_, line.quantity), all_),
                             cell_of(results.mean(after_, line.quantity), all_)});
-    section.blocks.emplace_back(std::move(table));
+    section.add(std::move(table));
 
-    section.blocks.emplace_back(Figure{
+    section.add(Figure{
         plot(results),
         "Means over realizations while the piston comes down, with bands of one standard "
         "error, and where the specimens settle once it has gone. The paper's points are those "
@@ -135,7 +134,6 @@ class Piston : public PaperExperiment {
   static constexpr double kRounding = 1e-12;
 
   RunGroup before_, after_;
-  int all_ = 0;
 };
 
 }  // namespace

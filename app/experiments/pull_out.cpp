@@ -9,8 +9,7 @@ namespace {
 
 class PullOut : public PaperExperiment {
  public:
-  void plan(PaperJobs& jobs) override {
-    all_ = jobs.scale().realizations;
+  void ask_for_runs(PaperJobs& jobs) override {
     curve_ = jobs.push_curve(jobs.samples());
     for (std::size_t k = 0; k < curve_.forces.size(); ++k)
       pulls_.push_back(jobs.pulls(curve_.pushes[k], curve_.forces[k]));
@@ -24,8 +23,8 @@ class PullOut : public PaperExperiment {
                               curve_.forces, curve_.pushes, "weight_above_level");
     weight.second_axis = true;
     Table table{.caption =
-                    "Pull-out after all bonds were restored: the middle of the interval that "
-                    "holds the critical force.",
+                    "Pull-out after all bonds were restored: the middle of the interval that holds "
+                    "the critical force.",
                 .columns = {{"push force [F_c]", true},
                             {"pull-out force [F_c]", true},
                             {"pull-out over push", true},
@@ -46,7 +45,7 @@ class PullOut : public PaperExperiment {
                             cell_of(results.mean(curve_.pushes[k], "weight_above_level"), all_),
                             cell_of(results.mean(curve_.pushes[k], "weight_above_column"), all_)});
     }
-    section.blocks.emplace_back(std::move(table));
+    section.add(std::move(table));
     note(findings, "penetration.pull_out_over_push", largest);
     note_slope(findings, "penetration.pull_out_slope", pull);
     note_slope(findings, "penetration.weight_above_slope", weight);
@@ -59,7 +58,7 @@ class PullOut : public PaperExperiment {
     add_limit_of_paper(plot);
     add_with_band(plot, std::move(pull));
     add_with_band(plot, std::move(weight));
-    section.blocks.emplace_back(Figure{std::move(plot),
+    section.add(Figure{std::move(plot),
                                        "Left axis: the force that takes the intruder "
                                        "out; right axis: the share of the grains' "
                                        "weight that lies higher than its centre."});
@@ -90,7 +89,6 @@ class PullOut : public PaperExperiment {
   PushCurve curve_;
   std::vector<RunGroup> pulls_;
   double cohesion_ = 1;  // [F_g]
-  int all_ = 0;
 };
 
 }  // namespace

@@ -36,8 +36,7 @@ std::optional<double> force_ratio(const Curve& usual, const Curve& denser) {
 
 class Density : public PaperExperiment {
  public:
-  void plan(PaperJobs& jobs) override {
-    all_ = jobs.scale().realizations;
+  void ask_for_runs(PaperJobs& jobs) override {
     height_ = jobs.scale().height;
     by_interval_ = jobs.scale().denser_if_quicker;
     // A lower rolling friction stays during the push.
@@ -52,16 +51,14 @@ class Density : public PaperExperiment {
 
   void report(const PaperResults& results, const std::filesystem::path&, Section& section,
               Findings& findings) const override {
-    section.blocks.emplace_back(Paragraph{
-        by_drop_
-            ? "The denser specimen is made of grains that come faster by 5 √(gd). All laws are "
-              "the same."
+    section.add(Paragraph{
+        by_drop_ ? "The denser specimen is made of grains that come faster by 5 √(gd). All laws "
+                   "are the same."
         : by_interval_
-            ? "The denser specimen is made with a grain every 0.001 in place of 0.01: it "
-              "sinks into itself while it is made. All laws are the same."
-            : "The denser specimen is made with a fifth of the rolling friction, which "
-              "also holds while the intruder is pushed: part of the difference may be "
-              "due to that."});
+            ? "The denser specimen is made with a grain every 0.001 in place of 0.01: it sinks "
+              "into itself while it is made. All laws are the same."
+            : "The denser specimen is made with a fifth of the rolling friction, which also holds "
+              "while the intruder is pushed: part of the difference may be due to that."});
     const char* const names[] = {"usual specimen", "denser specimen"};
     Plot plot{.name = "density",
               .title = "Depth of the intruder in specimens of two densities",
@@ -79,15 +76,15 @@ class Density : public PaperExperiment {
             {name + ", " + number_text(curves_[s].forces[k]) + " F_c", curves_[s].pushes[k]});
     }
     if (!is_denser(results))
-      section.blocks.emplace_back(
+      section.add(
           Remark{Remark::Kind::warning,
                  "The specimens' volume fractions do not differ by more than 0.01 and two standard "
                  "errors: what their density does is not measured."});
     else
       note(findings, "penetration.density_shift", shift(results));
-    section.blocks.emplace_back(
+    section.add(
         push_outcomes(results, "Pushes of both specimens, after everything rests.", rows, all_));
-    section.blocks.emplace_back(Figure{std::move(plot), "Final depth against the push force."});
+    section.add(Figure{std::move(plot), "Final depth against the push force."});
   }
 
  private:
@@ -146,13 +143,11 @@ class Density : public PaperExperiment {
   std::vector<PushCurve> curves_;  // of each
   bool by_interval_ = true, by_drop_ = false;
   double height_ = 0;
-  int all_ = 0;
 };
 
 class WaterDrag : public PaperExperiment {
  public:
-  void plan(PaperJobs& jobs) override {
-    all_ = jobs.scale().realizations;
+  void ask_for_runs(PaperJobs& jobs) override {
     const RunGroup samples = jobs.samples();
     constexpr double kWater = 1e-3;  // viscosity [Pa s]
     without_ = jobs.pushes(samples, kForce);
@@ -161,11 +156,10 @@ class WaterDrag : public PaperExperiment {
 
   void report(const PaperResults& results, const std::filesystem::path&, Section& section,
               Findings& findings) const override {
-    section.blocks.emplace_back(
-        push_outcomes(results,
-                      "Pushes with the cohesion force, with and without viscous drag of water "
-                      "(Stokes' law on each grain).",
-                      {{"without drag", without_}, {"with drag", with_}}, all_));
+    section.add(push_outcomes(results,
+                              "Pushes with the cohesion force, with and without viscous drag of "
+                              "water (Stokes' law on each grain).",
+                              {{"without drag", without_}, {"with drag", with_}}, all_));
     note(findings, "penetration.drag_effect", largest_change(results));
   }
 
@@ -185,7 +179,6 @@ class WaterDrag : public PaperExperiment {
   }
 
   RunGroup without_, with_;
-  int all_ = 0;
 };
 
 }  // namespace

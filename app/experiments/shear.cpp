@@ -31,7 +31,7 @@ std::string line_text(const std::optional<Line>& line, double Line::*value,
 
 class Shear : public PaperExperiment {
  public:
-  void plan(PaperJobs& jobs) override {
+  void ask_for_runs(PaperJobs& jobs) override {
     runs_ = plan_strength(jobs);
     scale_ = jobs.scale();
     scene_ = jobs.jobs()[runs_.loose.runs.front()].scenario;
@@ -44,7 +44,7 @@ class Shear : public PaperExperiment {
                         strong = paper_strength(results, runs_.strong),
                         compact = paper_strength(results, runs_.compact),
                         rough = paper_strength(results, runs_.compact_rough);
-    section.blocks.emplace_back(Paragraph{
+    section.add(Paragraph{
         "A grain has been moved where it has gone " + number_text(scale_.shear_distance) +
         " d within " + number_text(scale_.shear_time) +
         " sqrt(d/g); the paper takes 20 d. Its strength is the middle of the interval between the "
@@ -53,15 +53,15 @@ class Shear : public PaperExperiment {
         (scale_.grains_per_depth == 1 ? " grain" : " grains") +
         " a depth and specimen, the paper takes 10. Steps of " + number_text(scene_.step.dt) +
         " sqrt(d/g)."});
-    section.blocks.emplace_back(table({{"unperturbed, F_c = 10² F_g", &weak},
-                                       {"unperturbed, F_c = 10⁴ F_g", &loose},
-                                       {"unperturbed, F_c = 10⁶ F_g", &strong},
-                                       {"perturbed, friction 0.3", &compact},
-                                       {"perturbed, friction 0.6", &rough}}));
+    section.add(table({{"unperturbed, F_c = 10² F_g", &weak},
+                       {"unperturbed, F_c = 10⁴ F_g", &loose},
+                       {"unperturbed, F_c = 10⁶ F_g", &strong},
+                       {"perturbed, friction 0.3", &compact},
+                       {"perturbed, friction 0.6", &rough}}));
     if (loose.against_depth && !weak.depth.empty())
-      section.blocks.emplace_back(Paragraph{about_weak_bonds(loose, weak)});
+      section.add(Paragraph{about_weak_bonds(loose, weak)});
     if (loose.grains + weak.grains + strong.grains > 0)
-      section.blocks.emplace_back(Figure{
+      section.add(Figure{
           plot("shear_unperturbed", "Shear strength of unperturbed specimens",
                {.label = "shear strength", .unit = "F_g", .logarithmic = true},
                {{"F_c = 10² F_g", &weak}, {"F_c = 10⁴ F_g", &loose}, {"F_c = 10⁶ F_g", &strong}}),
@@ -73,7 +73,7 @@ class Shear : public PaperExperiment {
                             {{"friction 0.3", &compact}, {"friction 0.6", &rough}});
       add_lines_of_paper(perturbed, std::max(compact.depth.empty() ? 0 : compact.depth.back(),
                                              rough.depth.empty() ? 0 : rough.depth.back()));
-      section.blocks.emplace_back(
+      section.add(
           Figure{std::move(perturbed),
                  "The same after the piston; the paper's lines through nothing at the surface in "
                  "black."});

@@ -65,7 +65,7 @@ void add_snapshots(Section& section, const PaperResults& results, const RunGroup
     gallery.pictures.push_back(
         {.file = two,
          .caption = caption + ": blue, all bonds of a grain active; red, one or more broken"});
-    section.blocks.emplace_back(std::move(gallery));
+    section.add(std::move(gallery));
   } catch (const RenderError&) {
     // A system without a renderer still gets its numbers.
   } catch (const InputError&) {

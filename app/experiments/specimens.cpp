@@ -55,8 +55,7 @@ constexpr std::size_t kAdiabatic = 2, kWeakBonds = 8;
 
 class Samples : public PaperExperiment {
  public:
-  void plan(PaperJobs& jobs) override {
-    all_ = jobs.scale().realizations;
+  void ask_for_runs(PaperJobs& jobs) override {
     scale_ = jobs.scale();
     for (const Setting& s : settings(scale_)) groups_.push_back(jobs.samples(s.tag, s.laws, s.set));
   }
@@ -104,15 +103,14 @@ class Samples : public PaperExperiment {
       plot.y.low = least - kRoomForLabels * (most - least);
     }
     plot.curves.push_back(std::move(points));
-    section.blocks.emplace_back(std::move(table));
-    section.blocks.emplace_back(
-        Figure{std::move(plot),
-               "Each deposition's volume fraction and coordination number. The paper's "
-               "specimen lies where the two bands cross. Number " +
-                   std::to_string(kWeakBonds + 1) + ", of weaker bonds, is left out."});
+    section.add(std::move(table));
+    section.add(Figure{std::move(plot),
+                       "Each deposition's volume fraction and coordination number. The paper's "
+                       "specimen lies where the two bands cross. Number " +
+                           std::to_string(kWeakBonds + 1) + ", of weaker bonds, is left out."});
     const std::vector<SlowerDeposit> sequence =
         adiabatic_sequence(results.runs(groups_[kAdiabatic]));
-    if (!sequence.empty()) section.blocks.emplace_back(table_of(sequence));
+    if (!sequence.empty()) section.add(table_of(sequence));
     if (sequence.size() > 1)
       note(findings, "unperturbed.interval_effect", mean_over(sequence[1].changes));
     const auto find = [&](const char* id, std::size_t setting, const char* quantity) {
@@ -156,16 +154,16 @@ class Samples : public PaperExperiment {
   }
 
   Table table_of(const std::vector<SlowerDeposit>& sequence) const {
-    Table table{.caption = "Is a grain every " + number_text(scale_.interval) +
-                           " slow enough? Whole specimens from the same random numbers, each "
-                           "slower than the last, until the volume fraction changes by less than "
-                           "0.1 %, or up to 25 times the interval; "
-                           "the last row has only those that had not settled. When the last grain "
-                           "has come, before they settle.",
-                .columns = {{"a grain every [sqrt(d/g)]", true},
-                            {"volume fraction", true},
-                            {"coordination", true},
-                            {"change of the volume fraction, over it", true}}};
+    Table table{
+        .caption = "Is a grain every " + number_text(scale_.interval) +
+                   " slow enough? Whole specimens from the same random numbers, each slower than "
+                   "the last, until the volume fraction changes by less than 0.1 %, or up to 25 "
+                   "times the interval; the last row has only those that had not settled. When the "
+                   "last grain has come, before they settle.",
+        .columns = {{"a grain every [sqrt(d/g)]", true},
+                    {"volume fraction", true},
+                    {"coordination", true},
+                    {"change of the volume fraction, over it", true}}};
     for (const SlowerDeposit& slower : sequence)
       table.rows.push_back({{.text = typeset(slower.interval)},
                             cell_of(mean_over(slower.volume_fractions), all_),
@@ -212,7 +210,6 @@ class Samples : public PaperExperiment {
 
   std::vector<RunGroup> groups_;
   PaperScale scale_;
-  int all_ = 0;
 };
 
 }  // namespace

@@ -47,8 +47,7 @@ Curve curve_of(const std::string& name, const Histogram& histogram, bool logarit
 
 class StructureOfSamples : public PaperExperiment {
  public:
-  void plan(PaperJobs& jobs) override {
-    all_ = jobs.scale().realizations;
+  void ask_for_runs(PaperJobs& jobs) override {
     thickness_ = jobs.scale().height / kSlices;
     const RunGroup samples = jobs.samples();
     states_ = {{"sample", samples},
@@ -100,19 +99,18 @@ class StructureOfSamples : public PaperExperiment {
       tensions.curves.push_back(curve_of(name, s.tensions, true, 1));
     }
     if (profile.curves.empty()) return;
-    section.blocks.emplace_back(std::move(counts));
-    section.blocks.emplace_back(
+    section.add(std::move(counts));
+    section.add(
         Figure{std::move(profile), "Slices of " + cell_of(Measured{.value = thickness_}, 1).text +
                                        " d, mean and standard error over realizations; the surface "
                                        "fills its slice in part, slices below 0.01 are left out."});
-    section.blocks.emplace_back(
-        Figure{std::move(angles),
-               "Of active bonds. Three grains that touch each other have 60°, a "
-               "grain between two bonds 180° where the chain is straight."});
-    section.blocks.emplace_back(Figure{std::move(forces),
-                                       "Of grains with grains and the floor, in the last step; the "
-                                       "intruder's contacts are left out."});
-    section.blocks.emplace_back(
+    section.add(Figure{std::move(angles),
+                       "Of active bonds. Three grains that touch each other have 60°, a grain "
+                       "between two bonds 180° where the chain is straight."});
+    section.add(Figure{std::move(forces),
+                       "Of grains with grains and the floor, in the last step; the intruder's "
+                       "contacts are left out."});
+    section.add(
         Figure{std::move(tensions),
                "Of active bonds of grains: at rest they carry weights, far below what they hold."});
   }
@@ -170,7 +168,6 @@ class StructureOfSamples : public PaperExperiment {
   }
 
   double thickness_ = 1;  // of a slice [d]
-  int all_ = 0;           // realizations that there should be
   std::vector<std::pair<std::string, RunGroup>> states_;
 };
 

@@ -14,8 +14,7 @@ namespace {
 
 class Velocity : public PaperExperiment {
  public:
-  void plan(PaperJobs& jobs) override {
-    all_ = jobs.scale().realizations;
+  void ask_for_runs(PaperJobs& jobs) override {
     height_ = jobs.scale().height;
     const RunGroup samples = jobs.samples();
     curve_ = jobs.push_curve(samples);
@@ -34,7 +33,7 @@ class Velocity : public PaperExperiment {
     for (std::size_t k = 0; k < curve_.forces.size(); ++k)
       table.rows.push_back({{.text = number_text(curve_.forces[k])},
                             cell_of(ploughing_speed(results, curve_.pushes[k], height_), all_)});
-    section.blocks.emplace_back(std::move(table));
+    section.add(std::move(table));
     Plot plot{.name = "velocity",
               .title = "Velocity of the driven intruder",
               .x = {.label = "push force", .unit = "F_c"},
@@ -54,14 +53,13 @@ class Velocity : public PaperExperiment {
                                  .high = found->second.value,
                                  .of_x = true,
                                  .role = Reference::Role::guide});
-    section.blocks.emplace_back(Figure{
+    section.add(Figure{
         std::move(plot),
         of_line
             ? "The line is v² = k (F − F_0), fitted to the squares of the velocities; its F_0 is " +
                   cell_of(Measured{.value = *of_line}, 1).text + " F_c."
-            : std::string(
-                  "A straight line through the squares of the velocities gives no threshold: "
-                  "it is not zero at any positive force.")});
+            : std::string("A straight line through the squares of the velocities gives no "
+                          "threshold: it is not zero at any positive force.")});
     note_exponent(findings, curve);
   }
 
@@ -84,10 +82,9 @@ class Velocity : public PaperExperiment {
     note(findings, "field.crust_pressure",
          mean_over(pressures, "that force over the intruder's diameter times a grain's"));
     if (forces.empty()) return;
-    section.blocks.emplace_back(
+    section.add(
         Paragraph{"Each specimen was searched for the smallest force with which the intruder sinks "
-                  "by 15 % of the box's "
-                  "height, from where it lies on the surface: " +
+                  "by 15 % of the box's height, from where it lies on the surface: " +
                   cell_of(mean_over(forces), all_).text + " F_c."});
   }
 
@@ -128,7 +125,6 @@ class Velocity : public PaperExperiment {
   RunGroup thresholds_;
   Scenario push_;
   double height_ = 0;
-  int all_ = 0;
 };
 
 }  // namespace

@@ -22,11 +22,7 @@ constexpr ExportFormat kFormats[] = {
 std::span<const ExportFormat> export_formats() { return kFormats; }
 
 const ExportFormat& export_format(const std::string& word) {
-  const auto* const known = std::ranges::find(kFormats, word, &ExportFormat::word);
-  if (known != std::end(kFormats)) return *known;
-  std::vector<std::string> words;
-  for (const ExportFormat& format : kFormats) words.emplace_back(format.word);
-  throw InputError("--format " + word, "is no format" + suggestion(word, words));
+  return named(kFormats, word, &ExportFormat::word, "--format " + word, "is no format");
 }
 
 }  // namespace quicksand

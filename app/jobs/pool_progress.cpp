@@ -1,7 +1,6 @@
 #include "app/jobs/pool_progress.h"
 
-#include <array>
-#include <cstdio>
+#include "core/base/format.h"
 
 namespace quicksand {
 
@@ -27,10 +26,8 @@ std::string PoolProgress::text(std::span<const RunUnderWay> running, double spen
   if (done > kEnough) text += "  about " + duration_text(spent * left / done) + " left";
   if (!running.empty() && !running.front().phase.empty()) {
     const RunUnderWay& first = running.front();
-    std::array<char, 16> percent{};
-    std::snprintf(percent.data(), percent.size(), "%.0f %%", 100 * first.phase_done);
-    text += "  (" + std::string(first.id) + ": " + std::string(first.phase) + " " + percent.data() +
-            ")";
+    const std::string percent = format("%.0f %%", 100 * first.phase_done);
+    text += "  (" + std::string(first.id) + ": " + std::string(first.phase) + " " + percent + ")";
   }
   return text;
 }

@@ -2,7 +2,8 @@
 // with a Fields, and the same visit reads a file (json_reader), writes one (json_writer) or makes
 // the schema (json_schema).
 //
-// The default of an optional field is what the struct holds before the visit.
+// The default of an optional field is what the struct holds before the visit. A kind of value is one function in
+// fields.cpp, which says how it is read, written and described; visitors know only where it stands.
 #pragma once
 
 #include <cstdint>
@@ -49,6 +50,15 @@ struct Shape {
   Json (*schema)();  // its type in a JSON Schema
 };
 
+// What visitors do with a value of one kind.
+struct Leaf {
+  std::function<void(const Json& given, const std::string& where)> read;  // throws InputError
+  std::function<Json()> write;                                            // null if absent
+  std::function<Json()> schema;                                           // its type
+  bool has_default = false;    // what it holds, if the field is optional
+  const char* unit = nullptr;  // told behind the help; null for a kind without
+};
+
 class Fields {
  public:
   using Visit = std::function<void(Fields&)>;
@@ -59,24 +69,23 @@ class Fields {
   Fields(const Fields&) = delete;
   Fields& operator=(const Fields&) = delete;
 
-  virtual void number(const Field& field, const Limits& limits, double& value) = 0;
-  virtual void number(const Field& field, const Limits& limits, std::optional<double>& value) = 0;
-  virtual void vector(const Field& field, const Limits& limits, Vec2& value) = 0;
-  virtual void vector(const Field& field, const Limits& limits, std::optional<Vec2>& value) = 0;
+  void number(const Field& field, const Limits& limits, double& value);
+  void number(const Field& field, const Limits& limits, std::optional<double>& value);
+  void vector(const Field& field, const Limits& limits, Vec2& value);
+  void vector(const Field& field, const Limits& limits, std::optional<Vec2>& value);
   // A list of at most `most` numbers.
-  virtual void numbers(const Field& field, const Limits& limits, std::size_t most,
-                       std::vector<double>& values) = 0;
-  virtual void integer(const Field& field, std::int64_t low, std::int64_t high,
-                       std::int64_t& value) = 0;
-  virtual void flag(const Field& field, bool& value) = 0;
-  virtual void text(const Field& field, std::string& value) = 0;
+  void numbers(const Field& field, const Limits& limits, std::size_t most,
+               std::vector<double>& values);
+  void integer(const Field& field, std::int64_t low, std::int64_t high, std::int64_t& value);
+  void flag(const Field& field, bool& value);
+  void text(const Field& field, std::string& value);
   // One of `words`, numbered from 0.
-  virtual void word(const Field& field, std::span<const std::string_view> words, int& value) = 0;
+  void word(const Field& field, std::span<const std::string_view> words, int& value);
   // Null if absent.
-  virtual void json(const Field& field, const Shape& shape, Json& value) = 0;
-  virtual void object(const Field& field, const Visit& visit) = 0;
+  void json(const Field& field, const Shape& shape, Json& value);
+  void object(const Field& field, const Visit& visit) { begin_optional(field, true, visit); }
   // Exactly one of these optional fields, described before, must be given.
-  virtual void exactly_one(const std::vector<std::string>& names) = 0;
+  virtual void exactly_one(const std::vector<std::string>& /*names*/) {}
 
   // An enum whose values are the indices of `words`.
   template <class Enum>
@@ -109,15 +118,29 @@ class Fields {
 
   // Reports that a value is not admissible for a reason that a range cannot say. Only a reader has
   // values to judge; it throws InputError.
-  virtual void refuse(const char* name, const std::string& problem) = 0;
+  virtual void refuse(const char* /*name*/, const std::string& /*problem*/) {}
   // Whether values come from a file, so that what depends on them can be worked out after the visit.
   virtual bool reading() const { return false; }
 
  protected:
+  virtual void leaf(const Field& field, const Leaf& leaf) = 0;
+
   // Returns whether the object is there.
   virtual bool begin_optional(const Field& field, bool present, const Visit& visit) = 0;
   virtual void items(const Field& field, std::size_t most, std::size_t size,
                      const std::function<void(std::size_t)>& resize, const VisitItem& visit) = 0;
 };
+
+// The name of a value's type with the value itself if it is short: `the text "big"`.
+std::string described(const Json& value);
+
+// The range in words: "a number above 0 and at most 1e+06 [d]".
+std::string described(const Limits& limits);
+
+// Throws InputError if the list has more entries.
+void refuse_longer_list(const Json& list, std::size_t most, const std::string& where);
+
+// Shortest text that reads back as the same number.
+std::string number_text(double value);
 
 }  // namespace quicksand

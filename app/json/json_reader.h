@@ -20,19 +20,6 @@ class JsonReader : public Fields {
   // After the visit: throws InputError if a key was not asked for.
   void refuse_unknown_keys() const;
 
-  void number(const Field& field, const Limits& limits, double& value) override;
-  void number(const Field& field, const Limits& limits, std::optional<double>& value) override;
-  void vector(const Field& field, const Limits& limits, Vec2& value) override;
-  void vector(const Field& field, const Limits& limits, std::optional<Vec2>& value) override;
-  void numbers(const Field& field, const Limits& limits, std::size_t most,
-               std::vector<double>& values) override;
-  void integer(const Field& field, std::int64_t low, std::int64_t high,
-               std::int64_t& value) override;
-  void flag(const Field& field, bool& value) override;
-  void text(const Field& field, std::string& value) override;
-  void word(const Field& field, std::span<const std::string_view> words, int& value) override;
-  void json(const Field& field, const Shape& shape, Json& value) override;
-  void object(const Field& field, const Visit& visit) override;
   void exactly_one(const std::vector<std::string>& names) override;
   void variant(const Field& field, std::span<const std::string_view> words, int index,
                const std::function<void(Fields&, int)>& visit) override;
@@ -40,6 +27,7 @@ class JsonReader : public Fields {
   bool reading() const override { return true; }
 
  protected:
+  void leaf(const Field& field, const Leaf& leaf) override;
   bool begin_optional(const Field& field, bool present, const Visit& visit) override;
   void items(const Field& field, std::size_t most, std::size_t size,
              const std::function<void(std::size_t)>& resize, const VisitItem& visit) override;
@@ -55,13 +43,7 @@ class JsonReader : public Fields {
   std::vector<std::string> known_;  // keys that were asked for
 };
 
-// The name of a value's type with the value itself if it is short: `the text "big"`.
-std::string described(const Json& value);
-
-// The range in words: "a number above 0 and at most 1e+06 [d]".
-std::string described(const Limits& limits);
-
-// Shortest text that reads back as the same number.
-std::string number_text(double value);
+// All fields of an object that is the whole of `whole`, "a scene". Throws InputError.
+void read_fields(const Json& json, const std::string& whole, const Fields::Visit& describe);
 
 }  // namespace quicksand

@@ -131,6 +131,20 @@ Json parse_json(std::string_view text) {
   return builder.take();
 }
 
+Json read_json(const std::filesystem::path& file) {
+  const std::string text = read_text(file);
+  try {
+    return parse_json(text);
+  } catch (const InputError& error) {
+    throw in_file(file, error);
+  }
+}
+
+InputError in_file(const std::filesystem::path& file, const InputError& error) {
+  if (error.where() == file.string()) return error;
+  return {file.string() + (error.where().empty() ? "" : ": " + error.where()), error.what()};
+}
+
 std::string read_text(const std::filesystem::path& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);

@@ -94,12 +94,10 @@ View view_from(const PictureOptions& options) {
   View view = options.view;
   for (std::size_t i = 0; i < view_words().size(); ++i) {
     const ViewWord& word = view_words()[i];
-    const auto found = std::ranges::find(word.words, options.words[i]);
-    if (found == word.words.end())
-      throw InputError(option_of(word.field) + " " + options.words[i],
-                       "is no " + std::string(word.field.name) +
-                           suggestion(options.words[i], {word.words.begin(), word.words.end()}));
-    word.choose(view, static_cast<int>(found - word.words.begin()));
+    const std::string_view& found = named(word.words, options.words[i], std::identity(),
+                                          option_of(word.field) + " " + options.words[i],
+                                          "is no " + std::string(word.field.name));
+    word.choose(view, static_cast<int>(&found - word.words.data()));
   }
   read_size(options.size, view.width, view.height);
   check(view);

@@ -5,10 +5,9 @@
 namespace quicksand {
 
 void add_strict_options(CLI::App& command, StrictOptions& options) {
-  CLI::Option* strict = command.add_flag(
-      "--strict", options.strict,
-      "exit with 1 if a step did not converge, a bond broke in such a step, bodies overlapped, or "
-      "steps gained energy");
+  CLI::Option* strict = command.add_flag("--strict", options.strict,
+                                         "exit with 1 if a step did not converge, a bond broke in "
+                                         "such a step, bodies overlapped, or steps gained energy");
   strict->group("Validation");
   command
       .add_option("--max-overlap", options.bounds.max_overlap,

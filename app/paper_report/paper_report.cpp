@@ -92,7 +92,7 @@ std::vector<std::string> add_figures(Report& report, const PaperReport& made,
                                      std::vector<Found>& found) {
   std::vector<std::string> missing;
   Section snapshots{.title = "Snapshots", .blocks = {}};
-  snapshots.blocks.emplace_back(Paragraph{
+  snapshots.add(Paragraph{
       "Last states of the first realization. The paper's colours are not among the facts that we "
       "have "
       "of it: beside our colours stand two, blue for grains all of whose bonds are active, red for "
@@ -170,15 +170,15 @@ Report paper_report(const PaperReport& made, const std::vector<Programme>& progr
 
   Section free{.title = "What was free, and what each choice does", .blocks = {}};
   for (const Programme& programme : programmes)
-    free.blocks.emplace_back(Paragraph{method_paragraph(programme.jobs.scale())});
-  free.blocks.emplace_back(choices_table(read_evidence(shipped_evidence()), made.folder));
+    free.add(Paragraph{method_paragraph(programme.jobs.scale())});
+  free.add(choices_table(read_evidence(shipped_evidence()), made.folder));
   report.sections.push_back(std::move(free));
   report.sections.push_back({.title = "How the paper is read",
                              .blocks = {reading_table(read_targets(shipped_targets()), methods)}});
   if (!missing.empty()) {
     std::string names;
     for (const std::string& name : missing) names += (names.empty() ? "" : ", ") + name;
-    runs.blocks.emplace_back(
+    runs.add(
         Remark{Remark::Kind::note, "Figures without a finished run: " + names});
   }
   report.sections.push_back(std::move(runs));

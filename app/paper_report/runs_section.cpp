@@ -60,7 +60,7 @@ void add_runs(Section& section, const std::string& method, std::span<const Job> 
       failed.items.push_back(jobs[k].id + ": " + outcomes[k].failure);
     }
   }
-  section.blocks.emplace_back(
+  section.add(
       Paragraph{method + ": " + std::to_string(finished) + " of " + std::to_string(jobs.size()) +
                 " runs finished, " + commits_of(results, jobs.size()) +
                 ". Steps taken without convergence: " + number_text(unconverged) +
@@ -68,7 +68,7 @@ void add_runs(Section& section, const std::string& method, std::span<const Job> 
                 "; bonds broken in unconverged steps: " + number_text(broken) +
                 ". Every run's folder holds its scene, series, summary and last state."});
   if (of_others > 0)
-    section.blocks.emplace_back(
+    section.add(
         Remark{Remark::Kind::note,
                std::to_string(of_others) +
                    " of these runs were made by other builds than the one that wrote this report; "
@@ -86,10 +86,10 @@ void add_runs(Section& section, const std::string& method, std::span<const Job> 
                           {std::to_string(group.wanted)},
                           {std::to_string(group.finished)},
                           {std::to_string(group.moving)}});
-  section.blocks.emplace_back(std::move(table));
+  section.add(std::move(table));
   if (failed.items.empty()) return;
-  section.blocks.emplace_back(Remark{Remark::Kind::warning, "These runs failed."});
-  section.blocks.emplace_back(std::move(failed));
+  section.add(Remark{Remark::Kind::warning, "These runs failed."});
+  section.add(std::move(failed));
 }
 
 }  // namespace quicksand

@@ -1,4 +1,5 @@
-// The gnuplot script of a plot: first how it looks, then what is drawn, then both pictures.
+// The gnuplot script of a plot: first how it looks, then what is drawn, then both pictures. What it looks like is in
+// assets/plots/plot.gp; here is what it shows.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -7,10 +8,12 @@
 
 #include "app/json/json_reader.h"
 #include "app/plot/plot.h"
-#include "app/plot/plot_look.h"
+#include "app/plot/plot_pieces.h"
 #include "app/plot/plot_rows.h"
 #include "app/plot/report_text.h"
 #include "app/plot/typeset_number.h"
+#include "core/base/format.h"
+#include "render/base/palette.h"
 
 namespace quicksand {
 
@@ -76,10 +79,18 @@ std::string short_logarithmic(const Extent& extent) {
   return list;
 }
 
+std::string style_sheet(Colour colour) {
+  return format("#%02X%02X%02X", colour.r, colour.g, colour.b);
+}
+
 class Script {
  public:
-  explicit Script(const Plot& plot) : plot_(plot), looks_(looks_of(plot.curves)) {
+  explicit Script(const Plot& plot) : plot_(plot) {
+    std::size_t ours = 0, papers = 0;
     for (const Curve& curve : plot.curves) {
+      const bool of_paper = curve.role == Curve::Role::paper;
+      const bool fits = curve.role == Curve::Role::fit && ours > 0;  // the curve before it
+      places_.push_back(of_paper ? papers++ : fits ? ours - 1 : ours++);
       rows_.push_back(rows_of(plot, curve));
       for (const PlotRow& row : rows_.back()) {
         for (const double value : {row.x, row.x_low, row.x_high}) x_.add(value, plot.x);
@@ -96,75 +107,52 @@ class Script {
   }
 
   std::string text() {
-    appearance();
-    axes();
-    given_things();
-    what_is_drawn();
-    pictures();
+    PlotPieces::Values head{{"name", plot_.name}, {"borders", plot_.y2 ? "11" : "3"}};
+    for (std::size_t i = 0; i < kStyles; ++i)
+      head["colour_" + std::to_string(i + 1)] = style_sheet(kCurveColours[i]);
+    add("head", head);
+    if (!plot_.title.empty()) add("title", {{"title", gnuplot_text(plot_.title)}});
+    constexpr std::string_view kPlaces[] = {"top_right",   "top_left", "bottom_right",
+                                            "bottom_left", "below",    "none"};
+    add("legend_" + std::string(kPlaces[static_cast<int>(plot_.legend)]));
+    axis("x", plot_.x, x_);
+    add("x_axis");
+    axis("y", plot_.y, y_);
+    if (plot_.y2) {
+      axis("y2", *plot_.y2, y2_);
+      add("y2_axis");
+    }
+    for (const Reference& reference : plot_.references) given(reference);
+    for (const Annotation& a : plot_.annotations)
+      add("annotation", {{"text", gnuplot_text(a.text)},
+                         {"x", number_text(a.x)},
+                         {"y", number_text(a.y)},
+                         {"up", a.below ? "-0.8" : "0.6"}});
+    add("data", {{"name", plot_.name}, {"elements", elements()}});
     return script_;
   }
 
  private:
-  void line(const std::string& text) { script_ += text + "\n"; }
-
-  void appearance() {
-    line("# Draws " + plot_.name + ".png and " + plot_.name + ".svg from " + plot_.name + ".csv:");
-    line("#   gnuplot " + plot_.name + ".gp");
-    line("# in this folder. Columns: 1 id of the curve, 2 x, 3 y, 4 and 5 ends of the bar in x,");
-    line("# 6 and 7 ends of the bar in y or of the band, 8 name.");
-    line("");
-    line("# Appearance");
-    if (!plot_.title.empty()) line("set title " + gnuplot_text(plot_.title) + " offset 0, 0.7");
-    line(std::string("set border ") + (plot_.y2 ? "11" : "3") + " lw 0.8 lc rgb '#333333'");
-    line("set tics nomirror out scale 0.6 textcolor rgb '#333333'");
-    line("set grid lt 1 lw 0.4 lc rgb '#DDDDDD'");
-    line("set bars small");
-    const char* const places[] = {"inside top right", "inside top left", "inside bottom right",
-                                  "inside bottom left", "below center horizontal"};
-    line(plot_.legend == LegendPlace::none
-             ? std::string("unset key")
-             : std::string("set key ") + places[static_cast<int>(plot_.legend)] +
-                   " Left reverse samplen 3 spacing 1.2" +
-                   (plot_.legend == LegendPlace::below ? " height 1" : ""));
+  void add(const std::string& piece, const PlotPieces::Values& values = {}) {
+    script_ += pieces_.fill(piece, values) + "\n";
   }
 
   void axis(const std::string& name, const Axis& axis, const Extent& extent) {
-    line("set " + name + "label " + label_of(axis) + (name == "x" ? " offset 0, 0.3" : ""));
+    PlotPieces::Values values{
+        {"axis", name}, {"label", label_of(axis)}, {"range", range_of(axis, extent)}};
+    add("axis", values);
+    if (!axis.logarithmic) return;
+    add("logarithmic", values);
+    // Small tics between decades only where decades are few.
+    constexpr double kManyDecades = 1e6;
+    if (extent.high > kManyDecades * extent.low) add("many_decades", values);
     // Over one or two decades powers of ten would name a place or two.
-    constexpr double kFewDecades = 100;
-    const bool few_decades =
-        axis.logarithmic && !extent.empty() && extent.high < kFewDecades * extent.low;
-    if (axis.logarithmic) {
-      // Small tics between decades only where decades are few.
-      constexpr double kManyDecades = 1e6;
-      line("set logscale " + name);
-      if (extent.high > kManyDecades * extent.low) line("unset m" + name + "tics");
-      if (few_decades) line("set " + name + "tics (" + short_logarithmic(extent) + ")");
-    }
-    constexpr double kFewDigits = 1e-3, kManyDigits = 1e4;
-    const bool powers = axis.logarithmic && !few_decades &&
-                        (extent.empty() || extent.low < kFewDigits || extent.high > kManyDigits);
-    line("set format " + name + (powers ? " '10^{%T}'" : " '%h'"));
-    line("set " + name + "range " + range_of(axis, extent));
-  }
-
-  void axes() {
-    line("");
-    line("# Axes");
-    axis("x", plot_.x, x_);
-    axis("y", plot_.y, y_);
-    if (!plot_.y2) return;
-    axis("y2", *plot_.y2, y2_);
-    line("set y2tics");
-  }
-
-  // References and annotations.
-  void given_things() {
-    for (const Reference& reference : plot_.references) given(reference);
-    for (const Annotation& a : plot_.annotations) {
-      line("set label " + gnuplot_text(a.text) + " at " + number_text(a.x) + ", " +
-           number_text(a.y) + (a.below ? " offset 0.6, -0.8" : " offset 0.6, 0.6") + " front" +
-           kGreyText);
+    constexpr double kFewDecades = 100, kFewDigits = 1e-3, kManyDigits = 1e4;
+    if (!extent.empty() && extent.high < kFewDecades * extent.low) {
+      values["places"] = short_logarithmic(extent);
+      add("places", values);
+    } else if (extent.empty() || extent.low < kFewDigits || extent.high > kManyDigits) {
+      add("powers", values);
     }
   }
 
@@ -172,7 +160,7 @@ class Script {
 
   // The name of a guide stands above the graph, to the right of its line or, where it would leave the picture,
   // to the left; where others stand there already inside the graph, as many lines down as needed.
-  std::string place_of_name(const Reference& reference) {
+  void place_name(const Reference& reference, PlotPieces::Values& values) {
     constexpr double kCharacter = 0.015;  // about its width, over the graph's
     const auto at = [&](double x) { return plot_.x.logarithmic ? std::log(x) : x; };
     const double width = kCharacter * static_cast<double>(reference.name.size() + 1);
@@ -189,148 +177,121 @@ class Script {
     if (line == names_.end()) line = names_.emplace(names_.end());
     line->push_back(taken);
     const auto down = static_cast<double>(line - names_.begin());
-    return "first " + number_text(reference.low) + ", graph 1 " + (to_the_left ? "right" : "left") +
-           " offset character 0, " + number_text(down == 0 ? 0.7 : 0.3 - down);
+    values["side"] = to_the_left ? "right" : "left";
+    values["up"] = number_text(down == 0 ? 0.7 : 0.3 - down);
+  }
+
+  static PlotPieces::Values values_of(const Reference& reference) {
+    return {{"name", gnuplot_text(reference.name)},
+            {"low", number_text(reference.low)},
+            {"high", number_text(reference.high)},
+            {"role", reference.role == Reference::Role::guide ? "guide" : "paper"}};
+  }
+
+  static std::string form_of(const Reference& reference) {
+    return reference.low == reference.high ? "line" : "band";
   }
 
   void given(const Reference& reference) {
-    const std::string low = number_text(reference.low);
-    const std::string high = number_text(reference.high);
-    const bool guide = reference.role == Reference::Role::guide;
-    const std::string ends = reference.of_x
-                                 ? " from first " + low + ", graph 0 to first " + high + ", graph 1"
-                                 : " from graph 0, first " + low + " to graph 1, first " + high;
-    if (reference.low == reference.high) {
-      line("set arrow" + ends + " nohead" + line_of(reference));
-    } else {
-      line("set object rectangle" + ends + " behind" + filling_of(reference));
-    }
-    if (guide && !reference.name.empty()) {
-      line("set label " + gnuplot_text(reference.name) + " at " +
-           (reference.of_x ? place_of_name(reference)
-                           : "graph 0.99, first " + high + " right offset character 0, 0.5") +
-           kGreyText);
-    }
+    PlotPieces::Values values = values_of(reference);
+    const std::string axis = reference.of_x ? "x_" : "y_";
+    add(axis + form_of(reference), values);
+    if (reference.role != Reference::Role::guide || reference.name.empty()) return;
+    if (reference.of_x) place_name(reference, values);
+    add(axis + "name", values);
   }
 
-  void what_is_drawn() {
-    line("");
-    line("# What is drawn; pick(i, value) is the value in rows of curve i, and nothing elsewhere");
-    line("set datafile separator comma");
-    line("data = '" + plot_.name + ".csv'");
-    line("pick(i, value) = column(1) == i ? value : NaN");
+  // Of the plot command.
+  std::string elements() {
     // Bands lie under everything else.
-    for (const bool band : {true, false}) {
-      for (std::size_t i = 0; i < plot_.curves.size(); ++i) {
-        if ((plot_.curves[i].kind == Curve::Kind::band) == band) add_curve(i);
-      }
-    }
-    for (std::size_t i = 0; i < plot_.references.size(); ++i) add_reference(i);
-    if (elements_.empty()) add("NaN notitle");
-    std::string text = "plot ";
-    for (std::size_t i = 0; i < elements_.size(); ++i) {
-      text += (i > 0 ? ", \\\n     " : "") + elements_[i];
-    }
-    plot_command_ = text;
+    std::vector<std::string> all;
+    for (const bool band : {true, false})
+      for (std::size_t i = 0; i < plot_.curves.size(); ++i)
+        if ((plot_.curves[i].kind == Curve::Kind::band) == band) add_curve(i, all);
+    for (std::size_t i = 0; i < plot_.references.size(); ++i) add_reference(i, all);
+    if (all.empty()) all.emplace_back("NaN notitle");
+    std::string text;
+    for (const std::string& element : all) text += (text.empty() ? "" : ", \\\n     ") + element;
+    return text;
   }
-
-  void add(const std::string& element) { elements_.push_back(element); }
 
   static std::string title_of(const std::string& name) {
     return name.empty() ? " notitle" : " title " + gnuplot_text(name);
   }
 
-  void add_curve(std::size_t i) {
+  // How curve `i` is drawn, told from the others.
+  std::string look_of(std::size_t i, const std::string& bars) const {
     const Curve& curve = plot_.curves[i];
-    const std::vector<PlotRow>& rows = rows_[i];
-    const auto has = [&](double PlotRow::*end) {
-      return std::ranges::any_of(rows, [end](const PlotRow& r) { return std::isfinite(r.*end); });
-    };
-    const bool x_bars = has(&PlotRow::x_low);
-    const bool y_bars = has(&PlotRow::y_low);
-    const bool of_points =
-        curve.kind == Curve::Kind::points || curve.kind == Curve::Kind::line_points;
+    const bool of_paper = curve.role == Curve::Role::paper;
+    const std::string number = "_" + std::to_string(places_[i] % kStyles + 1);
+    constexpr std::string_view kKinds[] = {"points", "line",      "line_points",
+                                           "steps",  "histogram", "band"};
+    return pieces_.fill(std::string(kKinds[static_cast<int>(curve.kind)]),
+                        {{"colour", of_paper ? "paper" : "ours" + number},
+                         {"marker", (of_paper ? "open" : "filled") + number},
+                         {"dash", of_paper                         ? "paper_dash"
+                                  : curve.role == Curve::Role::fit ? "fit_dash"
+                                                                   : "dash" + number},
+                         {"bars", bars}});
+  }
+
+  void add_curve(std::size_t i, std::vector<std::string>& all) const {
+    const Curve& curve = plot_.curves[i];
+    const bool lines = curve.kind == Curve::Kind::line_points;
+    const bool of_points = curve.kind == Curve::Kind::points || lines;
     const std::string axes = curve.second_axis && plot_.y2 ? " axes x1y2 " : " ";
-    if (rows.empty()) {
-      if (curve.name.empty()) return;
-      add("NaN" + axes + with(curve, looks_[i], false, false) +
-          title_of(curve.name + " (no values)"));
+    const std::string alone = axes + look_of(i, lines ? "linespoints" : "points");
+    if (rows_[i].empty()) {
+      if (!curve.name.empty()) all.push_back("NaN" + alone + title_of(curve.name + " (no values)"));
       return;
     }
-    // All values are picked: gnuplot would count others in its ranges.
-    const std::string id = std::to_string(kFirstCurve + static_cast<int>(i));
-    const auto picked = [&](const std::string& value) {
-      return "(pick(" + id + ", " + value + "))";
+    const auto has = [&](double PlotRow::*end) {
+      return std::ranges::any_of(rows_[i], [&](const PlotRow& r) { return std::isfinite(r.*end); });
     };
-    const std::string x = "data using " + picked("column(2)");
+    // All values are picked: gnuplot would count others in its ranges.
+    const auto picked = [&](const char* piece) {
+      return pieces_.fill(piece, {{"id", std::to_string(kFirstCurve + static_cast<int>(i))}});
+    };
     if (curve.kind == Curve::Kind::band) {
-      add(x + ":" + picked("column(6)") + ":" + picked("column(7)") + axes +
-          with(curve, looks_[i], false, false) + title_of(curve.name));
+      all.push_back(picked("x") + picked("y_of_band") + alone + title_of(curve.name));
       return;
     }
-    // A point without a bar of its own gets one of no length, or it would not be drawn.
-    const std::string bars_x = ":" + picked("end(4, 2)") + ":" + picked("end(5, 2)");
-    const std::string bars_y = ":" + picked("end(6, 3)") + ":" + picked("end(7, 3)");
-    const std::string bars = !of_points ? "" : x_bars ? bars_x + bars_y : y_bars ? bars_y : "";
-    if (!bars.empty()) uses_bars_ = true;
-    // In the legend stands the point alone: with its bar it would look like a line.
-    add(x + ":" + picked("column(3)") + bars + axes +
-        with(curve, looks_[i], of_points && x_bars, of_points && y_bars) +
-        title_of(bars.empty() ? curve.name : std::string()));
-    if (!bars.empty() && !curve.name.empty())
-      add("NaN" + axes + with(curve, looks_[i], false, false) + title_of(curve.name));
+    const bool x_bars = of_points && has(&PlotRow::x_low);
+    if (!x_bars && !(of_points && has(&PlotRow::y_low))) {
+      all.push_back(picked("x") + picked("y") + alone + title_of(curve.name));
+      return;
+    }
+    // A point without a bar of its own gets one of no length, or it would not be drawn. In the legend stands the point
+    // alone: with its bar it would look like a line.
+    const std::string bars =
+        std::string(x_bars ? "xyerror" : "yerror") + (lines ? "lines" : "bars");
+    all.push_back(picked("x") + picked("y") + (x_bars ? picked("ends_x") : "") + picked("ends_y") +
+                  axes + look_of(i, bars) + " notitle");
+    if (!curve.name.empty()) all.push_back("NaN" + alone + title_of(curve.name));
   }
 
   // The line itself stands above; here are its place in the legend and its share in the range.
-  void add_reference(std::size_t i) {
+  void add_reference(std::size_t i, std::vector<std::string>& all) const {
     const Reference& reference = plot_.references[i];
-    const bool is_line = reference.low == reference.high;
-    const std::string id = std::to_string(kFirstReference + static_cast<int>(i));
     const Extent& other = reference.of_x ? y_ : x_;
     const Axis& other_axis = reference.of_x ? plot_.y : plot_.x;
-    const std::string place = number_text(
-        other.empty() ? other_axis.low.value_or(other_axis.logarithmic ? 1 : 0) : other.low);
-    const auto picked = [&](const std::string& value) {
-      return "(pick(" + id + ", " + value + "))";
-    };
-    add("data using " +
-        (reference.of_x ? picked("column(2)") + ":" + picked(place)
-                        : picked(place) + ":" + picked("column(3)")) +
-        " with lines lt nodraw notitle");
-    if (reference.name.empty() || reference.role == Reference::Role::guide) return;
-    add(std::string("NaN with ") +
-        (is_line ? "lines" + line_of(reference) : "filledcurves" + filling_of(reference)) +
-        title_of(reference.name));
+    const double place =
+        other.empty() ? other_axis.low.value_or(other_axis.logarithmic ? 1 : 0) : other.low;
+    all.push_back(pieces_.fill(reference.of_x ? "share_x" : "share_y",
+                               {{"id", std::to_string(kFirstReference + static_cast<int>(i))},
+                                {"place", number_text(place)}}));
+    if (reference.role != Reference::Role::guide && !reference.name.empty())
+      all.push_back(pieces_.fill("key_" + form_of(reference), values_of(reference)));
   }
 
-  void pictures() {
-    if (uses_bars_) {
-      line("# The end of a bar, or the point itself where it has none");
-      line("end(bar, point) = valid(bar) ? column(bar) : column(point)");
-    }
-    line("");
-    line("# Pictures");
-    line(
-        "set terminal pngcairo size 1600,1000 font 'Roboto,14' fontscale 2 linewidth 2 pointscale "
-        "2 "
-        "enhanced");
-    line("set output '" + plot_.name + ".png'");
-    line(plot_command_);
-    line(
-        "set terminal svg size 800,500 font 'Roboto,Helvetica,Arial,sans-serif,14' enhanced "
-        "background rgb 'white'");
-    line("set output '" + plot_.name + ".svg'");
-    line("replot");
-  }
+  static constexpr std::size_t kStyles = kCurveColours.size();
 
   const Plot& plot_;
-  std::vector<Look> looks_;
+  PlotPieces pieces_;
+  std::vector<std::size_t> places_;         // of each curve, among those of its role
   std::vector<std::vector<PlotRow>> rows_;  // of each curve
   Extent x_, y_, y2_;
   std::vector<std::vector<Span>> names_;  // of guides, line by line
-  std::vector<std::string> elements_;     // of the plot command
-  std::string plot_command_;
-  bool uses_bars_ = false;
   std::string script_;
 };
 

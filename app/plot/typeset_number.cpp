@@ -1,8 +1,8 @@
 #include "app/plot/typeset_number.h"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
+
+#include "core/base/format.h"
 
 namespace quicksand {
 
@@ -13,9 +13,7 @@ constexpr int kSmallestPlain = -4;
 constexpr int kLargestPlain = 6;
 
 std::string fixed(double value, int decimals) {
-  std::array<char, 400> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", std::max(0, decimals), value);
-  return text.data();
+  return format("%.*f", std::max(0, decimals), value);
 }
 
 std::string power_of_ten(int exponent) {
@@ -27,9 +25,7 @@ std::string power_of_ten(int exponent) {
 
 // Power of ten of the first digit once rounded to so many digits.
 int exponent_of(double value, int digits) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.*e", digits - 1, value);
-  const std::string written = text.data();
+  const std::string written = format("%.*e", digits - 1, value);
   return std::stoi(written.substr(written.find('e') + 1));
 }
 

@@ -85,6 +85,8 @@ using Block = std::variant<Paragraph, Remark, BulletList, Verbatim, Table, Figur
 struct Section {
   std::string title{};
   std::vector<Block> blocks{};
+
+  void add(Block block) { blocks.push_back(std::move(block)); }
 };
 
 struct Report {

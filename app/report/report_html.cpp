@@ -2,11 +2,11 @@
 // inside the page; it asks for nothing from elsewhere and runs no script.
 #include <string>
 
+#include "app/base/assets.h"
 #include "app/json/base64.h"
 #include "app/json/json_text.h"
 #include "app/plot/report_text.h"
 #include "app/report/report.h"
-#include "app/report/report_style.h"
 
 namespace quicksand {
 
@@ -175,7 +175,8 @@ std::string report_html(const Report& report, const ReportFiles& files) {
   writer.add("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">");
   writer.add("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">");
   writer.add(element("title", html_attribute(report.title)));
-  writer.add(element("style", kReportStyle) + "\n</head>\n<body>");
+  writer.add(element("style", "\n" + read_text(assets_folder() / "report" / "report.css")) +
+             "\n</head>\n<body>");
   writer.add(element("h1", html_text(report.title)));
   for (const std::string& paragraph : report.intro) writer(Paragraph{paragraph});
   for (const Block& block : report.lead) std::visit(writer, block);

@@ -1,7 +1,6 @@
 #include "app/run/progress_line.h"
 
-#include <array>
-#include <cstdio>
+#include "core/base/format.h"
 
 namespace quicksand {
 
@@ -31,23 +30,18 @@ std::string ProgressLine::line(const Protocol& protocol, double since_shown) {
   const double rate =
       since_shown > 0 ? static_cast<double>(world.step - shown_step_) / since_shown : 0;
   const ProtocolState& state = protocol.state();
-  std::array<char, 200> text{};
-  std::snprintf(
-      text.data(), text.size(),
+  return format(
       "%-7s %3.0f %%%s  t = %.4g  %d bodies  %.0f steps/s  residual %.1e  unconverged %lld",
       std::string(phase_name(*protocol.phase())).c_str(), 100 * share, left.c_str(), world.time,
       world.disks.size(), rate, protocol.last_step().solve.residual.natural,
       static_cast<long long>(state.unconverged_steps));
-  return text.data();
 }
 
 // The line at the beginning of a phase.
 std::string ProgressLine::heading(const Protocol& protocol) {
-  std::array<char, 100> text{};
-  std::snprintf(text.data(), text.size(), "%s begins at t = %.4g with %d bodies",
+  return format("%s begins at t = %.4g with %d bodies",
                 std::string(phase_name(*protocol.phase())).c_str(), protocol.world().time,
                 protocol.world().disks.size());
-  return text.data();
 }
 
 void ProgressLine::show(const Protocol& protocol) {

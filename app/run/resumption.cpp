@@ -17,7 +17,7 @@ namespace {
 // The summary is the last that a run writes.
 bool has_finished(const RunFolder& folder) {
   try {
-    const Json summary = parse_json(read_text(folder.summary()));
+    const Json summary = read_json(folder.summary());
     return summary.is_object() && summary.value("finished", Json()) == true;
   } catch (const InputError&) {
     return false;

@@ -29,22 +29,16 @@ void describe(Fields& f, RunOptions& options) {
 }  // namespace
 
 void write_options(const std::filesystem::path& file, RunOptions options) {
-  JsonWriter writer;
-  describe(writer, options);
-  write_whole(file, writer.take().dump(2) + "\n");
+  const auto visit = [](Fields& f, RunOptions& all) { describe(f, all); };
+  write_whole(file, written_fields(options, visit).dump(2) + "\n");
 }
 
 RunOptions read_options(const std::filesystem::path& file) {
   RunOptions options;
   try {
-    const Json json = parse_json(read_text(file));
-    JsonReader reader(json, "", "the options of a run");
-    describe(reader, options);
-    reader.refuse_unknown_keys();
+    read_fields(read_json(file), "the options of a run", [&](Fields& f) { describe(f, options); });
   } catch (const InputError& error) {
-    if (error.where() == file.string()) throw;
-    throw InputError(file.string() + (error.where().empty() ? "" : ": " + error.where()),
-                     error.what());
+    throw in_file(file, error);
   }
   return options;
 }

@@ -4,26 +4,14 @@
 #include <new>
 
 #include "app/json/json_text.h"
+#include "core/checkpoint/archive.h"
 
 namespace quicksand {
 
 namespace {
 
-// One description for both directions.
-struct Writer {
-  Json& json;
-  template <class T>
-  void value(const char* key, const T& x) {
-    json[key] = x;
-  }
-};
-struct Reader {
-  const Json& json;
-  template <class T>
-  void value(const char* key, T& x) {
-    json.at(key).get_to(x);
-  }
-};
+using Writer = CheckpointArchive<Json>;
+using Reader = CheckpointArchive<const Json>;
 
 template <class Archive, class AnyRow>
 void describe_row(Archive archive, AnyRow& row) {
@@ -52,9 +40,9 @@ void describe(Archive archive, Position& position) {
 
 std::vector<std::uint8_t> to_bytes(const RunPosition& position) {
   Json json, last, pending;
-  describe(Writer{json}, position);
-  describe_row(Writer{last}, position.samples.last);
-  describe_row(Writer{pending}, position.samples.pending);
+  describe(Writer(json), position);
+  describe_row(Writer(last), position.samples.last);
+  describe_row(Writer(pending), position.samples.pending);
   json["last"] = std::move(last);
   json["pending"] = std::move(pending);
   return Json::to_cbor(json);  // keeps every bit of a number, and those that are not finite
@@ -64,9 +52,9 @@ std::optional<RunPosition> position_from(const std::vector<std::uint8_t>& bytes)
   RunPosition position;
   try {
     const Json json = Json::from_cbor(bytes);
-    describe(Reader{json}, position);
-    describe_row(Reader{json.at("last")}, position.samples.last);
-    describe_row(Reader{json.at("pending")}, position.samples.pending);
+    describe(Reader(json), position);
+    describe_row(Reader(json.at("last")), position.samples.last);
+    describe_row(Reader(json.at("pending")), position.samples.pending);
   } catch (const std::bad_alloc&) {
     throw;  // which says nothing of the bytes
   } catch (const std::exception&) {

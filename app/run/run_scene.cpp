@@ -239,9 +239,9 @@ RunResult run_scene(const Scenario& scenario, const RunOptions& options) {
     start.world = start_world(scenario);
   }
   if (!scenario.start_from.empty() && same_file(scenario.start_from, folder.state())) {
-    throw InputError(folder.state().string(),
-                     "is what the scene starts from and would be overwritten; choose another "
-                     "folder with --out");
+    throw InputError(
+        folder.state().string(),
+        "is what the scene starts from and would be overwritten; choose another folder with --out");
   }
   make_writable(folder);
   std::optional<FolderLock> lock;

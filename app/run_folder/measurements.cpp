@@ -6,6 +6,7 @@
 #include "app/json/json_reader.h"
 #include "app/run_folder/run_folder.h"
 #include "app/run_folder/summary.h"
+#include "core/base/format.h"
 #include "core/base/whole_file.h"
 
 namespace quicksand {
@@ -46,9 +47,7 @@ std::string padded(std::string text, std::size_t width) {
 std::string short_text(const Value& value) {
   if (std::holds_alternative<std::monostate>(value)) return "-";
   if (!std::holds_alternative<double>(value)) return text_of(value);
-  char text[32];
-  std::snprintf(text, sizeof text, "%.5g", std::get<double>(value));
-  return text;
+  return format("%.5g", std::get<double>(value));
 }
 
 std::string csv_line(const std::vector<std::string>& cells) {

@@ -19,8 +19,7 @@ void make_writable(const RunFolder& folder) {
   std::error_code error;
   if (fs::exists(folder.path, error) && !fs::is_directory(folder.path, error)) {
     throw InputError(folder.path.string(),
-                     "is a file, the results need a folder; choose another "
-                     "with --out");
+                     "is a file, the results need a folder; choose another with --out");
   }
   fs::create_directories(folder.path, error);
   if (error) {

@@ -141,10 +141,10 @@ std::vector<std::string> search_warnings(const Json& results, int phases_finishe
     warnings.push_back(bodies(always) + " moved at every force down to first_force/2^" +
                        std::to_string(ForceBracket::kMostDoublings) + ".");
   if (unbracketed > 0)
-    warnings.push_back(bodies(unbracketed) +
-                       " did not come to rest in the trial with force_low: it ran out of time "
-                       "(max_time), so the interval has no lower end that holds; force_held is the "
-                       "greatest force that did.");
+    warnings.push_back(
+        bodies(unbracketed) +
+        " did not come to rest in the trial with force_low: it ran out of time (max_time), so the "
+        "interval has no lower end that holds; force_held is the greatest force that did.");
   for (const Json& deposit : results.value("adiabatic_unsettled", Json::array())) {
     const Json& change = deposit.at("change");
     warnings.push_back(

@@ -1,14 +1,13 @@
 #include "app/run_folder/summary.h"
 
 #include <algorithm>
-#include <array>
 #include <cinttypes>
-#include <cstdio>
 
 #include "app/base/build_info.h"
 #include "app/run_folder/search_results.h"
 #include "app/run_folder/validation.h"
 #include "app/scene_json/si_scale.h"
+#include "core/base/format.h"
 
 namespace quicksand {
 
@@ -68,9 +67,7 @@ Json json_of(const Value& value) {
 }
 
 std::string world_hash_text(const World& world) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "0x%016" PRIx64, world_hash(world));
-  return text.data();
+  return format("0x%016" PRIx64, world_hash(world));
 }
 
 Json summary(const Scenario& scenario, const World& world, const ProtocolState& state,

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "app/json/json_reader.h"
+#include "core/base/format.h"
 
 namespace quicksand {
 
@@ -16,10 +16,8 @@ std::string nscd_note(const Scenario& scenario, const ProtocolState& state, std:
   if (!scenario.step.nscd) return {};
   const SweepErrors& errors = state.sweep_errors;
   const auto spread = [](const LogHistogram& h, const char* unit) {
-    char text[96];
-    std::snprintf(text, sizeof text, "median %.1e, 99 %% below %.1e, worst %.1e%s", h.quantile(0.5),
-                  h.quantile(0.99), h.largest, unit);
-    return std::string(text);
+    return format("median %.1e, 99 %% below %.1e, worst %.1e%s", h.quantile(0.5), h.quantile(0.99),
+                  h.largest, unit);
   };
   return "standard nonsmooth contact dynamics (nscd), " +
          std::to_string(scenario.step.nscd->sweeps) +

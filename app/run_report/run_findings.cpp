@@ -66,12 +66,11 @@ std::vector<Block> found_by_searches(std::span<const RunResults> runs,
   const auto add = [&](std::optional<Table> table) {
     if (table) blocks.emplace_back(std::move(*table));
   };
-  add(findings(
-      runs, names, "critical_forces", kForces,
-      "Critical forces: the largest that did not move its body and the smallest that did. "
-      "Depth, below the packing's top before the first trial: of the intruder's centre, or as "
-      "the scene asks for it, with grains within 0.5 d of it; weight above: of all grains "
-      "with centres above that depth."));
+  add(findings(runs, names, "critical_forces", kForces,
+               "Critical forces: the largest that did not move its body and the smallest that did. "
+               "Depth, below the packing's top before the first trial: of the intruder's centre, "
+               "or as the scene asks for it, with grains within 0.5 d of it; weight above: of all "
+               "grains with centres above that depth."));
   add(findings(runs, names, "adiabatic", kSamples,
                "Deposits with longer and longer intervals between grains."));
   return blocks;

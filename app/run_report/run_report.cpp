@@ -291,32 +291,30 @@ Report run_report(std::span<const RunResults> runs) {
   Section result{.title = "Result"};
   for (std::size_t i = 0; i < runs.size(); ++i) {
     for (const std::string& warning : run_warnings(runs[i])) {
-      result.blocks.emplace_back(
-          Remark{Remark::Kind::warning, (runs.size() > 1 ? names[i] + ": " : "") + warning});
+      result.add(Remark{Remark::Kind::warning, (runs.size() > 1 ? names[i] + ": " : "") + warning});
     }
   }
   if (result.blocks.empty()) {
-    result.blocks.emplace_back(
-        Remark{Remark::Kind::note, "Ended as its scene says; every step converged."});
+    result.add(Remark{Remark::Kind::note, "Ended as its scene says; every step converged."});
   }
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (runs[i].summary().value("missed_rest", false))
-      result.blocks.emplace_back(Remark{
-          Remark::Kind::warning, (runs.size() > 1 ? names[i] + ": the" : std::string("The")) +
-                                     " last phase ended at its max_time, before it came to rest."});
+      result.add(Remark{Remark::Kind::warning,
+                        (runs.size() > 1 ? names[i] + ": the" : std::string("The")) +
+                            " last phase ended at its max_time, before it came to rest."});
   }
-  for (Block& block : found_by_searches(runs, names)) result.blocks.push_back(std::move(block));
-  result.blocks.emplace_back(final_values(runs, names));
+  for (Block& block : found_by_searches(runs, names)) result.add(std::move(block));
+  result.add(final_values(runs, names));
   report.sections.push_back(std::move(result));
 
   Section history{.title = "Time histories"};
-  for (Figure& figure : run_figures(runs)) history.blocks.emplace_back(std::move(figure));
+  for (Figure& figure : run_figures(runs)) history.add(std::move(figure));
   report.sections.push_back(std::move(history));
 
   Section pictures{.title = "Pictures"};
   for (std::size_t i = 0; i < runs.size(); ++i) {
     Gallery gallery = pictures_of(runs[i], names[i]);
-    if (!gallery.pictures.empty()) pictures.blocks.emplace_back(std::move(gallery));
+    if (!gallery.pictures.empty()) pictures.add(std::move(gallery));
   }
   if (!pictures.blocks.empty()) report.sections.push_back(std::move(pictures));
 

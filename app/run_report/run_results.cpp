@@ -15,15 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Json read_json(const fs::path& file) {
-  const std::string text = read_text(file);
-  try {
-    return parse_json(text);
-  } catch (const InputError& error) {
-    throw InputError(file.string(), error.what());
-  }
-}
-
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells(1);
   for (const char c : line) {
@@ -92,28 +83,22 @@ void RunResults::read_series() {
 }
 
 std::optional<double> RunResults::final_value(const std::string& name) const {
-  const auto found = summary_.find(name);
-  if (found == summary_.end()) {
-    std::vector<std::string> names;
-    for (const auto& [key, value] : summary_.items()) names.push_back(key);
-    throw InputError(folder_.summary().string(),
-                     "has no value \"" + name + "\"" + suggestion(name, names));
-  }
-  if (found->is_null()) return std::nullopt;
-  if (!found->is_number()) {
+  const auto& entries = summary_.get_ref<const Json::object_t&>();
+  const Json& value = named(entries, name, &Json::object_t::value_type::first,
+                            folder_.summary().string(), "has no value \"" + name + "\"")
+                          .second;
+  if (value.is_null()) return std::nullopt;
+  if (!value.is_number()) {
     throw InputError(folder_.summary().string() + ": " + name,
-                     "is " + described(*found) + ", not a number");
+                     "is " + described(value) + ", not a number");
   }
-  return found->get<double>();
+  return value.get<double>();
 }
 
 const std::vector<double>& RunResults::column(const std::string& name) const {
-  const auto found = columns_.find(name);
-  if (found != columns_.end()) return found->second;
-  std::vector<std::string> names;
-  for (const auto& [known, values] : columns_) names.push_back(known);
-  throw InputError(folder_.series().string(),
-                   "has no column of numbers \"" + name + "\"" + suggestion(name, names));
+  return named(columns_, name, &decltype(columns_)::value_type::first, folder_.series().string(),
+               "has no column of numbers \"" + name + "\"")
+      .second;
 }
 
 std::vector<fs::path> RunResults::frames() const {

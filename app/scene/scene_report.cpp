@@ -1,13 +1,13 @@
 #include "app/scene/scene_report.h"
 
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "app/scene/scene_size.h"
 #include "app/scene_json/scenario_json.h"
 #include "app/scene_json/si_scale.h"
 #include "app/series/sample_times.h"
+#include "core/base/format.h"
 #include "core/phases/search.h"
 #include "core/scene/scenario.h"
 
@@ -22,11 +22,7 @@ std::string line(const std::string& label, const std::string& text) {
          text + "\n";
 }
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
+std::string number(double value) { return format("%.6g", value); }
 
 // The word of an enum is what the resolved scene says.
 std::string word(const Json& scene, const char* object, const char* key) {

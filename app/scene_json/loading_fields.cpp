@@ -14,11 +14,10 @@ constexpr double kMaxWait = 1e12;
 void describe_heal(Fields& f, HealPhase& p) {
   f.choice({"which", "touching: all pairs in touch; broken: only those that were bonded before"},
            kHealed, p.which);
-  f.number(
-      {"waited",
-       "with healing_time: a contact heals with the probability 1 - exp(-waited/healing_time); "
-       "both absent: all heal. No time is simulated"},
-      between(0, kMaxWait, "sqrt(d/g)"), p.waited);
+  f.number({"waited",
+            "with healing_time: a contact heals with the probability 1 - "
+            "exp(-waited/healing_time); both absent: all heal. No time is simulated"},
+           between(0, kMaxWait, "sqrt(d/g)"), p.waited);
   f.number({"healing_time", "see waited"}, above(0, kMaxWait, "sqrt(d/g)"), p.healing_time);
   if (!f.reading()) return;
   if (p.waited && !p.healing_time) f.refuse("healing_time", "is missing; waited needs it");
@@ -33,11 +32,10 @@ void describe_piston(Fields& f, PistonPhase& p, const ContactLaw& law) {
   describe_rest(f, p.rest_speed, p.rest_time, p.max_time);
   f.choice({"until", "rest of everything, or of the piston alone; from the end of the ramp"},
            kPistonEnds, p.until);
-  f.number(
-      {"volume_fraction",
-       "ends the phase as soon as the disks fill this share of the box below the piston; absent: "
-       "no such end"},
-      above(0, 1, "1"), p.volume_fraction);
+  f.number({"volume_fraction",
+            "ends the phase as soon as the disks fill this share of the box below the piston; "
+            "absent: no such end"},
+           above(0, 1, "1"), p.volume_fraction);
   describe_bonding(f, p.bonding, p.bonds);
   f.flag({"remove", "whether the piston is taken away at the end; else it stays and presses on"},
          p.remove);

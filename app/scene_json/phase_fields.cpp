@@ -33,12 +33,12 @@ void describe_deposit(Fields& f, DepositPhase& p, const Box& box) {
            between(0, 1e6, "sqrt(g d)"), p.drop_velocity);
   describe_adiabatic(f, p);
   f.optional_object({"polydispersity",
-                     "normal distribution of the diameters about 1 d, cut at 0.2 "
-                     "and 1.8 d; absent: equal grains"},
+                     "normal distribution of the diameters about 1 d, cut at 0.2 and 1.8 d; "
+                     "absent: equal grains"},
                     p.polydispersity, describe_polydispersity);
   f.number({"capture_radius",
-            "a falling grain is drawn in by the first that comes this close to its "
-            "surface; 0: only where they touch"},
+            "a falling grain is drawn in by the first that comes this close to its surface; 0: "
+            "only where they touch"},
            between(0, 10, "d"), p.capture_radius);
   describe_bonds(f, p.bonds);
   if (!f.reading()) return;
@@ -192,8 +192,7 @@ void describe_kind(Fields& f, Phase& phase, const Scenario& scenario) {
   f.number({"dt", "time step of this phase; step.dt if absent"},
            between(kLeastStep, 1, "sqrt(d/g)"), phase.dt);
   f.number({"solver_tolerance",
-            "residual that the solver must reach in this phase; "
-            "solver.tolerance if absent"},
+            "residual that the solver must reach in this phase; solver.tolerance if absent"},
            above(0, 1, "1"), phase.solver_tolerance);
   f.number({"sample_every", "time between samples and frames; chosen if absent"},
            above(0, kMaxTime, "sqrt(d/g)"), phase.sample_every);

@@ -158,8 +158,8 @@ void describe_step(Fields& f, StepSettings& step) {
   step.max_halvings = static_cast<int>(halvings);
   if (f.reading() && step.nscd && step.break_rule == FailureCriterion::energy) {
     f.refuse("break_rule",
-             "is \"energy\", which needs converged steps; with method \"nscd\" it is "
-             "\"geometric\" or \"linearised\"");
+             "is \"energy\", which needs converged steps; with method \"nscd\" it is \"geometric\" "
+             "or \"linearised\"");
   }
 }
 
@@ -167,8 +167,8 @@ void describe_solver(Fields& f, SolverSettings& solver) {
   f.choice({"method", "contact solver"}, kMethods, solver.method);
   f.number({"tolerance", "residual that counts as converged"}, above(0, 1, "1"), solver.tolerance);
   f.number({"velocity_tolerance",
-            "change of velocity in an iteration that counts as settled, over the "
-            "mean velocity of the step"},
+            "change of velocity in an iteration that counts as settled, over the mean velocity of "
+            "the step"},
            above(0, 1e6, "1"), solver.velocity_tolerance);
   const auto count = [&](const Field& field, int& value) {
     std::int64_t wide = value;

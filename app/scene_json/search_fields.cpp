@@ -28,11 +28,10 @@ void describe_trials(Fields& f, SearchTrials& t, const ContactLaw& law) {
   f.number({"rest_time", "... for this long"}, between(0, kMaxTime, "sqrt(d/g)"), t.rest_time);
   f.number({"max_time", "ends a trial in any case: undecided, counted as held"},
            above(0, kMaxTime, "sqrt(d/g)"), t.max_time);
-  f.choice(
-      {"until",
-       "a trial ends when everything rests, or as soon as the body that is pulled rests and no "
-       "bond has failed for rest_time"},
-      kTrialEnds, t.until);
+  f.choice({"until",
+            "a trial ends when everything rests, or as soon as the body that is pulled rests and "
+            "no bond has failed for rest_time"},
+           kTrialEnds, t.until);
   if (!f.reading()) return;
   if (force_over_cohesion && law.cohesion_force.value_or(0) == 0) {
     f.refuse("first_force_over_cohesion",
@@ -53,8 +52,8 @@ void describe_shear(Fields& f, ShearPhase& p, const ContactLaw& law) {
   f.numbers({"depths", "of the grains, below the top of the packing", Presence::required},
             between(0, 1e6, "d"), kMaxDepths, p.depths);
   f.integer({"grains_per_depth",
-             "drawn at random within half a diameter of the depth; all that "
-             "are there if these are fewer"},
+             "drawn at random within half a diameter of the depth; all that are there if these are "
+             "fewer"},
             1, kMaxGrains, p.grains_per_depth);
   f.number({"distance", "along x, that counts as moved"}, above(0, 1e6, "d"), p.distance);
   describe_trials(f, p.trials, law);
@@ -62,16 +61,15 @@ void describe_shear(Fields& f, ShearPhase& p, const ContactLaw& law) {
 }
 
 void describe_threshold(Fields& f, PushPhase& p) {
-  f.optional_object({"threshold",
-                     "instead of one push, seeks the smallest force with which the intruder "
-                     "enters, by trials from "
-                     "one state; force is that of the first, and they end as the push would"},
-                    p.threshold, [](Fields& g, Threshold& t) {
-                      g.number(
-                          {"distance", "way down that counts as entered; absent: its diameter"},
-                          above(0, 1e6, "d"), t.distance);
-                      describe_interval(g, t.tolerance);
-                    });
+  f.optional_object(
+      {"threshold",
+       "instead of one push, seeks the smallest force with which the intruder enters, by trials "
+       "from one state; force is that of the first, and they end as the push would"},
+      p.threshold, [](Fields& g, Threshold& t) {
+        g.number({"distance", "way down that counts as entered; absent: its diameter"},
+                 above(0, 1e6, "d"), t.distance);
+        describe_interval(g, t.tolerance);
+      });
   if (f.reading() && p.threshold && p.force <= 0)
     f.refuse("threshold", "needs a force above 0, that of the first trial");
 }
@@ -79,8 +77,8 @@ void describe_threshold(Fields& f, PushPhase& p) {
 void describe_adiabatic(Fields& f, DepositPhase& p) {
   f.optional_object(
       {"adiabatic",
-       "deposits whole specimens, each with a longer interval, until the volume "
-       "fraction no longer changes; the last one stays"},
+       "deposits whole specimens, each with a longer interval, until the volume fraction no longer "
+       "changes; the last one stays"},
       p.adiabatic, [](Fields& g, Adiabatic& a) {
         g.number({"tolerance", "relative change of the volume fraction that ends it"},
                  above(0, 1, "1"), a.tolerance);

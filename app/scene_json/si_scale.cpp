@@ -2,9 +2,9 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
+#include "core/base/format.h"
 #include "core/scene/scenario.h"
 
 namespace quicksand {
@@ -34,10 +34,9 @@ std::string with_prefix(double value, const std::string& unit) {
     if (std::abs(value) / std::pow(10.0, 3 * thousands) >= kRounded) ++thousands;
     thousands = std::max(-kNone, std::min(thousands, kNone));
   }
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.3g %s", value / std::pow(10.0, 3 * thousands),
-                kPrefixes.begin()[thousands + kNone]);
-  return text.data() + unit;
+  return format("%.3g %s", value / std::pow(10.0, 3 * thousands),
+                kPrefixes.begin()[thousands + kNone]) +
+         unit;
 }
 
 }  // namespace quicksand

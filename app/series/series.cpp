@@ -43,8 +43,8 @@ Series::Series(std::filesystem::path path, std::int64_t kept_rows) : path_(std::
     text = whole_lines(path_, kept_rows, rows_);
     if (rows_ < kept_rows)
       throw InputError(path_.string(),
-                       "has other columns or fewer rows than the run that is to go on; continue "
-                       "it in another folder with --out");
+                       "has other columns or fewer rows than the run that is to go on; continue it "
+                       "in another folder with --out");
   }
   write_whole(path_, text);
   file_.open(path_, std::ios::binary | std::ios::app);

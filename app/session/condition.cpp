@@ -12,17 +12,8 @@ namespace quicksand {
 
 namespace {
 
-const Quantity* find(const std::string& name) {
-  const auto all = quantities();
-  const auto found = std::ranges::find(all, name, &Quantity::name);
-  return found == all.end() ? nullptr : &*found;
-}
-
-std::string unknown(const std::string& name) {
-  std::vector<std::string> names;
-  std::ranges::transform(quantities(), std::back_inserter(names),
-                         [](const Quantity& q) { return std::string(q.name); });
-  return "\"" + name + "\" is no quantity" + suggestion(name, names);
+const Quantity& quantity_named(const std::string& name, const std::string& place) {
+  return named(quantities(), name, &Quantity::name, place, "\"" + name + "\" is no quantity");
 }
 
 }  // namespace
@@ -36,8 +27,12 @@ void describe_condition(Fields& f, Condition& condition) {
   f.number({"at_most", "upper bound, in the unit of the quantity"}, between(-kAny, kAny, "1"),
            condition.at_most);
   if (!f.reading()) return;
-  const Quantity* quantity = find(condition.quantity);
-  if (quantity == nullptr) f.refuse("quantity", unknown(condition.quantity));
+  const Quantity* quantity = nullptr;
+  try {
+    quantity = &quantity_named(condition.quantity, "");
+  } catch (const InputError& error) {
+    f.refuse("quantity", error.what());
+  }
   if (std::holds_alternative<std::string>(quantity->get(Row{})))
     f.refuse("quantity", "\"" + condition.quantity + "\" is a word and has no bounds");
   if (!condition.at_least && !condition.at_most)
@@ -48,9 +43,7 @@ void describe_condition(Fields& f, Condition& condition) {
 
 std::optional<double> quantity_of(const Session& session, const std::string& name,
                                   const std::string& place) {
-  const Quantity* quantity = find(name);
-  if (quantity == nullptr) throw InputError(place, unknown(name));
-  const Value value = quantity->get(session.measure_now());
+  const Value value = quantity_named(name, place).get(session.measure_now());
   if (const auto* number = std::get_if<double>(&value)) return *number;
   if (const auto* count = std::get_if<std::int64_t>(&value)) return static_cast<double>(*count);
   return std::nullopt;

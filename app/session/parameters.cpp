@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "app/json/fields.h"
 #include "app/scene_json/scene_fields.h"
@@ -17,47 +18,32 @@ class ParameterList : public Fields {
 
   std::vector<Parameter> take() { return std::move(found_); }
 
-  void number(const Field& field, const Limits& limits, double& value) override {
-    Parameter& p = add(field, Parameter::Kind::number);
-    take_limits(p, limits);
-    p.value = value / limits.scale;
-  }
-  void number(const Field& field, const Limits& limits, std::optional<double>& value) override {
-    Parameter& p = add(field, Parameter::Kind::number);
-    take_limits(p, limits);
-    if (value) p.value = *value / limits.scale;
-  }
-  void integer(const Field& field, std::int64_t low, std::int64_t high,
-               std::int64_t& value) override {
-    Parameter& p = add(field, Parameter::Kind::integer);
-    p.low = static_cast<double>(low);
-    p.high = static_cast<double>(high);
-    p.value = value;
-  }
-  void flag(const Field& field, bool& value) override {
-    add(field, Parameter::Kind::flag).value = value;
-  }
-  void word(const Field& field, std::span<const std::string_view> words, int& value) override {
-    Parameter& p = add(field, Parameter::Kind::word);
-    p.words.assign(words.begin(), words.end());
-    p.value = p.words[static_cast<std::size_t>(value)];
-  }
-  void object(const Field& field, const Visit& visit) override { inside(field.name, visit); }
   void variant(const Field& /*field*/, std::span<const std::string_view> /*words*/, int index,
                const std::function<void(Fields&, int)>& visit) override {
     visit(*this, index);
   }
 
-  // A panel has no entry for these.
-  void vector(const Field&, const Limits&, Vec2&) override {}
-  void vector(const Field&, const Limits&, std::optional<Vec2>&) override {}
-  void numbers(const Field&, const Limits&, std::size_t, std::vector<double>&) override {}
-  void text(const Field&, std::string&) override {}
-  void json(const Field&, const Shape&, Json&) override {}
-  void exactly_one(const std::vector<std::string>&) override {}
-  void refuse(const char*, const std::string&) override {}
-
  protected:
+  void leaf(const Field& field, const Leaf& leaf) override {
+    using enum Parameter::Kind;
+    static const std::map<Json, Parameter::Kind> kinds{
+        {"number", number}, {"integer", integer}, {"boolean", flag}, {"", word}};
+    const Json schema = leaf.schema();
+    const auto kind = kinds.find(schema.contains("enum") ? Json("") : schema.value("type", Json()));
+    if (kind == kinds.end()) return;  // a panel has no entry for the others
+    Parameter& p = found_.emplace_back();
+    p.path = path_ + (path_.empty() ? "" : ".") + field.name;
+    p.label = field.name;
+    std::ranges::replace(p.label, '_', ' ');
+    p.help = field.help;
+    p.unit = leaf.unit != nullptr ? leaf.unit : "1";
+    p.kind = kind->second;
+    p.above_low = schema.contains("exclusiveMinimum");
+    p.low = schema.value(p.above_low ? "exclusiveMinimum" : "minimum", p.low);
+    p.high = schema.value("maximum", p.high);
+    p.words = schema.value("enum", p.words);
+    p.value = leaf.write();
+  }
   bool begin_optional(const Field& field, bool present, const Visit& visit) override {
     if (present) inside(field.name, visit);
     return false;
@@ -75,24 +61,6 @@ class ParameterList : public Fields {
     path_ += (path_.empty() ? "" : ".") + name;
     visit(*this);
     path_ = outside;
-  }
-
-  Parameter& add(const Field& field, Parameter::Kind kind) {
-    Parameter& p = found_.emplace_back();
-    p.path = path_ + (path_.empty() ? "" : ".") + field.name;
-    p.label = field.name;
-    std::ranges::replace(p.label, '_', ' ');
-    p.help = field.help;
-    p.unit = "1";
-    p.kind = kind;
-    return p;
-  }
-
-  static void take_limits(Parameter& p, const Limits& limits) {
-    p.unit = limits.unit;
-    p.low = limits.low;
-    p.high = limits.high;
-    p.above_low = limits.above;
   }
 
   std::string path_;

@@ -75,23 +75,17 @@ Target worked_out(Entry entry) {
 }  // namespace
 
 const Target& PaperTargets::at(const std::string& id) const {
-  const auto found = std::ranges::find(targets, id, &Target::id);
-  if (found != targets.end()) return *found;
-  std::vector<std::string> ids;
-  for (const Target& target : targets) ids.push_back(target.id);
-  throw InputError(id, "is no target of the paper" + suggestion(id, ids));
+  return named(targets, id, &Target::id, id, "is no target of the paper");
 }
 
 PaperTargets read_targets(const std::filesystem::path& file) {
-  const std::string text = read_text(file);
   try {
     PaperTargets read;
     std::vector<Entry> entries;
-    const Json json = parse_json(text);
-    JsonReader reader(json, "");
-    reader.text({"source", "the paper", Presence::required}, read.source);
-    reader.list({"targets", "its findings", Presence::required}, kMostTargets, entries, describe);
-    reader.refuse_unknown_keys();
+    read_fields(read_json(file), "the targets", [&](Fields& f) {
+      f.text({"source", "the paper", Presence::required}, read.source);
+      f.list({"targets", "its findings", Presence::required}, kMostTargets, entries, describe);
+    });
     std::set<std::string> ids;
     for (Entry& entry : entries) {
       if (!ids.insert(entry.target.id).second) {
@@ -101,8 +95,7 @@ PaperTargets read_targets(const std::filesystem::path& file) {
     }
     return read;
   } catch (const InputError& error) {
-    throw InputError(file.string() + (error.where().empty() ? "" : ": " + error.where()),
-                     error.what());
+    throw in_file(file, error);
   }
 }
 

@@ -42,9 +42,9 @@ std::unique_ptr<Display> open_display(const std::string& title, int width, int h
   // Stays open until the program ends: what it made lives on in the display.
   void* module = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (module == nullptr)
-    throw RenderError(std::string("the module for windows cannot be opened (is libsdl2-2.0-0 "
-                                  "installed?): ") +
-                      dlerror());
+    throw RenderError(
+        std::string("the module for windows cannot be opened (is libsdl2-2.0-0 installed?): ") +
+        dlerror());
   const auto open = reinterpret_cast<OpenDisplay>(dlsym(module, kOpenDisplay));
   if (open == nullptr)
     throw RenderError(path.string() + " is not of this program: it lacks " + kOpenDisplay);

@@ -4,9 +4,10 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <fstream>
 #include <limits>
+
+#include "core/base/format.h"
 
 namespace quicksand {
 
@@ -63,10 +64,8 @@ std::string memory_problem(double bytes) {
   const double available = available_memory();
   if (bytes <= available) return {};
   constexpr double kGigabyte = 1e9;
-  char text[100];
-  std::snprintf(text, sizeof text, "takes at least %.1f GB of memory, and %.1f GB is all there is",
-                bytes / kGigabyte, available / kGigabyte);
-  return text;
+  return format("takes at least %.1f GB of memory, and %.1f GB is all there is", bytes / kGigabyte,
+                available / kGigabyte);
 }
 
 }  // namespace quicksand

@@ -1,121 +1,153 @@
-// How the structs of a checkpoint become CBOR: included by core/checkpoint*.cpp only.
+// How the structs of a checkpoint become CBOR: for those sources only that write into checkpoints.
 #pragma once
 
 #include <cstring>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
+
+#include "core/base/random.h"
 
 namespace quicksand {
 
-// One description of the format for both directions: archive(object, field...) either writes the
-// fields or reads them.
-class CheckpointWriter {
+// One description of the format for both directions: describe(archive, object) names the fields of the object,
+// which the archive writes, or reads where its JSON is constant.
+template <class Json>
+class CheckpointArchive {
  public:
-  explicit CheckpointWriter(nlohmann::json& json) : json_(json) {}
-
-  template <class T>
-  void value(const char* key, const T& x) {
-    json_[key] = x;
-  }
-  // A value that earlier versions of the format do not have: who reads one of these keeps its own.
-  template <class T>
-  void added(const char* key, const T& x) {
-    value(key, x);
-  }
-  template <class E>
-  void word(const char* key, const E& x) {
-    json_[key] = static_cast<int>(x);
-  }
-  // Plain arrays of doubles, Vec2, Vec3 or one-byte values, as raw bytes.
-  template <class T>
-  void array(const char* key, const std::vector<T>& items) {
-    std::vector<std::uint8_t> bytes(items.size() * sizeof(T));
-    if (!bytes.empty())
-      std::memcpy(bytes.data(), static_cast<const void*>(items.data()), bytes.size());
-    json_[key] = nlohmann::json::binary(std::move(bytes));
-  }
-  template <class F>
-  void object(const char* key, F describe) {
-    nlohmann::json inner = nlohmann::json::object();
-    CheckpointWriter writer(inner);
-    describe(writer);
-    json_[key] = std::move(inner);
-  }
-  // Few structs; `describe(archive, item)` visits one.
-  template <class T, class F>
-  void list(const char* key, const std::vector<T>& items, F describe) {
-    nlohmann::json entries = nlohmann::json::array();
-    for (const T& item : items) {
-      nlohmann::json entry = nlohmann::json::object();
-      CheckpointWriter writer(entry);
-      describe(writer, item);
-      entries.push_back(std::move(entry));
-    }
-    json_[key] = std::move(entries);
-  }
-  template <class T>
-  void optional(const char* key, const std::optional<T>& x) {
-    json_[key] = x ? nlohmann::json(*x) : nlohmann::json(nullptr);
-  }
-
- private:
-  nlohmann::json& json_;
-};
-
-class CheckpointReader {
- public:
-  explicit CheckpointReader(const nlohmann::json& json) : json_(json) {}
+  explicit CheckpointArchive(Json& json) : json_(json) {}
 
   template <class T>
   void value(const char* key, T& x) {
-    json_.at(key).get_to(x);
+    if constexpr (kReads)
+      json_.at(key).get_to(x);
+    else
+      json_[key] = x;
   }
+  // A value that earlier versions of the format do not have: who reads one of these keeps its own.
   template <class T>
   void added(const char* key, T& x) {
-    if (json_.contains(key)) value(key, x);
+    if (!kReads || json_.contains(key)) value(key, x);
   }
   template <class E>
   void word(const char* key, E& x) {
-    const int number = json_.at(key).get<int>();
-    x = static_cast<E>(number);
-    if (static_cast<int>(x) != number)
-      throw std::runtime_error(std::string(key) + " is no such word");
+    if constexpr (kReads) {
+      const int number = json_.at(key).template get<int>();
+      x = static_cast<E>(number);
+      if (static_cast<int>(x) != number) fail(key, "is no such word");
+    } else {
+      json_[key] = static_cast<int>(x);
+    }
   }
-  template <class T>
-  void array(const char* key, std::vector<T>& items) {
-    const auto& bytes = json_.at(key).get_binary();
-    if (bytes.size() % sizeof(T) != 0) throw std::runtime_error(std::string(key) + " is cut short");
-    items.resize(bytes.size() / sizeof(T));
-    if (!bytes.empty()) std::memcpy(static_cast<void*>(items.data()), bytes.data(), bytes.size());
+  template <class Optional>
+  void optional(const char* key, Optional& x) {
+    if constexpr (!kReads)
+      json_[key] = x ? nlohmann::json(*x) : nlohmann::json(nullptr);
+    else if (json_.at(key).is_null())
+      x.reset();
+    else
+      json_.at(key).get_to(x.emplace());
+  }
+  // The key itself is absent where there is none.
+  template <class OptionalRandom>
+  void optional_random(const char* key, OptionalRandom& x) {
+    if constexpr (kReads) {
+      if (json_.contains(key)) value(key, x.emplace().state);
+    } else {
+      if (x) value(key, x->state);
+    }
+  }
+  // Plain arrays of doubles, Vec2, Vec3 or one-byte values, as raw bytes.
+  template <class Items>
+  void array(const char* key, Items& items) {
+    using T = typename Items::value_type;
+    if constexpr (kReads) {
+      const auto& bytes = json_.at(key).get_binary();
+      if (bytes.size() % sizeof(T) != 0) fail(key, "is cut short");
+      items.resize(bytes.size() / sizeof(T));
+      if (!bytes.empty()) std::memcpy(static_cast<void*>(items.data()), bytes.data(), bytes.size());
+    } else {
+      const auto* bytes = reinterpret_cast<const std::uint8_t*>(items.data());
+      json_[key] = nlohmann::json::binary({bytes, bytes + items.size() * sizeof(T)});
+    }
+  }
+  // A plain struct of doubles, as an array of at most one.
+  template <class Optional>
+  void optional_array(const char* key, Optional& x) {
+    std::vector<typename Optional::value_type> items;
+    if constexpr (!kReads)
+      if (x) items.push_back(*x);
+    array(key, items);
+    if constexpr (kReads) {
+      if (items.size() > 1) fail(key, "is too long");
+      if (!items.empty()) x = items.front();
+    }
   }
   template <class F>
   void object(const char* key, F describe) {
-    CheckpointReader reader(json_.at(key));
-    describe(reader);
+    CheckpointArchive inner(json_for(key, nlohmann::json::object()));
+    describe(inner);
   }
-  template <class T, class F>
-  void list(const char* key, std::vector<T>& items, F describe) {
-    const nlohmann::json& entries = json_.at(key);
-    if (!entries.is_array()) throw std::runtime_error(std::string(key) + " is no list");
-    items.assign(entries.size(), T{});
+  // Few structs; `describe(archive, item)` visits one.
+  template <class Items, class F>
+  void list(const char* key, Items& items, F describe) {
+    Json& entries = json_for(key, nlohmann::json(items.size(), nlohmann::json::object()));
+    if constexpr (kReads) {
+      if (!entries.is_array()) fail(key, "is no list");
+      items.assign(entries.size(), {});
+    }
     for (std::size_t k = 0; k < items.size(); ++k) {
-      CheckpointReader reader(entries[k]);
-      describe(reader, items[k]);
+      CheckpointArchive entry(entries[k]);
+      describe(entry, items[k]);
     }
   }
-  template <class T>
-  void optional(const char* key, std::optional<T>& x) {
-    if (json_.at(key).is_null())
-      x.reset();
-    else
-      x = json_.at(key).get<T>();
+  // Many structs, as one array a member, without padding: `describe` calls its argument with the key of each member
+  // and a pointer to it, or a function that refers to it.
+  template <class Items, class F>
+  void columns(const char* key, Items& items, F describe) {
+    object(key, [&](CheckpointArchive& arrays) {
+      bool first = true;
+      describe([&](const char* name, auto member) {
+        using Member = std::remove_cvref_t<decltype(std::invoke(member, items[0]))>;
+        // Words and flags are bytes.
+        std::vector<std::conditional_t<sizeof(Member) == 1, std::uint8_t, Member>> values;
+        if constexpr (!kReads)
+          for (const auto& item : items)
+            values.push_back(
+                static_cast<typename decltype(values)::value_type>(std::invoke(member, item)));
+        arrays.array(name, values);
+        if constexpr (kReads) {
+          if (std::exchange(first, false)) items.assign(values.size(), {});
+          if (values.size() != items.size()) fail(key, "has arrays that differ in length");
+          for (std::size_t k = 0; k < items.size(); ++k)
+            std::invoke(member, items[k]) = static_cast<Member>(values[k]);
+        }
+      });
+    });
   }
 
  private:
-  const nlohmann::json& json_;
+  static constexpr bool kReads = std::is_const_v<Json>;
+
+  Json& json_for(const char* key, [[maybe_unused]] nlohmann::json fresh) {
+    if constexpr (kReads)
+      return json_.at(key);
+    else
+      return json_[key] = std::move(fresh);
+  }
+  [[noreturn]] static void fail(const char* key, const char* problem) {
+    throw std::runtime_error(std::string(key) + " " + problem);
+  }
+
+  Json& json_;
 };
+
+using CheckpointWriter = CheckpointArchive<nlohmann::json>;
+using CheckpointReader = CheckpointArchive<const nlohmann::json>;
 
 }  // namespace quicksand

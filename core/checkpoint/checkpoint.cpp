@@ -1,7 +1,8 @@
 #include "core/checkpoint/checkpoint.h"
 
+#include <array>
 #include <bit>
-#include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -52,41 +53,32 @@ void describe_disks(Archive& archive, Disks& disks) {
   archive.array("role", disks.role);
 }
 
-// Lists of structs are stored as one array a field, without padding.
-struct Columns {
-  std::vector<int> a, b;
-  std::vector<std::uint8_t> state, initial, role;
-  std::vector<Vec2> normal, point, velocity;
-  std::vector<Vec3> impulse;
-  std::vector<double> gap, cohesion, mass, force;
-};
-
-template <class Archive>
-void describe_bonds(Archive& archive, Columns& c) {
-  archive.array("a", c.a);
-  archive.array("b", c.b);
-  archive.array("state", c.state);
-  archive.array("initial", c.initial);
-}
-
-template <class Archive>
-void describe_contacts(Archive& archive, Columns& c) {
-  archive.array("a", c.a);
-  archive.array("b", c.b);
-  archive.array("normal", c.normal);
-  archive.array("gap", c.gap);
-  archive.array("impulse", c.impulse);
-  archive.array("cohesion", c.cohesion);
-}
-
-template <class Archive>
-void describe_walls(Archive& archive, Columns& c) {
-  archive.array("point", c.point);
-  archive.array("normal", c.normal);
-  archive.array("velocity", c.velocity);
-  archive.array("mass", c.mass);
-  archive.array("force", c.force);
-  archive.array("role", c.role);
+template <class Archive, class World>
+void describe_lists(Archive& archive, World& world) {
+  const auto first = [](auto& item) -> auto& { return item.pair.a; };
+  const auto second = [](auto& item) -> auto& { return item.pair.b; };
+  archive.columns("bonds", world.bonds.list, [&](auto column) {
+    column("a", first);
+    column("b", second);
+    column("state", &Bond::state);
+    column("initial", &Bond::initial);
+  });
+  archive.columns("contacts", world.contacts, [&](auto column) {
+    column("a", first);
+    column("b", second);
+    column("normal", &Contact::normal);
+    column("gap", &Contact::gap);
+    column("impulse", &Contact::impulse);
+    column("cohesion", &Contact::cohesion);
+  });
+  archive.columns("walls", world.walls, [](auto column) {
+    column("point", &Wall::point);
+    column("normal", &Wall::normal);
+    column("velocity", &Wall::velocity);
+    column("mass", &Wall::mass);
+    column("force", &Wall::force);
+    column("role", &Wall::role);
+  });
 }
 
 template <class Archive, class World>
@@ -111,6 +103,10 @@ void describe_world(Archive& archive, World& world) {
   archive.added("rebonding", world.rebonding);
   archive.array("way", world.trajectory.places);
   archive.value("way_surface", world.trajectory.surface);
+  archive.optional_array("gravity", world.gravity);
+  archive.optional_array("drag", world.drag);
+  archive.optional_random("sweep_random", world.sweep_random);
+  describe_lists(archive, world);
 }
 
 template <class Archive, class State>
@@ -149,47 +145,15 @@ void read_deposit(const Json& protocol, ProtocolState& state) {
                   {"full", protocol.at("full").get<bool>() ? 1.0 : 0.0}};
 }
 
-void write_world(Writer& w, const World& world) {
-  describe_world(w, world);
-  const std::vector<double> gravity =
-      world.gravity ? std::vector<double>{world.gravity->x(), world.gravity->y()}
-                    : std::vector<double>{};
-  w.array("gravity", gravity);
-  const std::vector<double> drag =
-      world.drag ? std::vector<double>{world.drag->linear, world.drag->quadratic}
-                 : std::vector<double>{};
-  w.array("drag", drag);
-  if (world.sweep_random) w.value("sweep_random", world.sweep_random->state);
-  Columns bonds, contacts, walls;
-  for (const Bond& bond : world.bonds.list) {
-    bonds.a.push_back(bond.pair.a), bonds.b.push_back(bond.pair.b);
-    bonds.state.push_back(static_cast<std::uint8_t>(bond.state));
-    bonds.initial.push_back(bond.initial ? 1 : 0);
-  }
-  for (const Contact& contact : world.contacts) {
-    contacts.a.push_back(contact.pair.a), contacts.b.push_back(contact.pair.b);
-    contacts.normal.push_back(contact.normal), contacts.gap.push_back(contact.gap);
-    contacts.impulse.push_back(contact.impulse), contacts.cohesion.push_back(contact.cohesion);
-  }
-  for (const Wall& wall : world.walls) {
-    walls.point.push_back(wall.point), walls.normal.push_back(wall.normal);
-    walls.velocity.push_back(wall.velocity), walls.mass.push_back(wall.mass);
-    walls.force.push_back(wall.force), walls.role.push_back(static_cast<std::uint8_t>(wall.role));
-  }
-  w.object("bonds", [&](Writer& a) { describe_bonds(a, bonds); });
-  w.object("contacts", [&](Writer& a) { describe_contacts(a, contacts); });
-  w.object("walls", [&](Writer& a) { describe_walls(a, walls); });
-}
-
 Json to_json(const Checkpoint& checkpoint) {
   Json json = {{"format", kFormat}, {"version", kVersion}, {"scene", checkpoint.scene}};
   Writer writer(json);
-  writer.object("world", [&](Writer& w) { write_world(w, checkpoint.world); });
+  writer.object("world", [&](Writer& w) { describe_world(w, checkpoint.world); });
   writer.object("protocol", [&](Writer& w) { describe_protocol(w, checkpoint.protocol); });
-  writer.object("search", [&](Writer& w) { write_search(w, checkpoint.protocol); });
+  writer.object("search", [&](Writer& w) { describe_search(w, checkpoint.protocol); });
   writer.array("samples", checkpoint.samples);
   if (const auto& base = checkpoint.protocol.search.base)
-    writer.object("base", [&](Writer& w) { write_world(w, *base); });
+    writer.object("base", [&](Writer& w) { describe_world(w, *base); });
   return json;
 }
 
@@ -206,51 +170,10 @@ World world_from(const Json& json) {
   World world;
   Reader reader(json);
   describe_world(reader, world);
-  std::vector<double> gravity;
-  reader.array("gravity", gravity);
-  require(gravity.empty() || gravity.size() == 2, "gravity is no vector");
-  if (gravity.size() == 2) world.gravity = Vec2(gravity[0], gravity[1]);
-  std::vector<double> drag;
-  reader.array("drag", drag);
-  require(drag.empty() || drag.size() == 2, "drag is not two numbers");
-  if (drag.size() == 2) world.drag = Drag{.linear = drag[0], .quadratic = drag[1]};
-
-  if (json.contains("sweep_random")) {
-    std::uint64_t state = 0;
-    reader.value("sweep_random", state);
-    world.sweep_random = Random{state};
-  }
-
-  Columns bonds, contacts, walls;
-  reader.object("bonds", [&](Reader& a) { describe_bonds(a, bonds); });
-  reader.object("contacts", [&](Reader& a) { describe_contacts(a, contacts); });
-  reader.object("walls", [&](Reader& a) { describe_walls(a, walls); });
-
   const Disks& d = world.disks;
-  const std::size_t nd = d.position.size();
-  require(same_size(nd, d.angle, d.velocity, d.applied, d.radius, d.mass, d.inverse_mass, d.role),
+  require(same_size(d.position.size(), d.angle, d.velocity, d.applied, d.radius, d.mass,
+                    d.inverse_mass, d.role),
           "the arrays of the disks differ in length");
-  const std::size_t nw = walls.point.size();
-  require(same_size(nw, walls.normal, walls.velocity, walls.mass, walls.force, walls.role),
-          "the arrays of the walls differ in length");
-  for (std::size_t k = 0; k < nw; ++k)
-    world.walls.push_back({walls.point[k], walls.normal[k], walls.velocity[k], walls.mass[k],
-                           walls.force[k], static_cast<WallRole>(walls.role[k])});
-
-  require(same_size(bonds.a.size(), bonds.b, bonds.state, bonds.initial),
-          "the arrays of the bonds differ in length");
-  for (std::size_t k = 0; k < bonds.a.size(); ++k)
-    world.bonds.list.push_back(
-        {{bonds.a[k], bonds.b[k]}, static_cast<BondState>(bonds.state[k]), bonds.initial[k] != 0});
-  require(same_size(contacts.a.size(), contacts.b, contacts.normal, contacts.gap, contacts.impulse,
-                    contacts.cohesion),
-          "the arrays of the contacts differ in length");
-  for (std::size_t k = 0; k < contacts.a.size(); ++k)
-    world.contacts.push_back({{contacts.a[k], contacts.b[k]},
-                              contacts.normal[k],
-                              contacts.gap[k],
-                              contacts.impulse[k],
-                              contacts.cohesion[k]});
   return world;
 }
 
@@ -264,9 +187,9 @@ std::uint64_t checksum(std::span<const std::uint8_t> bytes) {
 }
 
 void add_seal(std::vector<std::uint8_t>& bytes) {
-  const std::uint64_t hash = checksum(bytes);
+  const auto hash = std::bit_cast<std::array<std::uint8_t, 8>>(checksum(bytes));
   bytes.push_back(kEightBytes);
-  for (unsigned k = 0; k < 8; ++k) bytes.push_back(static_cast<std::uint8_t>(hash >> (8 * k)));
+  bytes.insert(bytes.end(), hash.begin(), hash.end());
 }
 
 // The bytes without their seal.
@@ -274,7 +197,7 @@ std::span<const std::uint8_t> sealed_content(std::span<const std::uint8_t> bytes
   require(bytes.size() > kSealSize, "it is too short");
   const auto content = bytes.first(bytes.size() - kSealSize), seal = bytes.last(kSealSize);
   std::uint64_t hash = 0;
-  for (unsigned k = 0; k < 8; ++k) hash |= std::uint64_t{seal[k + 1]} << (8 * k);
+  std::memcpy(&hash, seal.data() + 1, sizeof hash);
   require(seal[0] == kEightBytes && hash == checksum(content),
           "its checksum is wrong: it is cut short, damaged, or another kind of file");
   return content;
@@ -329,7 +252,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
     describe_protocol(reader, checkpoint.protocol);
     if (version < kFirstWithMemory) read_deposit(json.at("protocol"), checkpoint.protocol);
     Reader searches(json.at("search"));
-    read_search(searches, checkpoint.protocol);
+    describe_search(searches, checkpoint.protocol);
     Reader(json).array("samples", checkpoint.samples);
     if (json.contains("base"))
       checkpoint.protocol.search.base = std::make_shared<const World>(world_from(json.at("base")));

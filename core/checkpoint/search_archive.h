@@ -6,8 +6,58 @@
 
 namespace quicksand {
 
-void write_search(CheckpointWriter& writer, const ProtocolState& state);
-// Throws std::exception for what is no search.
-void read_search(CheckpointReader& reader, ProtocolState& state);
+template <class Archive, class Search>
+void describe_present_search(Archive& archive, Search& search) {
+  archive.word("kind", search.kind);
+  archive.value("trial_runs", search.trial_runs);
+  archive.list("targets", search.targets, [](auto& a, auto& target) {
+    a.value("body", target.body);
+    a.value("depth", target.depth);
+    a.value("weight_above", target.weight_above);
+  });
+  archive.value("finished", search.finished);
+  archive.value("trial", search.trial);
+  archive.value("force", search.force);
+  archive.value("first", search.bracket.first);
+  archive.value("low", search.bracket.low);
+  archive.optional("high", search.bracket.high);
+  archive.added("held", search.bracket.held);
+  archive.value("trials", search.bracket.trials);
+  archive.value("undecided", search.undecided);
+  archive.value("interval", search.interval);
+}
+
+template <class Archive, class State>
+void describe_search_results(Archive& archive, State& state) {
+  archive.list("critical_forces", state.critical_forces, [](auto& a, auto& found) {
+    a.value("phase", found.phase);
+    a.word("kind", found.kind);
+    a.value("body", found.body);
+    a.value("x", found.position.x());
+    a.value("y", found.position.y());
+    a.value("depth", found.depth);
+    a.value("weight_above", found.weight_above);
+    a.value("force_low", found.force_low);
+    a.optional("force_high", found.force_high);
+    a.added("force_held", found.force_held);
+    a.value("trials", found.trials);
+    a.value("undecided", found.undecided);
+  });
+  archive.list("adiabatic_deposits", state.adiabatic_deposits, [](auto& a, auto& sample) {
+    a.value("phase", sample.phase);
+    a.value("interval", sample.interval);
+    a.value("volume_fraction", sample.volume_fraction);
+    a.value("coordination", sample.coordination);
+    a.value("grains", sample.grains);
+    a.optional("change", sample.change);
+  });
+}
+
+// Reading throws std::exception for what is no search.
+template <class Archive, class State>
+void describe_search(Archive& archive, State& state) {
+  describe_present_search(archive, state.search);
+  describe_search_results(archive, state);
+}
 
 }  // namespace quicksand

@@ -37,10 +37,9 @@ void check_walls(const Scenario& scenario) {
       throw InputError("walls[" + std::to_string(k) + "]",
                        "has a mass and is tilted; a wall with mass moves along x or y only");
     if (scenario.box.sides == Sides::periodic && wall.normal.x() != 0)
-      throw InputError(
-          "walls[" + std::to_string(k) + "].normal",
-          "is not along y; where the box's sides are periodic only a horizontal wall is "
-          "the same in all its images");
+      throw InputError("walls[" + std::to_string(k) + "].normal",
+                       "is not along y; where the box's sides are periodic only a horizontal wall "
+                       "is the same in all its images");
   }
 }
 
@@ -151,10 +150,10 @@ void validate(const Scenario& scenario) {
   }
   // Two bodies must never touch both directly and through the periodic image.
   if (scenario.box.sides == Sides::periodic && scenario.box.width < 3 * largest)
-    throw InputError("box.width", "is " + message_number(scenario.box.width) +
-                                      " d; periodic sides need at least three times the largest "
-                                      "diameter, " +
-                                      message_number(3 * largest) + " d");
+    throw InputError("box.width",
+                     "is " + message_number(scenario.box.width) +
+                         " d; periodic sides need at least three times the largest diameter, " +
+                         message_number(3 * largest) + " d");
   if (scenario.box.sides == Sides::walls && scenario.box.width < largest)
     throw InputError("box.width", "is " + message_number(scenario.box.width) +
                                       " d; the largest body has a diameter of " +

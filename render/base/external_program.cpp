@@ -75,4 +75,10 @@ ProgramEnd run_external(std::vector<std::string> words, const std::filesystem::p
   return end;
 }
 
+std::string escaped_percent(const std::string& name) {
+  std::string escaped;
+  for (const char c : name) escaped += c == '%' ? "%%" : std::string(1, c);
+  return escaped;
+}
+
 }  // namespace quicksand

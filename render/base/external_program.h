@@ -20,4 +20,7 @@ struct ProgramEnd {
 // starts in `folder` with no input, and waits for the end.
 ProgramEnd run_external(std::vector<std::string> words, const std::filesystem::path& folder = ".");
 
+// A file name for programs that read a percent sign in it as the start of a number.
+std::string escaped_percent(const std::string& name);
+
 }  // namespace quicksand

@@ -3,19 +3,18 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <cstdio>
+
+#include "core/base/format.h"
 
 namespace quicksand {
 namespace {
 
 constexpr double kRounding = 1e-9;  // relative, of a number meant to be nice
 
-std::string print(const char* format, int digits, double x) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), format, digits, x);
-  std::string result = text.data();
-  if (result.starts_with('-')) result.replace(0, 1, "−");
-  return result;
+// With a true minus.
+std::string print(std::string number) {
+  if (number.starts_with('-')) number.replace(0, 1, "−");
+  return number;
 }
 
 }  // namespace
@@ -56,14 +55,15 @@ std::vector<double> nice_ticks(const Range& range, int most) {
 std::string short_number(double x) {
   if (std::abs(x) >= 1e5 || (x != 0 && std::abs(x) < 1e-3)) {
     const double exponent = std::floor(std::log10(std::abs(x)) + kRounding);
-    return print("%.*g", 3, x / std::pow(10.0, exponent)) + "e" + print("%.*f", 0, exponent);
+    return print(format("%.*g", 3, x / std::pow(10.0, exponent))) + "e" +
+           print(format("%.*f", 0, exponent));
   }
-  return std::abs(x) >= 1000 ? print("%.*f", 0, x) : print("%.*g", 3, x);
+  return std::abs(x) >= 1000 ? print(format("%.*f", 0, x)) : print(format("%.*g", 3, x));
 }
 
 std::string fixed_number(double x, int decimals) {
   const double smallest = std::pow(10.0, -decimals) / 2;
-  return print("%.*f", decimals, std::abs(x) < smallest ? 0 : x);
+  return print(format("%.*f", decimals, std::abs(x) < smallest ? 0 : x));
 }
 
 std::string si_number(double x, const std::string& unit) {
@@ -84,7 +84,7 @@ std::string si_number(double x, const std::string& unit) {
   if (best.factor > 1 && unit == "s") best = kPrefixes[3];
   const double value = x / best.factor;
   const std::string number =
-      std::abs(value) >= 1000 ? fixed_number(value, 0) : print("%.*g", 3, value);
+      std::abs(value) >= 1000 ? fixed_number(value, 0) : print(format("%.*g", 3, value));
   return number + " " + best.text + unit;
 }
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "quicksand_shaders.h"
 #include "render/base/render_error.h"
-#include "render/gl/shaders.h"
 
 namespace quicksand {
 namespace {

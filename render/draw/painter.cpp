@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "render/gl/shaders.h"
+#include "quicksand_shaders.h"
 
 namespace quicksand {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "render/gl/shaders.h"
+#include "quicksand_shaders.h"
 
 namespace quicksand {
 namespace {

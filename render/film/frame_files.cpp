@@ -1,11 +1,10 @@
 #include "render/film/frame_files.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <string>
 #include <system_error>
 
+#include "core/base/format.h"
 #include "render/film/sequence.h"
 
 namespace quicksand {
@@ -29,9 +28,8 @@ std::int64_t frame_number(const std::string& name) {
 }  // namespace
 
 std::filesystem::path frame_path(const std::filesystem::path& folder, std::int64_t number) {
-  std::array<char, 40> name{};
-  std::snprintf(name.data(), name.size(), "frame_%06lld.png", static_cast<long long>(number));
-  return folder / name.data();
+  const std::string name = format("frame_%06lld.png", static_cast<long long>(number));
+  return folder / name;
 }
 
 std::map<std::int64_t, std::filesystem::path> frame_files(const std::filesystem::path& folder) {

@@ -14,13 +14,6 @@
 namespace quicksand {
 namespace {
 
-// ffmpeg reads a percent sign in a file name as the start of a number.
-std::string escape_percent(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) escaped += c == '%' ? "%%" : std::string(1, c);
-  return escaped;
-}
-
 // A file that is made anew and handed on to programs that are started while it is open. They know it by its
 // descriptor: what outlives a killed run cannot write to a later file of that name, however late it begins.
 class HandedOn {
@@ -46,7 +39,7 @@ class HandedOn {
 
 std::vector<std::string> arguments(const std::filesystem::path& frames, std::int64_t first,
                                    const std::string& out, double frames_per_second) {
-  const std::string input = escape_percent(frames.string()) + "/frame_%06d.png";
+  const std::string input = escaped_percent(frames.string()) + "/frame_%06d.png";
   return {"ffmpeg", "-nostdin", "-y", "-loglevel", "error", "-framerate",
           std::to_string(frames_per_second), "-start_number", std::to_string(first), "-i",
           "file:" + input,

@@ -2,7 +2,6 @@
 // opened only when it is asked for, so that nobody needs it who draws through OSMesa.
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
-#include <GL/glcorearb.h>
 #include <dlfcn.h>
 
 #include <algorithm>
@@ -11,7 +10,7 @@
 #include <vector>
 
 #include "render/base/render_error.h"
-#include "render/gl/offscreen.h"
+#include "render/gl/gl_table.h"
 
 namespace quicksand {
 namespace {

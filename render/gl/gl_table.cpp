@@ -20,7 +20,7 @@ void load_one(const Offscreen& context, const char* name, Function& function) {
 
 GlTable GlTable::load(const Offscreen& context) {
   GlTable table;
-#define QUICKSAND_GL_LOAD(name, type) load_one(context, "gl" #name, table.name);
+#define QUICKSAND_GL_LOAD(name) load_one(context, "gl" #name, table.name);
   QUICKSAND_GL_FUNCTIONS(QUICKSAND_GL_LOAD)
 #undef QUICKSAND_GL_LOAD
   return table;

@@ -2,55 +2,28 @@
 // every call into nothing, without an error.
 #pragma once
 
+#define GL_GLEXT_PROTOTYPES  // declares the functions, whose types the table takes
 #include <GL/glcorearb.h>
 
 #include "render/gl/offscreen.h"
 
 namespace quicksand {
 
-// name, in the spelling of the GL without its prefix; the type follows from it
-#define QUICKSAND_GL_FUNCTIONS(X)                     \
-  X(ActiveTexture, ACTIVETEXTURE)                     \
-  X(AttachShader, ATTACHSHADER)                       \
-  X(BindBuffer, BINDBUFFER)                           \
-  X(BindTexture, BINDTEXTURE)                         \
-  X(BindVertexArray, BINDVERTEXARRAY)                 \
-  X(BlendFunc, BLENDFUNC)                             \
-  X(BlendFuncSeparate, BLENDFUNCSEPARATE)             \
-  X(BufferData, BUFFERDATA)                           \
-  X(Clear, CLEAR)                                     \
-  X(ClearColor, CLEARCOLOR)                           \
-  X(CompileShader, COMPILESHADER)                     \
-  X(CreateProgram, CREATEPROGRAM)                     \
-  X(CreateShader, CREATESHADER)                       \
-  X(DeleteShader, DELETESHADER)                       \
-  X(DrawArraysInstanced, DRAWARRAYSINSTANCED)         \
-  X(DrawElements, DRAWELEMENTS)                       \
-  X(Enable, ENABLE)                                   \
-  X(EnableVertexAttribArray, ENABLEVERTEXATTRIBARRAY) \
-  X(Finish, FINISH)                                   \
-  X(GenBuffers, GENBUFFERS)                           \
-  X(GenTextures, GENTEXTURES)                         \
-  X(GenVertexArrays, GENVERTEXARRAYS)                 \
-  X(GetProgramInfoLog, GETPROGRAMINFOLOG)             \
-  X(GetProgramiv, GETPROGRAMIV)                       \
-  X(GetShaderInfoLog, GETSHADERINFOLOG)               \
-  X(GetShaderiv, GETSHADERIV)                         \
-  X(GetUniformLocation, GETUNIFORMLOCATION)           \
-  X(LinkProgram, LINKPROGRAM)                         \
-  X(PixelStorei, PIXELSTOREI)                         \
-  X(Scissor, SCISSOR)                                 \
-  X(ShaderSource, SHADERSOURCE)                       \
-  X(TexImage2D, TEXIMAGE2D)                           \
-  X(TexParameteri, TEXPARAMETERI)                     \
-  X(Uniform2f, UNIFORM2F)                             \
-  X(UseProgram, USEPROGRAM)                           \
-  X(VertexAttribDivisor, VERTEXATTRIBDIVISOR)         \
-  X(VertexAttribPointer, VERTEXATTRIBPOINTER)         \
-  X(Viewport, VIEWPORT)
+// Names without the prefix of the GL.
+// clang-format off
+#define QUICKSAND_GL_FUNCTIONS(X)                                                         \
+  X(ActiveTexture) X(AttachShader) X(BindBuffer) X(BindTexture) X(BindVertexArray)        \
+  X(BlendFunc) X(BlendFuncSeparate) X(BufferData) X(Clear) X(ClearColor) X(CompileShader) \
+  X(CreateProgram) X(CreateShader) X(DeleteShader) X(DrawArraysInstanced) X(DrawElements) \
+  X(Enable) X(EnableVertexAttribArray) X(Finish) X(GenBuffers) X(GenTextures)             \
+  X(GenVertexArrays) X(GetProgramInfoLog) X(GetProgramiv) X(GetShaderInfoLog)             \
+  X(GetShaderiv) X(GetUniformLocation) X(LinkProgram) X(PixelStorei) X(Scissor)           \
+  X(ShaderSource) X(TexImage2D) X(TexParameteri) X(Uniform2f) X(UseProgram)               \
+  X(VertexAttribDivisor) X(VertexAttribPointer) X(Viewport)
+// clang-format on
 
 struct GlTable {
-#define QUICKSAND_GL_MEMBER(name, type) PFNGL##type##PROC name = nullptr;
+#define QUICKSAND_GL_MEMBER(name) decltype(&::gl##name) name = nullptr;
   QUICKSAND_GL_FUNCTIONS(QUICKSAND_GL_MEMBER)
 #undef QUICKSAND_GL_MEMBER
 

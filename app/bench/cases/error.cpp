@@ -68,8 +68,7 @@ Scenario push_scene(const Options& options) {
                      .overrides = {quick ? "box.width=16" : "box.width=24",
                                    quick ? "box.height=28" : "box.height=40",
                                    quick ? "phases[0].height=22" : "phases[0].height=34",
-                                   quick ? "phases[1].max_time=0.15" : "phases[1].max_time=0.2"},
-                     .seed = {}});
+                                   quick ? "phases[1].max_time=0.15" : "phases[1].max_time=0.2"}});
 }
 
 void advance_to_phase(Protocol& protocol, int phase) {
@@ -231,14 +230,14 @@ void report_error(std::span<const Row> rows, const Options&, Section& section) {
   if (all.empty() || all.front().row->method != kReference) return;
   const Found& reference = all.front();
   const std::size_t seeds = reference.values.begin()->second.size();
-  section.blocks.emplace_back(Paragraph{format(
-      "An intruder is pushed with F_c into a loose packing of about %lld grains, for so short a "
-      "time that it is still on its way. Each setting is run from the same %zu deposits. The "
-      "reference is the energy rule at dt = %g and a tolerance of %g; deviations are means over "
-      "the seeds, with standard errors, in percent of the reference's mean. The reference is no "
-      "exact solution: it has its own time step.",
-      static_cast<long long>(reference.row->size), seeds, reference.row->dt,
-      reference.row->tolerance)});
+  section.add(Paragraph{
+      format("An intruder is pushed with F_c into a loose packing of about %lld grains, for so "
+             "short a time that it is still on its way. Each setting is run from the same %zu "
+             "deposits. The reference is the energy rule at dt = %g and a tolerance of %g; "
+             "deviations are means over the seeds, with standard errors, in percent of the "
+             "reference's mean. The reference is no exact solution: it has its own time step.",
+             static_cast<long long>(reference.row->size), seeds, reference.row->dt,
+             reference.row->tolerance)});
   Table table{.caption = "Deviation from the reference [%]",
               .columns = {{"setting"}, {"seconds", true}}};
   Table need{.caption =
@@ -265,21 +264,18 @@ void report_error(std::span<const Row> rows, const Options&, Section& section) {
                          {needed(all, observable.name, 0.05)},
                          {needed(all, observable.name, 0.01)}});
   }
-  section.blocks.emplace_back(
-      Paragraph{format("The reference takes %.3g s a push.", reference.seconds)});
-  section.blocks.emplace_back(std::move(table));
-  section.blocks.emplace_back(std::move(need));
+  section.add(Paragraph{format("The reference takes %.3g s a push.", reference.seconds)});
+  section.add(std::move(table));
+  section.add(std::move(need));
   constexpr const char* kCaption =
       "Bars are standard errors over the seeds; grey: within 5 %. Steps are dt at most: they are "
-      "halved until no "
-      "bonded pair turns farther than max_turn.";
+      "halved until no bonded pair turns farther than max_turn.";
   if (seeds < 2) {
-    section.blocks.emplace_back(Remark{Remark::Kind::warning, "One seed has no standard error."});
+    section.add(Remark{Remark::Kind::warning, "One seed has no standard error."});
     return;
   }
-  section.blocks.emplace_back(
-      quicksand::Figure{cost_plot(all, "broken bonds", "error_broken_bonds"), kCaption});
-  section.blocks.emplace_back(quicksand::Figure{cost_plot(all, "depth", "error_depth"), kCaption});
+  section.add(quicksand::Figure{cost_plot(all, "broken bonds", "error_broken_bonds"), kCaption});
+  section.add(quicksand::Figure{cost_plot(all, "depth", "error_depth"), kCaption});
 }
 
 }  // namespace quicksand::bench

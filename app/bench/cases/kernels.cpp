@@ -178,12 +178,11 @@ std::vector<Task> kernel_tasks(const Options& options) {
 }
 
 void report_kernels(std::span<const Row> rows, const Options&, Section& section) {
-  section.blocks.emplace_back(Paragraph{
+  section.add(Paragraph{
       "The shortest of the repeats, one thread, on the first step of a deposit without dynamics "
-      "and on a square lattice of as many disks. "
-      "The limits are compiled with the program's own flags: no -march, so two doubles at a time "
-      "and no fused multiply-add; the block LU takes four where the processor can. Bytes are those "
-      "that must pass at least once."});
+      "and on a square lattice of as many disks. The limits are compiled with the program's own "
+      "flags: no -march, so two doubles at a time and no fused multiply-add; the block LU takes "
+      "four where the processor can. Bytes are those that must pass at least once."});
   Table table{.columns = {{"kernel"},
                           {"microseconds", true},
                           {"rate", true},
@@ -204,7 +203,7 @@ void report_kernels(std::span<const Row> rows, const Options&, Section& section)
                           share(kMemory, kBytes),
                           share(kCache, kBytes)});
   }
-  section.blocks.emplace_back(std::move(table));
+  section.add(std::move(table));
 }
 
 }  // namespace quicksand::bench

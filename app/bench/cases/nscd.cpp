@@ -120,7 +120,7 @@ std::vector<Task> nscd_tasks(const Options& options) {
 }
 
 void report_nscd(std::span<const Row> rows, const Options&, Section& section) {
-  section.blocks.emplace_back(Paragraph{
+  section.add(Paragraph{
       "An update visits one contact: normal, tangential and rolling impulse. " +
       std::to_string(PackedSweeps::kBytesPerUpdate) +
       " bytes are read for it, its row and both bodies. The shortest of the repeats, one thread, " +
@@ -156,15 +156,14 @@ void report_nscd(std::span<const Row> rows, const Options&, Section& section) {
       theory.y.push_back(std::log(kLeft) / (2 * std::log(std::cos(std::numbers::pi / (n + 1)))));
     }
   }
-  if (!table.rows.empty()) section.blocks.emplace_back(std::move(table));
+  if (!table.rows.empty()) section.add(std::move(table));
   if (measured.x.empty()) return;
   plot.curves = {std::move(measured), std::move(theory)};
-  section.blocks.emplace_back(Figure{
-      std::move(plot),
-      "Sweeps in order after which the velocities of a chain pulled at one end are off by a "
-      "hundredth of what they were. The slowest mode alone takes as many as the line says, in "
-      "proportion to the square of the length, as a diffusion does [Unger 2002]; faster ones "
-      "are part of what is off at first."});
+  section.add(Figure{std::move(plot),
+                     "Sweeps in order after which the velocities of a chain pulled at one end are "
+                     "off by a hundredth of what they were. The slowest mode alone takes as many "
+                     "as the line says, in proportion to the square of the length, as a diffusion "
+                     "does [Unger 2002]; faster ones are part of what is off at first."});
 }
 
 }  // namespace quicksand::bench

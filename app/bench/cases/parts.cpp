@@ -1,6 +1,4 @@
 #include <array>
-#include <cstdarg>
-#include <cstdio>
 
 #include "app/base/interrupt.h"
 #include "app/bench/bench.h"
@@ -41,15 +39,6 @@ std::span<const Part> parts() {
 
 void stop_if_interrupted() {
   if (InterruptWatch().interrupted()) throw Interrupted();
-}
-
-std::string format(const char* pattern, ...) {
-  std::array<char, 512> text{};
-  va_list arguments;
-  va_start(arguments, pattern);
-  std::vsnprintf(text.data(), text.size(), pattern, arguments);
-  va_end(arguments);
-  return text.data();
 }
 
 }  // namespace quicksand::bench

@@ -37,10 +37,7 @@ Scenario wide_scene(const Options& options, std::int64_t disks) {
 
 Phase settling() {
   constexpr double kForever = 1e9;
-  return {.kind = SettlePhase{.max_time = kForever, .until_rest = false},
-          .dt = {},
-          .sample_every = {},
-          .solver_tolerance = {}};
+  return {.kind = SettlePhase{.max_time = kForever, .until_rest = false}};
 }
 
 // Steps of a phase from a state, with what a protocol and its world hold at the end.
@@ -63,10 +60,7 @@ void measure_steps(const char* what, const Scenario& scene, const World& start, 
 
 void measure_size(std::int64_t disks, const Options& options, std::vector<Row>& rows) {
   Scenario scene = wide_scene(options, disks);
-  scene.phases = {{.kind = DepositPhase{.grains = disks, .interval = 0},
-                   .dt = {},
-                   .sample_every = {},
-                   .solver_tolerance = {}}};
+  scene.phases = {{.kind = DepositPhase{.grains = disks, .interval = 0}}};
   Row bulk{.what = "deposit", .method = "ballistic", .size = disks};
   const double empty = allocated();
   const Stopwatch watch;
@@ -83,8 +77,7 @@ void measure_size(std::int64_t disks, const Options& options, std::vector<Row>& 
 
   scene.phases = {settling()};
   measure_steps("rest", scene, world, kSettling, 10, options, rows);
-  scene.phases = {
-      {.kind = PushPhase{.force = 1e4}, .dt = 1e-3, .sample_every = {}, .solver_tolerance = {}}};
+  scene.phases = {{.kind = PushPhase{.force = 1e4}, .dt = 1e-3}};
   measure_steps("push", scene, world, 2, 5, options, rows);
   // Without bonds the whole network falls in.
   scene.phases = {settling()};
@@ -126,16 +119,14 @@ std::vector<Task> size_tasks(const Options& options) {
 }
 
 void report_size(std::span<const Row> rows, const Options&, Section& section) {
-  section.blocks.emplace_back(Paragraph{format(
-      "Deposits of constant height (about 12 grains a width of d) and growing width. Deposit: all "
-      "grains placed where they first touch, without dynamics. Rest: mean of 10 steps after %d of "
-      "settling, dt = 1e-2. Push: mean of the third to seventh step with an intruder pressed on "
-      "the "
-      "surface with F_c, dt = 1e-3. Collapse: the same steps after all bonds are taken away, dt = "
-      "1e-2. Picture: one drawing of 1280 x 720. Bytes are what the allocator has handed out for "
-      "world "
-      "and scratch at the end.",
-      kSettling)});
+  section.add(Paragraph{
+      format("Deposits of constant height (about 12 grains a width of d) and growing width. "
+             "Deposit: all grains placed where they first touch, without dynamics. Rest: mean of "
+             "10 steps after %d of settling, dt = 1e-2. Push: mean of the third to seventh step "
+             "with an intruder pressed on the surface with F_c, dt = 1e-3. Collapse: the same "
+             "steps after all bonds are taken away, dt = 1e-2. Picture: one drawing of 1280 x 720. "
+             "Bytes are what the allocator has handed out for world and scratch at the end.",
+             kSettling)});
   Table table{.columns = {{"what"},
                           {"disks", true},
                           {"seconds", true},
@@ -172,9 +163,9 @@ void report_size(std::span<const Row> rows, const Options&, Section& section) {
                                 format(": seconds grow as n^%.2f", exponent(curve.x, curve.y)));
     plot.curves.push_back(std::move(curve));
   }
-  section.blocks.emplace_back(std::move(exponents));
-  section.blocks.emplace_back(quicksand::Figure{plot, "Exponents are fitted to all sizes."});
-  section.blocks.emplace_back(std::move(table));
+  section.add(std::move(exponents));
+  section.add(quicksand::Figure{plot, "Exponents are fitted to all sizes."});
+  section.add(std::move(table));
 }
 
 }  // namespace quicksand::bench

@@ -45,10 +45,7 @@ Scenario heap(const Options& options) {
 }
 
 Scenario with_steps(Scenario scene, int steps) {
-  scene.phases = {{.kind = SettlePhase{.max_time = steps * scene.step.dt, .until_rest = false},
-                   .dt = {},
-                   .sample_every = {},
-                   .solver_tolerance = {}}};
+  scene.phases = {{.kind = SettlePhase{.max_time = steps * scene.step.dt, .until_rest = false}}};
   return scene;
 }
 
@@ -193,16 +190,12 @@ std::vector<Task> term_tasks(const Options& options) {
 
 void report_terms(std::span<const Row> rows, const Options&, Section& section) {
   const std::string all = variants().front().name;
-  section.blocks.emplace_back(Paragraph{format(
+  section.add(Paragraph{format(
       "A heap of %lld disks at rest, so that leaving out a term changes the work and not the "
-      "motion. "
-      "A step is the program's default one (auto), the mean of %d after the first, which takes up "
-      "the "
-      "weight; a sweep is one of Gauss-Seidel over all contacts. Seconds are medians; in brackets "
-      "the "
-      "change against all terms. auto tries the local solver only where there is rolling friction, "
-      "so a "
-      "scene without it may pay more a step although each sweep is cheaper.",
+      "motion. A step is the program's default one (auto), the mean of %d after the first, which "
+      "takes up the weight; a sweep is one of Gauss-Seidel over all contacts. Seconds are medians; "
+      "in brackets the change against all terms. auto tries the local solver only where there is "
+      "rolling friction, so a scene without it may pay more a step although each sweep is cheaper.",
       rows.empty() ? 0LL : static_cast<long long>(rows.front().size), kCountedSteps)});
   Table table{.columns = {{"scene"},
                           {"us a step", true},
@@ -220,15 +213,14 @@ void report_terms(std::span<const Row> rows, const Options&, Section& section) {
     table.rows.push_back(
         {{variant.name}, cell("steps", 1e6), cell("sweeps", 1e6), cell("instructions", 1e-3)});
   }
-  section.blocks.emplace_back(std::move(table));
+  section.add(std::move(table));
   if (counted) {
-    section.blocks.emplace_back(
+    section.add(
         Paragraph{format("Instructions are counted by valgrind --tool=callgrind on `quicksand "
-                         "run`: a run of %d steps "
-                         "less one of a single step, over %d.",
+                         "run`: a run of %d steps less one of a single step, over %d.",
                          kCountedSteps + 1, kCountedSteps)});
   } else {
-    section.blocks.emplace_back(
+    section.add(
         Remark{Remark::Kind::note, "valgrind is not installed: no instructions were counted."});
   }
   BulletList looking;
@@ -237,7 +229,7 @@ void report_terms(std::span<const Row> rows, const Options&, Section& section) {
     if (!values.empty())
       looking.items.push_back(std::string(name) + format(": %.3g ms", 1e3 * median(values)));
   }
-  section.blocks.emplace_back(std::move(looking));
+  section.add(std::move(looking));
 }
 
 }  // namespace quicksand::bench

@@ -84,7 +84,7 @@ std::vector<Task> thread_tasks(const Options& options) {
 }
 
 void report_threads(std::span<const Row> rows, const Options&, Section& section) {
-  section.blocks.emplace_back(Paragraph{
+  section.add(Paragraph{
       "One step, solved by the interior point to a residual of 1e-5; the shortest of the repeats, "
       "in time of the wall. Systems of less than some thousand contacts are not shared."});
   Table table{.columns = {{"problem"},
@@ -101,7 +101,7 @@ void report_threads(std::span<const Row> rows, const Options&, Section& section)
                             {format("%.3g", 1e3 * row.seconds.wall)},
                             {format("%.2f", row.value.value_or(0))},
                             {row.found}});
-  section.blocks.emplace_back(std::move(table));
+  section.add(std::move(table));
 }
 
 }  // namespace quicksand::bench

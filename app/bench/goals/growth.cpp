@@ -33,7 +33,6 @@ Outcome growth(const Options& options) {
       growing.valid = growing.valid && report.converged;
       seconds[static_cast<std::size_t>(repeat)].push_back(run.seconds.cpu);
       outcome.runs.push_back(run);
-      growing.run = static_cast<int>(outcome.runs.size()) - 1;
     }
     const Row& last = outcome.runs.back();
     per_factorisation.push_back(
@@ -47,6 +46,7 @@ Outcome growth(const Options& options) {
                           std::to_string(exponent(grains, per_factorisation)));
   for (const std::vector<double>& of_repeat : seconds)
     growing.values.push_back(exponent(grains, of_repeat));
+  growing.run = static_cast<int>(outcome.runs.size()) - 1;
   outcome.figures = {growing};
   return outcome;
 }

@@ -4,7 +4,6 @@
 // Two networks of 5000 grains: one that stands (the packing at rest, its forces forgotten) and one that
 // does not (a deposit in the paper's box without dynamics, whose branches fall at about g dt).
 #include <array>
-#include <cstdio>
 
 #include "app/bench/goals/goal_cases.h"
 #include "app/bench/paper_states.h"
@@ -41,10 +40,8 @@ void solve_cold(const std::string& network, const World& world, const Scenario& 
     Row run = measure_solution(step, step.start, settings, reference, options);
     run.what = network;
     run.repeat = repeat;
-    time.values.push_back(1e3 * run.seconds.cpu);
-    outcome.runs.push_back(run);
+    outcome.add(run, 1e3 * run.seconds.cpu, time);
   }
-  time.run = static_cast<int>(outcome.runs.size()) - 1;
   Row swept = measure_gauss_seidel(step, step.start, kError, reference, options);
   swept.what = network + "_gauss_seidel";
   outcome.runs.push_back(swept);
@@ -53,15 +50,13 @@ void solve_cold(const std::string& network, const World& world, const Scenario& 
   for (const double ms : time.values) ratio.values.push_back(1e3 * swept.seconds.cpu / ms);
   outcome.figures.push_back(time);
   outcome.figures.push_back(ratio);
-  std::array<char, 240> text{};
-  std::snprintf(text.data(), text.size(),
-                "%s: tolerance %.0e%s; Gauss-Seidel %.1e g dt off after %lld sweeps and %.3g s; "
-                "reference at residual %.1e, two routes %.1e g dt apart",
-                network.c_str(), settings.tolerance,
-                time.valid ? "" : ", and no looser one reaches 1e-3 g dt either", *swept.error,
-                static_cast<long long>(swept.iterations), swept.seconds.cpu,
-                reference.residual.natural, reference.doubt);
-  outcome.notes.emplace_back(text.data());
+  outcome.notes.push_back(
+      format("%s: tolerance %.0e%s; Gauss-Seidel %.1e g dt off after %lld sweeps and %.3g s; "
+             "reference at residual %.1e, two routes %.1e g dt apart",
+             network.c_str(), settings.tolerance,
+             time.valid ? "" : ", and no looser one reaches 1e-3 g dt either", *swept.error,
+             static_cast<long long>(swept.iterations), swept.seconds.cpu,
+             reference.residual.natural, reference.doubt));
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 
 #include "app/bench/cases/window.h"
 #include "app/bench/goals/goal_cases.h"
-#include "app/bench/goals/over_gauss_seidel.h"
 #include "app/bench/paper_states.h"
 #include "core/scene/make_world.h"
 
@@ -14,12 +13,11 @@ namespace {
 // A phase of as many steps in which nothing is added and which no rest ends.
 Phase watching(std::int64_t steps, double dt) {
   return {.kind = SettlePhase{.max_time = static_cast<double>(steps) * dt, .until_rest = false},
-          .dt = dt,
-          .sample_every = {}};
+          .dt = dt};
 }
 
 Figure steps_per_second(double goal) {
-  return {.what = "steps", .unit = "1/s", .goal = goal, .more_is_better = true, .values = {}};
+  return {.what = "steps", .unit = "1/s", .goal = goal, .more_is_better = true};
 }
 
 // Takes a window as a repeat of the figure.
@@ -28,13 +26,11 @@ void add(const Window& window, const Scenario& scene, int repeat, Figure& figure
   Row run = window.run;
   run.repeat = repeat;
   run.tolerance = scene.solver.tolerance;
-  figure.values.push_back(static_cast<double>(run.steps) / run.seconds.cpu);
+  outcome.add(run, static_cast<double>(run.steps) / run.seconds.cpu, figure);
   if (!window.failure.empty()) {
     figure.valid = false;
     outcome.notes.push_back(window.failure);
   }
-  outcome.runs.push_back(run);
-  figure.run = static_cast<int>(outcome.runs.size()) - 1;
 }
 
 }  // namespace
@@ -55,7 +51,7 @@ Outcome deposition(const Options& options) {
   }
   outcome.figures = {figure};
   const StepProblem step = next_problem(full, scene.step);
-  compare_with_gauss_seidel(step, scene.solver, solve_tightly(step), options, outcome);
+  compare_with_gauss_seidel(step, scene.solver, options, outcome);
   return outcome;
 }
 
@@ -72,7 +68,7 @@ Outcome rest(const Options& options) {
   }
   outcome.figures = {figure};
   const StepProblem step = next_problem(world, scene.step);
-  compare_with_gauss_seidel(step, scene.solver, solve_tightly(step), options, outcome);
+  compare_with_gauss_seidel(step, scene.solver, options, outcome);
   return outcome;
 }
 
@@ -96,7 +92,7 @@ Outcome plough(const Options& options) {
   }
   outcome.figures = {figure};
   const StepProblem step = next_problem(start.world, step_settings);
-  compare_with_gauss_seidel(step, scene.solver, solve_tightly(step), options, outcome);
+  compare_with_gauss_seidel(step, scene.solver, options, outcome);
   return outcome;
 }
 

@@ -18,13 +18,13 @@ std::vector<Task> hard_tasks(const Options& options) {
 void report_hard(std::span<const Row> rows, const Options&, Section& section) {
   const auto passed =
       std::ranges::count_if(rows, [](const Row& row) { return row.passed.value_or(false); });
-  section.blocks.emplace_back(Paragraph{format(
-      "%d of %zu answers are right. Every case runs at the program's defaults (method auto, "
-      "tolerance 1e-6, dt = 1e-2; spinning pairs 1e-3) unless its name says otherwise. What is "
-      "expected is a closed form: the balance of forces or moments at the contact law's limits, "
-      "and momentum. How far off is in the unit of the bound that the answer must keep. Some cases "
-      "are run at a smaller tolerance as well, which their name says.",
-      static_cast<int>(passed), rows.size())});
+  section.add(Paragraph{
+      format("%d of %zu answers are right. Every case runs at the program's defaults (method auto, "
+             "tolerance 1e-6, dt = 1e-2; spinning pairs 1e-3) unless its name says otherwise. What "
+             "is expected is a closed form: the balance of forces or moments at the contact law's "
+             "limits, and momentum. How far off is in the unit of the bound that the answer must "
+             "keep. Some cases are run at a smaller tolerance as well, which their name says.",
+             static_cast<int>(passed), rows.size())});
   Table table{
       .columns = {
           {"case"}, {"expected"}, {"ours"}, {"off by", true}, {"verdict"}, {"seconds", true}}};
@@ -38,7 +38,7 @@ void report_hard(std::span<const Row> rows, const Options&, Section& section) {
          {right ? "pass" : "FAIL", right ? Cell::Mark::inside : Cell::Mark::outside},
          {row.seconds.cpu > 0 ? format("%.2g", row.seconds.cpu) : "-"}});
   }
-  section.blocks.emplace_back(std::move(table));
+  section.add(std::move(table));
 }
 
 }  // namespace quicksand::bench

@@ -12,10 +12,7 @@ namespace {
 
 Scenario with_one_phase(Scenario scene) {
   constexpr double kForever = 1e9;
-  scene.phases = {{.kind = SettlePhase{.max_time = kForever, .until_rest = false},
-                   .dt = {},
-                   .sample_every = {},
-                   .solver_tolerance = {}}};
+  scene.phases = {{.kind = SettlePhase{.max_time = kForever, .until_rest = false}}};
   validate(scene);
   return scene;
 }

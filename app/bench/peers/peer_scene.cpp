@@ -165,10 +165,7 @@ PeerScene network(std::int64_t grains) {
   one.scene.box.height = 4 * one.scene.box.width;
   bond_all(one.scene, kStrong);
   Scenario deposit = one.scene;
-  deposit.phases = {{.kind = DepositPhase{.grains = grains, .interval = 0},
-                     .dt = {},
-                     .sample_every = {},
-                     .solver_tolerance = {}}};
+  deposit.phases = {{.kind = DepositPhase{.grains = grains, .interval = 0}}};
   Protocol protocol(deposit, make_world(deposit));
   while (protocol.phase() != nullptr)
     if (protocol.advance() == Progress::failed) throw std::runtime_error(protocol.failure());

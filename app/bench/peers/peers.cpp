@@ -159,15 +159,14 @@ std::vector<Task> peer_tasks(const Options& options) {
 }
 
 void report_peers(std::span<const Row> rows, const Options&, Section& section) {
-  section.blocks.emplace_back(Paragraph{
+  section.add(Paragraph{
       "The same starting states, under the same gravity for the same time (column dt: the step, in "
       "sqrt(d/g)), as each program would be set up by its users: by its defaults, and tuned by us; "
       "what that means and why stands in its driver in tests/bench/peers. Ours tuned is dt = 2e-3 "
       "and a tolerance of 1e-9. What is expected is the closed form; right is what has moved by "
       "less than 0.1 d; for heaps, overlaps by less than 0.01 d and has come down to a volume "
       "fraction of 0.7; for beams that yield, turns to 10 %. Seconds are of the CPU, one thread, "
-      "in "
-      "the time steps alone, and include those in which a driver lets gravity rise. A program "
+      "in the time steps alone, and include those in which a driver lets gravity rise. A program "
       "without a law of bonds that break is not judged where there are bonds. Box2D is of single "
       "precision: it is off by the distance of neighbouring numbers at least."});
   std::set<std::string> absent, scenes;
@@ -175,15 +174,14 @@ void report_peers(std::span<const Row> rows, const Options&, Section& section) {
     if (row.found == kAbsent) absent.insert(row.method.substr(0, row.method.find(',')));
   for (const Peer& peer : peers())
     if (absent.contains(std::string(peer.name)))
-      section.blocks.emplace_back(
+      section.add(
           Remark{Remark::Kind::note, std::string(peer.name) +
-                                         " was left out: it or its driver is not "
-                                         "there (package " +
+                                         " was left out: it or its driver is not there (package " +
                                          std::string(peer.packages) + ")."});
-  section.blocks.emplace_back(table_of(rows));
+  section.add(table_of(rows));
   for (const Row& row : rows) {
     if (row.unit != "d" || !row.error || !scenes.insert(row.name).second) continue;
-    section.blocks.emplace_back(quicksand::Figure{
+    section.add(quicksand::Figure{
         scene_plot(rows, row.name),
         row.name + ": further left and lower is better; each program's two points are its defaults "
                    "and its tuned setting. Errors below 1e-12 d are drawn there."});

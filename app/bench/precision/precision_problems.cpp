@@ -48,8 +48,7 @@ StepProblem chain(const Options& options) {
 }
 
 StepProblem beam(const Options&) {
-  const Scenario scene =
-      read_scene({.file = shipped_scene("cantilever"), .overrides = {"step.dt=1e-2"}, .seed = {}});
+  const Scenario scene = cantilever_scene();
   return cold(next_problem(make_world(scene), scene.step));
 }
 
@@ -73,15 +72,22 @@ StepProblem strong_bonds(const Options& options) {
 
 }  // namespace
 
-Scenario chain_scene(int disks) {
+Scenario chain_scene(int disks, const std::vector<std::string>& more) {
   const std::string top = std::to_string(disks + 3), next = std::to_string(disks + 2);
-  return read_scene(
-      {.file = shipped_scene("chain"),
-       .overrides = {"box.height=" + std::to_string(disks + 4),
-                     "bodies[0].position=[5," + top + "]", "bodies[1].position=[5," + next + "]",
-                     "bodies[1].repeat.count=" + std::to_string(disks),
-                     "contact.cohesion_force=1e4", "step.dt=1e-2"},
-       .seed = {}});
+  SceneRequest request{
+      shipped_scene("chain"),
+      {"box.height=" + std::to_string(disks + 4), "bodies[0].position=[5," + top + "]",
+       "bodies[1].position=[5," + next + "]", "bodies[1].repeat.count=" + std::to_string(disks),
+       "contact.cohesion_force=1e4", "step.dt=1e-2"},
+      {}};
+  request.overrides.insert(request.overrides.end(), more.begin(), more.end());
+  return read_scene(request);
+}
+
+Scenario cantilever_scene(const std::vector<std::string>& more) {
+  SceneRequest request{shipped_scene("cantilever"), {"step.dt=1e-2"}, {}};
+  request.overrides.insert(request.overrides.end(), more.begin(), more.end());
+  return read_scene(request);
 }
 
 const std::vector<PrecisionProblem>& precision_problems() {

@@ -17,7 +17,9 @@ struct PrecisionProblem {
 // In the order of the report.
 const std::vector<PrecisionProblem>& precision_problems();
 
-// A chain of so many disks below a fixed one, at dt = 1e-2 and F_c = 1e4 F_g (assets/scenes/chain.json).
-Scenario chain_scene(int disks);
+// With further values, as in run --set. A chain of so many disks below a fixed one, at dt = 1e-2 and F_c = 1e4 F_g (assets/scenes/chain.json).
+Scenario chain_scene(int disks, const std::vector<std::string>& more = {});
+// The clamped beam of assets/scenes/cantilever.json, at dt = 1e-2.
+Scenario cantilever_scene(const std::vector<std::string>& more = {});
 
 }  // namespace quicksand::bench

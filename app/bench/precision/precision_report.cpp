@@ -79,20 +79,20 @@ std::string time_at(const Problem& problem, const char* method, double tolerance
 }
 
 Table time_table(const std::vector<Problem>& problems) {
-  Table table{.caption =
-                  "Milliseconds to a residual, and in brackets the velocity error there "
-                  "(g dt). Direct methods must also leave less than d_c/10 of gap error at bonds "
-                  "to be accepted. -: not reached; the last column says how far a method came, and "
-                  "the time it took.",
-              .columns = {{"problem"},
-                          {"method"},
-                          {"1e-2", true},
-                          {"1e-4", true},
-                          {"1e-6", true},
-                          {"1e-8", true},
-                          {"1e-10", true},
-                          {"1e-12", true},
-                          {"smallest residual", true}}};
+  Table table{
+      .caption =
+          "Milliseconds to a residual, and in brackets the velocity error there (g dt). Direct "
+          "methods must also leave less than d_c/10 of gap error at bonds to be accepted. -: not "
+          "reached; the last column says how far a method came, and the time it took.",
+      .columns = {{"problem"},
+                  {"method"},
+                  {"1e-2", true},
+                  {"1e-4", true},
+                  {"1e-6", true},
+                  {"1e-8", true},
+                  {"1e-10", true},
+                  {"1e-12", true},
+                  {"smallest residual", true}}};
   for (const Problem& p : problems) {
     for (const char* method : kMethods) {
       const Row* best = p.best(method);
@@ -139,24 +139,23 @@ Plot error_plot(const Problem& problem) {
 
 void report_precision(std::span<const Row> rows, const Options&, Section& section) {
   const std::vector<Problem> problems = problems_of(rows);
-  section.blocks.emplace_back(Paragraph{
-      "All solvers get the same contact problems, each that of one time step of a stored state, "
-      "with "
-      "the same first guess. Times include the ordering and the symbolic factorisation. Direct "
-      "methods are run to each tolerance anew (median of at least three); Gauss-Seidel is one "
-      "sequence "
-      "of sweeps, its error noted as it passes each residual, up to a largest number of sweeps."});
-  section.blocks.emplace_back(Paragraph{
-      "There are two references for each problem. The first is auto at a tolerance of 1e-12 from "
-      "the warm start. The second is auto from twice the cohesion impulses, so by the "
-      "interior point from afar, and then up to 40 iterations of Newton's method on the modes of "
-      "the contacts (open, stick, slide, roll). The one of smaller residual is taken, and no error "
-      "below their distance is reported."});
-  section.blocks.emplace_back(reference_table(problems));
-  section.blocks.emplace_back(time_table(problems));
+  section.add(
+      Paragraph{"All solvers get the same contact problems, each that of one time step of a stored "
+                "state, with the same first guess. Times include the ordering and the symbolic "
+                "factorisation. Direct methods are run to each tolerance anew (median of at least "
+                "three); Gauss-Seidel is one sequence of sweeps, its error noted as it passes each "
+                "residual, up to a largest number of sweeps."});
+  section.add(
+      Paragraph{"There are two references for each problem. The first is auto at a tolerance of "
+                "1e-12 from the warm start. The second is auto from twice the cohesion impulses, "
+                "so by the interior point from afar, and then up to 40 iterations of Newton's "
+                "method on the modes of the contacts (open, stick, slide, roll). The one of "
+                "smaller residual is taken, and no error below their distance is reported."});
+  section.add(reference_table(problems));
+  section.add(time_table(problems));
   for (const Problem& problem : problems) {
     if (!problem.known() || problem.rows.empty()) continue;
-    section.blocks.emplace_back(quicksand::Figure{
+    section.add(quicksand::Figure{
         error_plot(problem),
         problem.reference->name + ": " + problem.reference->found +
             format(". Further left and lower is better; points from right to left are residuals "

@@ -193,8 +193,8 @@ void report_problems(std::span<const Row> rows, const Options& options, Section&
          .y = each(group, [](const Row& r) { return std::max(r.error.value_or(0), 1e-12); })});
   }
   table.rows.push_back(table_row("all", all));
-  section.blocks.emplace_back(std::move(table));
-  section.blocks.emplace_back(quicksand::Figure{plot, "Left and below is better."});
+  section.add(std::move(table));
+  section.add(quicksand::Figure{plot, "Left and below is better."});
 }
 
 }  // namespace quicksand::bench

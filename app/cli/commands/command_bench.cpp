@@ -82,11 +82,9 @@ Report report_of(const Request& request, const std::vector<Row>& rows, double se
   Report report{.title = "quicksand: speed against error"};
   report.intro = {
       "Times are CPU seconds of one thread. The residual is the program's own measure of a "
-      "solution "
-      "(core/problem/residual.h), over the force scale times dt; velocity errors are against a "
-      "tight "
-      "reference solution, the worst of a disk, in units of g dt, the velocity of free fall over "
-      "a step."};
+      "solution (core/problem/residual.h), over the force scale times dt; velocity errors are "
+      "against a tight reference solution, the worst of a disk, in units of g dt, the velocity of "
+      "free fall over a step."};
   if (request.options.quick)
     report.intro.emplace_back("A quick run: small systems, so that it ends within minutes.");
   if (missing > 0)
@@ -102,7 +100,7 @@ Report report_of(const Request& request, const std::vector<Row>& rows, double se
     BulletList failures;
     for (const Row& row : own)
       if (row.what == "failed") failures.items.push_back(row.name + ": " + row.found);
-    if (!failures.items.empty()) section.blocks.emplace_back(std::move(failures));
+    if (!failures.items.empty()) section.add(std::move(failures));
     report.sections.push_back(std::move(section));
   }
   report.provenance = provenance({.command = command_of(request), .seconds = seconds});

@@ -148,8 +148,8 @@ class CampaignRun {
       std::error_code error;
       if (!fs::exists(folder.state(), error)) continue;
       std::fprintf(stderr,
-                   "  repeat its end with: quicksand run %s --continue %s --out %s%s "
-                   "--set step.max_halvings=16\n",
+                   "  repeat its end with: quicksand run %s --continue %s --out %s%s --set "
+                   "step.max_halvings=16\n",
                    shell_text(folder.scene()).c_str(), shell_text(folder.state()).c_str(),
                    shell_text(out_ / "repeats" / jobs_[i].id).c_str(),
                    campaign_.frames ? "" : " --no-frames");
@@ -191,12 +191,9 @@ class CampaignRun {
 };
 
 int run(const CampaignArguments& options) {
-  const std::vector<std::string> engines{"local", "slurm"};
-  if (std::ranges::find(engines, options.engine) == engines.end()) {
-    throw InputError("--engine " + options.engine,
-                     "is no engine" + suggestion(options.engine, engines));
-  }
-  const bool on_cluster = options.engine == "slurm";
+  constexpr std::string_view kEngines[] = {"local", "slurm"};
+  const bool on_cluster = named(kEngines, options.engine, std::identity(),
+                                "--engine " + options.engine, "is no engine") == "slurm";
   if (options.wait && !on_cluster) throw InputError("--wait", "needs --engine slurm");
   CampaignRun session(options);
   if (options.dry_run) return session.dry_run();

@@ -10,7 +10,6 @@
 #include "app/base/nearest_name.h"
 #include "app/campaign/campaign.h"
 #include "app/cli/commands.h"
-#include "app/cli/completion.h"
 #include "app/commands/command_table.h"
 #include "app/export/tables.h"
 #include "app/play/session_reference.h"
@@ -71,19 +70,49 @@ void list_columns(const CLI::App&) {
   list(state_table());
 }
 
-void list_session_schema(const CLI::App&) { std::printf("%s\n", session_schema().dump(2).c_str()); }
-
-void list_commands(const CLI::App&) { std::printf("%s", commands_text().c_str()); }
-
-void list_schema(const CLI::App&) { std::printf("%s\n", scene_schema().dump(2).c_str()); }
-
-void list_campaign_schema(const CLI::App&) {
-  std::printf("%s\n", campaign_schema().dump(2).c_str());
+template <auto make>
+void list_text(const CLI::App&) {
+  std::fputs(make().c_str(), stdout);
 }
 
-void list_scene_reference(const CLI::App&) { std::fputs(scene_reference().c_str(), stdout); }
+template <auto make>
+void list_json(const CLI::App&) {
+  std::puts(make().dump(2).c_str());
+}
 
-void list_session_reference(const CLI::App&) { std::fputs(session_reference().c_str(), stdout); }
+std::string options_of(const CLI::App& command) {
+  std::string words;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& name : option->get_lnames())
+      words += (words.empty() ? "--" : " --") + name;
+  return words;
+}
+
+// A script that lets bash complete commands, options and, where neither fits, files.
+std::string bash_completion(const CLI::App& program) {
+  std::string names;
+  std::string cases;
+  for (const CLI::App* command : program.get_subcommands({})) {
+    names += command->get_name() + " ";
+    cases += "    " + command->get_name() + ") words='" + options_of(*command) + "' ;;\n";
+  }
+  return "# Completion of quicksand for bash, written by `quicksand list completion`.\n"
+         "_quicksand() {\n"
+         "  local word=${COMP_WORDS[COMP_CWORD]} words=\n"
+         "  case ${COMP_WORDS[1]} in\n" +
+         cases +
+         "  esac\n"
+         "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
+         "    words='" +
+         names + options_of(program) +
+         "'\n"
+         "  elif [[ $word != -* ]]; then\n"
+         "    words=  # files are completed by default\n"
+         "  fi\n"
+         "  COMPREPLY=($(compgen -W \"$words\" -- \"$word\"))\n"
+         "}\n"
+         "complete -o bashdefault -o default -F _quicksand quicksand\n";
+}
 
 void list_completion(const CLI::App& program) {
   std::fputs(bash_completion(program).c_str(), stdout);
@@ -99,12 +128,12 @@ constexpr auto kListings = std::to_array<Listing>(
      {"colours", "what grains can be coloured by", list_colours},
      {"quantities", "columns of series.csv, which sessions can ask for", list_quantities},
      {"columns", "columns of exported tables", list_columns},
-     {"commands", "commands of sessions, with their arguments", list_commands},
-     {"schema", "JSON schema of scenes", list_schema},
-     {"campaign_schema", "JSON schema of campaigns", list_campaign_schema},
-     {"session_schema", "JSON schema of sessions", list_session_schema},
-     {"scene_reference", "every key of a scene, as Markdown", list_scene_reference},
-     {"session_reference", "every command of sessions, as Markdown", list_session_reference},
+     {"commands", "commands of sessions, with their arguments", list_text<commands_text>},
+     {"schema", "JSON schema of scenes", list_json<scene_schema>},
+     {"campaign_schema", "JSON schema of campaigns", list_json<campaign_schema>},
+     {"session_schema", "JSON schema of sessions", list_json<session_schema>},
+     {"scene_reference", "every key of a scene, as Markdown", list_text<scene_reference>},
+     {"session_reference", "every command of sessions, as Markdown", list_text<session_reference>},
      {"completion", "completion of options for bash", list_completion}});
 
 std::string listing_names() {
@@ -119,13 +148,8 @@ int list(const std::string& what, const CLI::App& program) {
     for (const Listing& known : kListings) std::printf("%-18s %s\n", known.name, known.help);
     return kFine;
   }
-  const auto known = std::ranges::find(kListings, what, &Listing::name);
-  if (known == kListings.end()) {
-    std::vector<std::string> names;
-    std::ranges::transform(kListings, std::back_inserter(names), &Listing::name);
-    throw InputError("list " + what, "is nothing that can be listed" + suggestion(what, names));
-  }
-  known->print(program);
+  named(kListings, what, &Listing::name, "list " + what, "is nothing that can be listed")
+      .print(program);
   return kFine;
 }
 

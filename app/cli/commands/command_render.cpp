@@ -47,8 +47,7 @@ Command add_render(CLI::App& program) {
   add_picture_options(*command, options->picture);
   command->footer(
       "Examples:\n  quicksand render out/collapse/state.cbor --out collapse.png\n"
-      "  quicksand render out/collapse/state.cbor --out collapse.png --theme dark "
-      "--bonds");
+      "  quicksand render out/collapse/state.cbor --out collapse.png --theme dark --bonds");
   return {command, [options] { return render(*options); }};
 }
 

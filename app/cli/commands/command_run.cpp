@@ -79,8 +79,8 @@ Command add_run(CLI::App& program) {
       "complete results; `quicksand resume DIR` goes on, after a kill or a power cut, too.\n\n"
       "Examples:\n"
       "  quicksand run assets/scenes/collapse.json\n"
-      "  quicksand run assets/scenes/collapse.json --out out/strong "
-      "--set phases[1].force_over_cohesion=3");
+      "  quicksand run assets/scenes/collapse.json --out out/strong --set "
+      "phases[1].force_over_cohesion=3");
   return {command, [options] { return run(*options); }};
 }
 

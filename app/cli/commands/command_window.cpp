@@ -15,8 +15,7 @@ Command add_window(CLI::App& program) {
   command
       ->add_option("file", options->file,
                    "scene, by name or path, or a session that is played before the window opens; "
-                   "the demo if "
-                   "absent")
+                   "the demo if absent")
       ->type_name("SCENE|SESSION");
   command
       ->add_option("--record", options->record,

@@ -199,7 +199,7 @@ TEST(PlotScript, NamesOfLinesNearEachOtherStandApart) {
   const auto place = [&](const char* x) {
     const std::size_t at =
         script.find(std::string("at first ") + x + ", graph 1 ", script.find("set label"));
-    return script.substr(at + 3, script.find(" textcolor", at) - at - 3);
+    return script.substr(at + 3, script.find(" @grey", at) - at - 3);
   };
   EXPECT_EQ(place("50"), "first 50, graph 1 left offset character 0, 0.7");
   EXPECT_EQ(place("62"), "first 62, graph 1 left offset character 0, 0.7");

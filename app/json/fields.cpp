@@ -1,0 +1,224 @@
+#include "app/json/fields.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "app/base/nearest_name.h"
+#include "core/base/errors.h"
+
+namespace quicksand {
+
+namespace {
+
+constexpr std::size_t kShortText = 60;
+
+double checked_number(const Json& value, const Limits& limits, const std::string& where) {
+  const double number = value.is_number() ? value.get<double>() : std::nan("");
+  const bool inside = limits.above ? number > limits.low : number >= limits.low;
+  if (!std::isfinite(number) || !inside || number > limits.high) {
+    throw InputError(where, "is " + described(value) + ", must be " + described(limits));
+  }
+  return number * limits.scale;
+}
+
+Vec2 checked_vector(const Json& value, const Limits& limits, const std::string& where) {
+  if (!value.is_array() || value.size() != 2) {
+    throw InputError(where, "is " + described(value) + ", must be two numbers [x, y], each " +
+                                described(limits));
+  }
+  return {checked_number(value[0], limits, where + "[0]"),
+          checked_number(value[1], limits, where + "[1]")};
+}
+
+Json number_schema(const Limits& limits) {
+  Json schema = {{"type", "number"}};
+  schema[limits.above ? "exclusiveMinimum" : "minimum"] = limits.low;
+  schema["maximum"] = limits.high;
+  return schema;
+}
+
+Json list_schema(const Limits& limits, std::size_t least, std::size_t most) {
+  Json schema = {{"type", "array"}, {"items", number_schema(limits)}};
+  if (least > 0) schema["minItems"] = least;
+  schema["maxItems"] = most;
+  return schema;
+}
+
+Json written(double value, const Limits& limits) { return value / limits.scale; }
+Json written(const Vec2& value, const Limits& limits) {
+  return {value.x() / limits.scale, value.y() / limits.scale};
+}
+template <class T>
+Json written(const std::optional<T>& value, const Limits& limits) {
+  return value ? written(*value, limits) : Json();
+}
+
+[[noreturn]] void refuse_value(const Json& value, const std::string& where,
+                               const std::string& expected) {
+  throw InputError(where, "is " + described(value) + ", must be " + expected);
+}
+
+}  // namespace
+
+std::string number_text(double value) {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  return {digits.data(), end};
+}
+
+std::string described(const Json& value) {
+  switch (value.type()) {
+    case Json::value_t::null:
+      return "null";
+    case Json::value_t::object:
+      return "an object";
+    case Json::value_t::array:
+      return "a list of " + std::to_string(value.size());
+    case Json::value_t::string: {
+      const auto& text = value.get_ref<const std::string&>();
+      return text.size() > kShortText ? "a long text" : "the text \"" + text + "\"";
+    }
+    default:
+      return value.dump();
+  }
+}
+
+std::string described(const Limits& limits) {
+  const std::string unit =
+      std::string_view(limits.unit) == "1" ? "" : std::string(" ") + limits.unit;
+  return (limits.above ? "a number above " : "a number from ") + number_text(limits.low) +
+         (limits.above ? " and at most " : " to ") + number_text(limits.high) + unit;
+}
+
+void refuse_longer_list(const Json& list, std::size_t most, const std::string& where) {
+  if (list.size() <= most) return;
+  throw InputError(where, "has " + std::to_string(list.size()) + " entries, at most " +
+                              std::to_string(most) + " are possible");
+}
+
+namespace {
+
+// A number or a vector, or one that may be absent.
+template <class T, class Checked>
+Leaf measured(const Limits& limits, T& value, Checked checked, std::function<Json()> schema,
+              bool has_default) {
+  const auto read = [&limits, &value, checked](const Json& given, const std::string& where) {
+    value = checked(given, limits, where);
+  };
+  const auto write = [&] { return written(value, limits); };
+  return {read, write, std::move(schema), has_default, limits.unit};
+}
+
+template <class T>
+Leaf number_leaf(const Limits& limits, T& value, bool has_default) {
+  return measured(
+      limits, value, checked_number, [&] { return number_schema(limits); }, has_default);
+}
+
+template <class T>
+Leaf vector_leaf(const Limits& limits, T& value, bool has_default) {
+  return measured(
+      limits, value, checked_vector, [&] { return list_schema(limits, 2, 2); }, has_default);
+}
+
+}  // namespace
+
+void Fields::number(const Field& field, const Limits& limits, double& value) {
+  leaf(field, number_leaf(limits, value, true));
+}
+
+void Fields::number(const Field& field, const Limits& limits, std::optional<double>& value) {
+  leaf(field, number_leaf(limits, value, false));
+}
+
+void Fields::vector(const Field& field, const Limits& limits, Vec2& value) {
+  leaf(field, vector_leaf(limits, value, true));
+}
+
+void Fields::vector(const Field& field, const Limits& limits, std::optional<Vec2>& value) {
+  leaf(field, vector_leaf(limits, value, false));
+}
+
+void Fields::numbers(const Field& field, const Limits& limits, std::size_t most,
+                     std::vector<double>& values) {
+  const auto read = [&](const Json& given, const std::string& where) {
+    if (!given.is_array())
+      refuse_value(given, where, "a list [...] of numbers, each " + described(limits));
+    refuse_longer_list(given, most, where);
+    values.clear();
+    for (std::size_t i = 0; i < given.size(); ++i)
+      values.push_back(checked_number(given[i], limits, where + "[" + std::to_string(i) + "]"));
+  };
+  const auto write = [&] {
+    Json list = Json::array();
+    for (const double value : values) list.push_back(written(value, limits));
+    return list;
+  };
+  leaf(field, {read, write, [&] { return list_schema(limits, 0, most); }, false, limits.unit});
+}
+
+void Fields::integer(const Field& field, std::int64_t low, std::int64_t high, std::int64_t& value) {
+  const auto read = [&](const Json& given, const std::string& where) {
+    // 1e5 is written as a float, but is a whole number.
+    const double number = given.is_number() ? given.get<double>() : std::nan("");
+    if (!(number >= static_cast<double>(low) && number <= static_cast<double>(high)) ||
+        number != std::floor(number))
+      refuse_value(given, where,
+                   "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+    value = given.is_number_float() ? static_cast<std::int64_t>(number) : given.get<std::int64_t>();
+  };
+  const auto schema = [&] {
+    return Json{{"type", "integer"}, {"minimum", low}, {"maximum", high}};
+  };
+  leaf(field, {read, [&] { return value; }, schema, true});
+}
+
+void Fields::flag(const Field& field, bool& value) {
+  const auto read = [&](const Json& given, const std::string& where) {
+    if (!given.is_boolean()) refuse_value(given, where, "true or false");
+    value = given.get<bool>();
+  };
+  leaf(field, {read, [&] { return value; }, [] { return Json{{"type", "boolean"}}; }, true});
+}
+
+void Fields::text(const Field& field, std::string& value) {
+  const auto read = [&](const Json& given, const std::string& where) {
+    if (!given.is_string()) refuse_value(given, where, "a text");
+    value = given.get<std::string>();
+  };
+  // An absent text and an empty one are the same.
+  const auto write = [&] { return value.empty() ? Json() : Json(value); };
+  leaf(field, {read, write, [] { return Json{{"type", "string"}}; }});
+}
+
+void Fields::word(const Field& field, std::span<const std::string_view> words, int& value) {
+  const std::vector<std::string> names(words.begin(), words.end());
+  const auto read = [&](const Json& given, const std::string& where) {
+    const std::string name = given.is_string() ? given.get<std::string>() : "";
+    const auto match = std::ranges::find(names, name);
+    value = static_cast<int>(match - names.begin());
+    if (match != names.end()) return;
+    std::string choices;
+    for (const std::string& known : names) choices += (choices.empty() ? "" : ", ") + known;
+    const std::string near = nearest_name(name, names);
+    refuse_value(given, where,
+                 "one of " + choices + (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
+  };
+  leaf(field, {read, [&] { return names[static_cast<std::size_t>(value)]; },
+               [&] {
+                 return Json{{"enum", names}};
+               },
+               true});
+}
+
+void Fields::json(const Field& field, const Shape& shape, Json& value) {
+  const auto read = [&](const Json& given, const std::string& where) {
+    if (!shape.fits(given)) refuse_value(given, where, shape.words);
+    value = given;
+  };
+  leaf(field, {read, [&] { return value; }, shape.schema});
+}
+
+}  // namespace quicksand
