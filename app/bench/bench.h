@@ -23,10 +23,10 @@ namespace quicksand::bench {
 
 struct Options {
   std::filesystem::path out = "out/bench";
-  bool quick = false;           // small systems and short windows
-  bool fresh = false;           // prepare states anew
-  int repeats = 0;              // of each measurement; 0: what the case finds sensible
-  std::string method = "auto";  // of the goals and recorded problems; a word of the scene format
+  bool quick = false;              // small systems and short windows
+  bool fresh = false;              // prepare states anew
+  int repeats = 0;                 // of each measurement; 0: what the case finds sensible
+  std::string method = "auto";     // of the goals and recorded problems; a word of the scene format
   std::filesystem::path problems;  // folder of recorded ones; empty: those of a standard scene
   bool tuning = false;             // measures the half of them that solvers are tuned on
   ProgressLine::Style progress = ProgressLine::Style::none;

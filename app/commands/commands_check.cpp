@@ -177,14 +177,14 @@ std::vector<SessionCommand> check_commands() {
 }
 
 std::vector<SessionCommand> session_commands_proper() {
-  return {
-      define<Print>({"print", kSessionGroup, "Prints a text when the session gets there.",
-                     R"({"command": "print", "text": "the packing stands"})"},
-                    false),
-      define<Include>({"include", kSessionGroup, "Performs the commands of another file.",
-                       R"({"command": "include", "file": "prepare.json"})"},
-                      false),
-      define<Without<quit_session>>({"quit", kSessionGroup, "Ends the session.", R"({"command": "quit"})"}, false)};
+  return {define<Print>({"print", kSessionGroup, "Prints a text when the session gets there.",
+                         R"({"command": "print", "text": "the packing stands"})"},
+                        false),
+          define<Include>({"include", kSessionGroup, "Performs the commands of another file.",
+                           R"({"command": "include", "file": "prepare.json"})"},
+                          false),
+          define<Without<quit_session>>(
+              {"quit", kSessionGroup, "Ends the session.", R"({"command": "quit"})"}, false)};
 }
 
 }  // namespace quicksand

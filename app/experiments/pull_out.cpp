@@ -59,9 +59,9 @@ class PullOut : public PaperExperiment {
     add_with_band(plot, std::move(pull));
     add_with_band(plot, std::move(weight));
     section.add(Figure{std::move(plot),
-                                       "Left axis: the force that takes the intruder "
-                                       "out; right axis: the share of the grains' "
-                                       "weight that lies higher than its centre."});
+                       "Left axis: the force that takes the intruder "
+                       "out; right axis: the share of the grains' "
+                       "weight that lies higher than its centre."});
   }
 
  private:

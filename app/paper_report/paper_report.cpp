@@ -178,8 +178,7 @@ Report paper_report(const PaperReport& made, const std::vector<Programme>& progr
   if (!missing.empty()) {
     std::string names;
     for (const std::string& name : missing) names += (names.empty() ? "" : ", ") + name;
-    runs.add(
-        Remark{Remark::Kind::note, "Figures without a finished run: " + names});
+    runs.add(Remark{Remark::Kind::note, "Figures without a finished run: " + names});
   }
   report.sections.push_back(std::move(runs));
   report.provenance = provenance({.command = made.command({}), .seconds = seconds});

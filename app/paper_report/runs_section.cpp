@@ -60,13 +60,13 @@ void add_runs(Section& section, const std::string& method, std::span<const Job> 
       failed.items.push_back(jobs[k].id + ": " + outcomes[k].failure);
     }
   }
-  section.add(
-      Paragraph{method + ": " + std::to_string(finished) + " of " + std::to_string(jobs.size()) +
-                " runs finished, " + commits_of(results, jobs.size()) +
-                ". Steps taken without convergence: " + number_text(unconverged) +
-                "; steps taken as two halves: " + number_text(halved) +
-                "; bonds broken in unconverged steps: " + number_text(broken) +
-                ". Every run's folder holds its scene, series, summary and last state."});
+  section.add(Paragraph{method + ": " + std::to_string(finished) + " of " +
+                        std::to_string(jobs.size()) + " runs finished, " +
+                        commits_of(results, jobs.size()) +
+                        ". Steps taken without convergence: " + number_text(unconverged) +
+                        "; steps taken as two halves: " + number_text(halved) +
+                        "; bonds broken in unconverged steps: " + number_text(broken) +
+                        ". Every run's folder holds its scene, series, summary and last state."});
   if (of_others > 0)
     section.add(
         Remark{Remark::Kind::note,

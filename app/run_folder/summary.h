@@ -6,7 +6,7 @@
 
 #include "app/json/json_text.h"
 #include "app/series/quantities.h"
-#include "core/base/work_clock.h"
+#include "core/problem/work_clock.h"
 #include "core/phases/protocol.h"
 #include "core/scene/scenario.h"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <optional>
 
 #include "app/json/json_reader.h"
 #include "app/plot/typeset_number.h"
@@ -14,6 +15,7 @@
 #include "app/scene_json/scenario_json.h"
 #include "app/series/quantities.h"
 #include "core/base/errors.h"
+#include "core/problem/work_clock.h"
 
 namespace quicksand {
 
@@ -123,6 +125,34 @@ Table computing(std::span<const RunResults> runs, const std::vector<std::string>
   for (const Named& entry : kComputing) {
     std::vector<Cell> row{{entry.text}, {typeset_unit(entry.unit)}};
     for (const RunResults& run : runs) row.push_back({value_text(run, entry.key)});
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+// Where the computing time went: seconds, and the share of all.
+std::optional<Table> work_split(std::span<const RunResults> runs,
+                                const std::vector<std::string>& names) {
+  Table table{.caption =
+                  "Where the computing time went. The criterion's own solutions count as "
+                  "solutions.",
+              .columns = columns_of({"work"}, names)};
+  const auto seconds = [](const RunResults& run) {
+    return run.summary().value("work", Json::object()).value("seconds", Json::object());
+  };
+  if (std::ranges::all_of(runs, [&](const RunResults& run) { return seconds(run).empty(); }))
+    return std::nullopt;
+  for (const std::string_view name : kWorkNames) {
+    std::string words(name);
+    std::ranges::replace(words, '_', ' ');
+    std::vector<Cell> row{{words}};
+    for (const RunResults& run : runs) {
+      const Json all = seconds(run);
+      double sum = 0;
+      for (const auto& [key, value] : all.items()) sum += value.get<double>();
+      const double own = all.value(std::string(name), 0.0);
+      row.push_back({typeset(own, 3) + " s (" + typeset(sum > 0 ? 100 * own / sum : 0, 2) + " %)"});
+    }
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -320,6 +350,7 @@ Report run_report(std::span<const RunResults> runs) {
 
   report.sections.push_back({.title = "Model", .blocks = modelled(runs, names)});
   Section computing_section{.title = "Computing", .blocks = {computing(runs, names)}};
+  if (auto table = work_split(runs, names)) computing_section.add(std::move(*table));
   add_step_errors(runs, names, computing_section.blocks);
   report.sections.push_back(std::move(computing_section));
   return report;

@@ -90,8 +90,8 @@ struct alignas(sizeof(Lanes)) RowLanes {
   // What an impulse does to the momenta of its bodies, two vectors a contact: that of a, and that of b.
   QUICKSAND_IN_LANES void momenta(const Components<Lanes>& p, Eigen::Vector4d* of_side) const {
     const Lanes x = p.n * normal_x - p.t * normal_y, y = p.n * normal_y + p.t * normal_x;
-    const auto put = [&](Lanes px, Lanes py, Lanes turn,
-                         Eigen::Vector4d* to) __attribute__((always_inline)) {
+    const auto put = [&](Lanes px, Lanes py, Lanes turn, Eigen::Vector4d * to)
+        __attribute__((always_inline)) {
       Lanes none{};
       transpose(px, py, turn, none);
       store_lanes(px, to[0].data());

@@ -31,8 +31,8 @@ QUICKSAND_IN_LANES void find_columns(const RowLanes& row, const Impedance<Lanes>
   };
   const Lanes xx = nn_x * nx - tt_x * ny, yx = nn_y * nx - tt_y * ny;
   const Lanes xy = nn_x * ny + tt_x * nx, yy = nn_y * ny + tt_y * nx;
-  const auto torque = [&](const Lanes& s_n, const Lanes& s_t, Lanes& n,
-                          Lanes& t) __attribute__((always_inline)) {
+  const auto torque = [&](const Lanes& s_n, const Lanes& s_t, Lanes& n, Lanes& t)
+      __attribute__((always_inline)) {
     n = s_n * d.nn + s_t * d.tn + d.rn;
     t = s_t * d.tt;
   };
@@ -58,8 +58,8 @@ QUICKSAND_IN_LANES void find_columns(const RowLanes& row, const Impedance<Lanes>
 struct alignas(sizeof(Lanes)) BlockSum {
   Lanes column[3];
 
-  QUICKSAND_IN_LANES void add(const std::array<double, 4 * kColumns>& columns, int first, int second,
-                              int spin) {
+  QUICKSAND_IN_LANES void add(const std::array<double, 4 * kColumns>& columns, int first,
+                              int second, int spin) {
     Lanes x, y, z;
     load_lanes(columns.data() + 4 * first, x);
     load_lanes(columns.data() + 4 * second, y);
@@ -189,25 +189,27 @@ void ContactMatrix::place_contacts() {
 void ContactMatrix::factorise(const std::vector<Impedance<Lanes>>& impedance) {
   const WorkClock::Span span(clock_, Work::factorisation);
   lu_.clear();
-  for_lane_blocks(kLanes * rows_.size(), [&](std::size_t k) __attribute__((always_inline)) {
-    find_columns(rows_[k], impedance[k], columns_.data() + kLanes * k);
-  });
-  share_in_lanes(diagonal_.size(), [&](std::size_t i) __attribute__((always_inline)) {
-    const Eigen::Vector4d& im = inverse_mass_[i];
-    BlockSum sum{};
-    for (int k = side_start_[i]; k < side_start_[i + 1]; ++k) {
-      const auto side = static_cast<std::size_t>(side_[static_cast<std::size_t>(k)]);
-      if (side % 2 == 0)
-        sum.add(columns_[side / 2], first_a, second_a, spin_aa);
-      else
-        sum.add(columns_[side / 2], first_b, second_b, spin_bb);
-    }
-    if (!(im[0] > 0 && im[1] > 0 && im[2] > 0)) hold(im, im, sum);
-    for (int d = 0; d < 3; ++d) {
-      sum.column[d][d] += im[d] > 0 ? 1 / im[d] : 1;
-      store_lanes(sum.column[d], diagonal_[i]->column[d]);
-    }
-  });
+  for_lane_blocks(
+      kLanes * rows_.size(), [&](std::size_t k) __attribute__((always_inline)) {
+        find_columns(rows_[k], impedance[k], columns_.data() + kLanes * k);
+      });
+  share_in_lanes(
+      diagonal_.size(), [&](std::size_t i) __attribute__((always_inline)) {
+        const Eigen::Vector4d& im = inverse_mass_[i];
+        BlockSum sum{};
+        for (int k = side_start_[i]; k < side_start_[i + 1]; ++k) {
+          const auto side = static_cast<std::size_t>(side_[static_cast<std::size_t>(k)]);
+          if (side % 2 == 0)
+            sum.add(columns_[side / 2], first_a, second_a, spin_aa);
+          else
+            sum.add(columns_[side / 2], first_b, second_b, spin_bb);
+        }
+        if (!(im[0] > 0 && im[1] > 0 && im[2] > 0)) hold(im, im, sum);
+        for (int d = 0; d < 3; ++d) {
+          sum.column[d][d] += im[d] > 0 ? 1 / im[d] : 1;
+          store_lanes(sum.column[d], diagonal_[i]->column[d]);
+        }
+      });
   // One after the other, as two contacts may couple the same bodies.
   with_lanes([&]() __attribute__((always_inline)) {
     for (const Coupling& c : coupling_) {
@@ -251,17 +253,19 @@ void ContactMatrix::factorise(const std::vector<Mat3>& impedance) {
 
 template <class Put>
 [[gnu::always_inline]] inline void ContactMatrix::sum_momenta(const Put& put) const {
-  share_in_lanes(place_.size(), [&](std::size_t i) __attribute__((always_inline)) {
-    Lanes sum{};
-    for (int k = side_start_[i]; k < side_start_[i + 1]; ++k) {
-      Lanes p;
-      load_lanes(momentum_[static_cast<std::size_t>(side_[static_cast<std::size_t>(k)])].data(), p);
-      sum += p;
-    }
-    Lanes im;
-    load_lanes(inverse_mass_[i].data(), im);
-    put(i, im, sum);
-  });
+  share_in_lanes(
+      place_.size(), [&](std::size_t i) __attribute__((always_inline)) {
+        Lanes sum{};
+        for (int k = side_start_[i]; k < side_start_[i + 1]; ++k) {
+          Lanes p;
+          load_lanes(momentum_[static_cast<std::size_t>(side_[static_cast<std::size_t>(k)])].data(),
+                     p);
+          sum += p;
+        }
+        Lanes im;
+        load_lanes(inverse_mass_[i].data(), im);
+        put(i, im, sum);
+      });
 }
 
 void ContactMatrix::velocity_change(BodyVectors& change) {

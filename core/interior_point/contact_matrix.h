@@ -5,10 +5,10 @@
 
 #include <vector>
 
-#include "core/base/work_clock.h"
 #include "core/interior_point/contact_lanes.h"
 #include "core/linear/block_lu.h"
 #include "core/problem/contact_problem.h"
+#include "core/problem/work_clock.h"
 
 namespace quicksand {
 
@@ -64,9 +64,9 @@ class ContactMatrix {
   std::vector<Edge> edges_;
   std::vector<int> edge_of_contact_;  // (nc) -1 if only one body is mobile
   BlockLu lu_;
-  std::vector<int> place_;                   // (nb) in the order of elimination, immobile bodies last
+  std::vector<int> place_;  // (nb) in the order of elimination, immobile bodies last
   BodyVectors inverse_mass_, free_velocity_;  // by places
-  std::vector<PaddedBlock*> diagonal_;       // of mobile bodies, by places
+  std::vector<PaddedBlock*> diagonal_;        // of mobile bodies, by places
   std::vector<int> order_;
   std::vector<RowLanes> rows_;
   std::vector<Coupling> coupling_;  // of contacts between two mobile bodies

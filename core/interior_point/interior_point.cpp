@@ -4,10 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/parallel.h"
 #include "core/interior_point/path_tuning.h"
-#include "core/problem/delassus.h"
-#include "core/problem/projection.h"
 #include "core/problem/residual.h"
 
 namespace quicksand {
@@ -26,25 +23,6 @@ double speed_of_change(const SolveReport& report) {
 // Whether velocities have settled so far that relaxation, which leaves long waves, may end a solution.
 bool have_settled(const SolveReport& report, const SolverSettings& settings) {
   return speed_of_change(report) <= T::kSettledShare * settings.velocity_tolerance;
-}
-
-// In the order of the lanes.
-double sum(const Lanes& x) { return (x[0] + x[1]) + (x[2] + x[3]); }
-
-// What friction and rolling friction are bounded by, over N; 0 where they are not modelled.
-Vec3 bounds_of(const ContactProblem& problem, const ContactRow& row, const Vec3& delassus) {
-  return {0, problem.components >= 2 && delassus.y() > 0 ? row.friction : 0,
-          problem.components >= 3 && delassus.z() > 0 ? row.rolling : 0};
-}
-
-// Speed by which impulse p at relative velocity u is away from the laws.
-double violation(const ContactRow& row, const Vec3& delassus, int components, const Vec3& p,
-                 const Vec3& u) {
-  Vec3 q = p;
-  for (int k = 0; k < 3; ++k)
-    if (delassus[k] > 0) q[k] -= u[k] / delassus[k];
-  const Vec3 off = natural_map(row, components, p, q).cwiseAbs().cwiseProduct(delassus);
-  return std::max({off.x(), off.y(), off.z() * row.arm});
 }
 
 }  // namespace
@@ -92,194 +70,6 @@ struct InteriorPoint::Path {
     report.converged = settings.accepts(report.residual);
   }
 };
-
-void InteriorPoint::Products::add(const Products& other) {
-  for (std::size_t k = 0; k < by_power.size(); ++k) by_power[k] += other.by_power[k];
-  pairs += other.pairs;
-  fastest = larger(fastest, other.fastest);
-}
-
-// The smallest product of an admissible error of an impulse and one of a speed.
-double InteriorPoint::admissible_product(const ContactProblem& problem,
-                                         const SolverSettings& settings) const {
-  const double admissible = settings.tolerance * problem.force_scale * problem.dt;
-  double least = kInfinity;
-  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
-    const ContactRow& row = problem.contacts[c];
-    const Vec3 bounds = bounds_of(problem, row, delassus_[c]);
-    double softest = delassus_[c].x();
-    if (bounds.y() > 0) softest = std::min(softest, delassus_[c].y());
-    if (bounds.z() > 0) softest = std::min(softest, delassus_[c].z() * row.arm * row.arm);
-    least = std::min({least, admissible * softest, row.gap_tolerance / problem.dt});
-  }
-  return admissible * least;
-}
-
-void InteriorPoint::start(const ContactProblem& problem, double shift, const ContactState& state) {
-  const std::size_t nc = problem.contacts.size(), blocks = lane_blocks(nc);
-  proximal_ = T::kProximal;
-  delassus_.resize(nc);
-  softness_.resize(blocks);
-  cone_.resize(blocks);
-  impedance_.resize(blocks);
-  impulse_.resize(blocks);
-
-  double worst = 0;
-  for (std::size_t c = 0; c < nc; ++c) {
-    const ContactRow& row = problem.contacts[c];
-    delassus_[c] = delassus_diagonal(row, problem.inverse_mass[row.a], problem.inverse_mass[row.b]);
-    const Vec3 u =
-        row.offset + relative_velocity(row, state.velocity[row.a], state.velocity[row.b]);
-    worst = std::max(worst, violation(row, delassus_[c], problem.components, state.impulse[c], u));
-  }
-  const double least_speed = std::max(shift * worst, 1e-12);
-  for (std::size_t c = 0; c < kLanes * blocks; ++c) {
-    // A lane beyond the last contact has no pairs; what it starts from only has to be finite.
-    const auto from = static_cast<std::size_t>(matrix_.order()[c < nc ? c : 0]);
-    const std::size_t k = c % kLanes;
-    const ContactRow& row = problem.contacts[from];
-    const Vec3& p = state.impulse[from];
-    const Vec3 bounds = bounds_of(problem, row, delassus_[from]);
-    ContactCone<Lanes>& cone = cone_[c / kLanes];
-    Components<Lanes>& w = softness_[c / kLanes];
-    cone.here[k] = c < nc ? 1 : 0;
-    cone.slide.limit[k] = c < nc ? bounds.y() : 0;
-    cone.roll.limit[k] = c < nc ? bounds.z() : 0;
-    w.n[k] = delassus_[from].x(), w.t[k] = delassus_[from].y(), w.r[k] = delassus_[from].z();
-    impulse_[c / kLanes].n[k] = p.x();
-    impulse_[c / kLanes].t[k] = p.y();
-    impulse_[c / kLanes].r[k] = p.z();
-  }
-  set_momenta(nc);
-  matrix_.velocity(velocity_);
-  for_lane_blocks(nc, [&](std::size_t k) __attribute__((always_inline)) {
-    Components<Lanes> u;
-    relative_velocity_at(k, u);
-    const Lanes least = Lanes{} + least_speed, least_n = least / softness_[k].n;
-    cone_[k].start(impulse_[k], u, least_n, least);
-    cone_[k].impulse(impulse_[k]);
-  });
-  set_momenta(nc);
-  matrix_.velocity(velocity_);
-}
-
-// The square of the fastest change at a contact (see fastest_at_contacts).
-double InteriorPoint::fastest_change(std::size_t contacts) const {
-  struct alignas(sizeof(Lanes)) Fastest {
-    Lanes squared{};
-    void add(const Fastest& other) { squared = larger(squared, other.squared); }
-  };
-  const Fastest found = gather_lane_blocks<Fastest>(
-      contacts, [&](std::size_t k, Fastest& part) __attribute__((always_inline)) {
-        const RowLanes& row = matrix_.rows()[k];
-        const auto at_contact = [&](const std::array<int, kLanes>& body, const Lanes& spin_n,
-                                    const Lanes& spin_t) __attribute__((always_inline)) {
-          BodyLanes v;
-          gather(change_, body, v);
-          const Lanes n = row.normal_x * v.x + row.normal_y * v.y + spin_n * v.z;
-          const Lanes t = row.normal_x * v.y - row.normal_y * v.x + spin_t * v.z;
-          part.squared = larger<Lanes>(part.squared, n * n + t * t);
-        };
-        at_contact(row.a, row.spin_a_n, row.spin_a_t);
-        at_contact(row.b, row.spin_b_n, row.spin_b_t);
-      });
-  double squared = 0;
-  for (std::size_t k = 0; k < kLanes; ++k) squared = std::max(squared, found.squared[k]);
-  return squared;
-}
-
-// Momenta of the impulses.
-void InteriorPoint::set_momenta(std::size_t contacts) {
-  for_lane_blocks(contacts, [&](std::size_t k) __attribute__((always_inline)) {
-    matrix_.rows()[k].momenta(impulse_[k], matrix_.momenta(k));
-  });
-}
-
-// H velocity + offset of the impulses of the cones.
-[[gnu::always_inline]] inline void InteriorPoint::relative_velocity_at(std::size_t block,
-                                                                       Components<Lanes>& u) const {
-  const RowLanes& row = matrix_.rows()[block];
-  row.relative_velocity(velocity_, u);
-  u.n += row.offset.n;
-  u.t += row.offset.t;
-  u.r += row.offset.r;
-}
-
-void InteriorPoint::linearise(const ContactProblem& problem) {
-  const Products found = gather_lane_blocks<Products>(
-      problem.contacts.size(), [&](std::size_t k, Products& part) __attribute__((always_inline)) {
-        Components<Lanes> u;
-        relative_velocity_at(k, u);
-        const Components<Lanes>& w = softness_[k];
-        const Components<Lanes> eps{proximal_ * w.n, proximal_ * w.t, proximal_ * w.r};
-        cone_[k].linearise(u, eps, impedance_[k]);
-        Components<Lanes> dp;  // the predictor's, which nearly always comes first
-        cone_[k].set_targets(0, 0, dp);
-        matrix_.rows()[k].momenta(dp, matrix_.momenta(k));
-        cone_[k].visit_pairs([&](const Lanes& here, const Lanes& x, const Lanes&, const Lanes& y,
-                                 const Lanes&) __attribute__((always_inline)) {
-          part.by_power[0] += here * (x * y);
-          part.pairs += here;
-        });
-      });
-  products_[0] = sum(found.by_power[0]);
-  pairs_ = sum(found.pairs);
-  matrix_.factorise(impedance_);
-}
-
-double InteriorPoint::find_direction(const ContactProblem& problem, double tau, bool correct) {
-  const double weight = correct ? 1 : 0;
-  for_lane_blocks(problem.contacts.size(), [&](std::size_t k) __attribute__((always_inline)) {
-    Components<Lanes> dp;
-    cone_[k].set_targets(tau, weight, dp);
-    matrix_.rows()[k].momenta(dp, matrix_.momenta(k));
-  });
-  return follow(problem);
-}
-
-double InteriorPoint::centre_direction(const ContactProblem& problem, double tau, double alpha) {
-  const double foreseen = std::min(1.0, alpha + T::kFurther);
-  const auto further = [&](const Lanes& x, const Lanes& dx, const Lanes& y, const Lanes& dy,
-                           Lanes& more) __attribute__((always_inline)) {
-    const Lanes product = (x + foreseen * dx) * (y + foreseen * dy), none{};
-    const Lanes least = none + T::kLeastOfAim * tau, most = none + T::kMostOfAim * tau;
-    more = larger<Lanes>(smaller(larger(product, least), most) - product, -most);
-  };
-  for_lane_blocks(problem.contacts.size(), [&](std::size_t k) __attribute__((always_inline)) {
-    Components<Lanes> dp;
-    cone_[k].adjust_targets(further, dp);
-    matrix_.rows()[k].momenta(dp, matrix_.momenta(k));
-  });
-  return follow(problem);
-}
-
-double InteriorPoint::follow(const ContactProblem& problem) {
-  matrix_.velocity_change(change_);
-  const Products found = gather_lane_blocks<Products>(
-      problem.contacts.size(), [&](std::size_t k, Products& part) __attribute__((always_inline)) {
-        Components<Lanes> du;
-        matrix_.rows()[k].relative_velocity(change_, du);
-        cone_[k].find_direction(du);
-        cone_[k].visit_pairs([&](const Lanes&, const Lanes& x, const Lanes& dx, const Lanes& y,
-                                 const Lanes& dy) __attribute__((always_inline)) {
-          // The faster of -dx/x and -dy/y, by one division.
-          const Lanes ax = -dx * y, ay = -dy * x, scale = x * y;
-          part.fastest = larger<Lanes>(part.fastest, larger(ax, ay) / scale);
-          part.by_power[1] += x * dy + y * dx;
-          part.by_power[2] += dx * dy;
-        });
-      });
-  products_[1] = sum(found.by_power[1]);
-  products_[2] = sum(found.by_power[2]);
-  double fastest = 0;
-  for (std::size_t k = 0; k < kLanes; ++k) fastest = std::max(fastest, found.fastest[k]);
-  return 1 / fastest;
-}
-
-double InteriorPoint::mean_product(double alpha) const {
-  const std::array<double, 3>& p = products_;
-  return pairs_ > 0 ? (p[0] + alpha * (p[1] + alpha * p[2])) / pairs_ : 0;
-}
 
 // Finds the next direction along the path, and how far to go.
 double InteriorPoint::find_step(const ContactProblem& problem, double product,
@@ -358,14 +148,15 @@ void InteriorPoint::iterate(Path& path) {
   path.product = mean_product(0);
   const double alpha = find_step(problem, path.product, path.least_product);
   const std::size_t nc = problem.contacts.size();
-  for_lane_blocks(nc, [&](std::size_t k) __attribute__((always_inline)) {
-    cone_[k].move(alpha);
-    cone_[k].lift(T::kLeastShare * path.product);
-    Components<Lanes> p;
-    cone_[k].impulse(p);
-    matrix_.rows()[k].momenta(p, matrix_.momenta(k));
-    cone_[k].admissible_impulse(softness_[k].n, impulse_[k]);
-  });
+  for_lane_blocks(
+      nc, [&](std::size_t k) __attribute__((always_inline)) {
+        cone_[k].move(alpha);
+        cone_[k].lift(T::kLeastShare * path.product);
+        Components<Lanes> p;
+        cone_[k].impulse(p);
+        matrix_.rows()[k].momenta(p, matrix_.momenta(k));
+        cone_[k].admissible_impulse(softness_[k].n, impulse_[k]);
+      });
   // The velocity is taken from the impulses and not summed up, so that the two cannot part.
   matrix_.velocity(velocity_);
   for (std::size_t c = 0; c < nc; ++c) {

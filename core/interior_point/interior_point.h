@@ -80,8 +80,8 @@ class InteriorPoint {
   NewtonOnModes newton_;
   std::array<double, 3> products_{};  // their sum after a step of alpha, by powers of alpha
   double pairs_ = 0;
-  double proximal_ = 0;            // over each contact's Delassus diagonal [1]
-  std::vector<Vec3> delassus_;     // (nc) diagonal of each contact's own block
+  double proximal_ = 0;         // over each contact's Delassus diagonal [1]
+  std::vector<Vec3> delassus_;  // (nc) diagonal of each contact's own block
   // Four contacts a block; bodies by places (contact_lanes.h).
   std::vector<Components<Lanes>> softness_;  // the Delassus diagonals
   std::vector<ContactCone<Lanes>> cone_;
@@ -89,7 +89,7 @@ class InteriorPoint {
   std::vector<Components<Lanes>> impulse_;
   BodyVectors velocity_;  // that the impulses of the cones give
   BodyVectors change_;
-  std::vector<Vec3> best_;         // (nc)
+  std::vector<Vec3> best_;  // (nc)
   ContactState relaxed_;
   RelaxationScratch relaxation_;
 };

@@ -4,7 +4,7 @@
 #include <functional>
 #include <memory>
 
-#include "core/base/work_clock.h"
+#include "core/problem/work_clock.h"
 #include "core/problem/contact_problem.h"
 #include "core/problem/solver_settings.h"
 

@@ -43,6 +43,7 @@ std::map<std::string, std::string> files_of(const fs::path& folder) {
     if (entry.path().filename() == "summary.json") {
       Json summary = parse_json(text);
       summary.erase("wall_seconds");
+      summary.erase("work");
       summary.erase("steps_per_second");
       text = summary.dump();
     }

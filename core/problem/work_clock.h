@@ -29,9 +29,10 @@ enum class Work : std::uint8_t {
 };
 
 inline constexpr std::array<std::string_view, static_cast<std::size_t>(Work::kinds)> kWorkNames{
-    "other",    "contact_search",    "assembly", "local_solver", "factorisation",
-    "back_substitution", "cones",    "residual", "sweeps",       "failure_criterion",
-    "motion",   "measures",          "drawing",  "writing",      "waiting"};
+    "other",         "contact_search",    "assembly", "local_solver",
+    "factorisation", "back_substitution", "cones",    "residual",
+    "sweeps",        "failure_criterion", "motion",   "measures",
+    "drawing",       "writing",           "waiting"};
 
 using WorkSeconds = std::array<double, static_cast<std::size_t>(Work::kinds)>;
 
@@ -61,9 +62,9 @@ class WorkClock {
   }
 
   struct Counts {
-    std::int64_t solutions = 0;                     // of contact problems
-    std::int64_t of_criterion = 0;                  // of these, what the energy criterion asked for
-    std::array<std::int64_t, 5> by_stage{};         // by SolverStage
+    std::int64_t solutions = 0;              // of contact problems
+    std::int64_t of_criterion = 0;           // of these, what the energy criterion asked for
+    std::array<std::int64_t, 5> by_stage{};  // by SolverStage
     std::int64_t not_converged = 0;
   } counts;
 
