@@ -140,6 +140,9 @@ std::vector<Task> problem_tasks(const Options& options) {
   if (!options.problems.empty() && files_in(folder).empty())
     throw InputError(folder.string(),
                      "holds no recorded problems; quicksand bench record makes them");
+  // Before anything is measured: a file that is no problem is the user's error.
+  if (!options.problems.empty())
+    for (const fs::path& file : files_in(folder)) read_problem(file);
   // Groups are known when the files are there, so one task finds and measures them all.
   tasks.push_back({"recorded problems", [options, folder](std::vector<Row>& rows) {
                      if (files_in(folder).empty()) record_standard(options, folder);

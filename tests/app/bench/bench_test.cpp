@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 
 #include "app/bench/against.h"
 #include "tests/support/files.h"
@@ -139,6 +140,38 @@ TEST(Benchmark, ListsItsPartsAndGoals) {
        {"precision", "hard", "error", "size", "terms", "goals", "kernels", "threads", "peers",
         "intact", "rest", "deposition", "ploughing", "piston", "chain", "growth", "factors"})
     EXPECT_NE(outcome.out.find(name), std::string::npos) << name;
+}
+
+// A run's problems, solved again from their files, have the solutions that are recorded with them.
+TEST(Benchmark, RecordedProblemsAreSolvedAgain) {
+  const TemporaryFolder folder;
+  const Outcome recorded = run_bench(
+      {"record", (kSource / "assets/scenes/chain.json").string(), "--count", "4", "--out", "kept"},
+      folder.path());
+  ASSERT_EQ(recorded.exit_code, 0) << recorded.err;
+  const Outcome solved =
+      run_bench({"problems", "--problems", "kept", "--tuning", "--out", "results"}, folder.path());
+  ASSERT_EQ(solved.exit_code, 0) << solved.err;
+  const Json results = results_in(folder);
+  int rows = 0;
+  for (const Json& row : results["rows"]) {
+    ++rows;
+    EXPECT_EQ(row["unconverged"], 0);
+    EXPECT_LT(row["error"].get<double>(), 1e-2);
+  }
+  EXPECT_GT(rows, 0);
+}
+
+TEST(Benchmark, DamagedProblemsAreRefusedByName) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "kept");
+  for (const char* text : {"", "nonsense", "more than a size, and no packed bytes after it"}) {
+    std::ofstream(folder.path() / "kept/a.problem") << text;
+    const Outcome solved = run_bench(
+        {"problems", "--problems", "kept", "--tuning", "--out", "results"}, folder.path());
+    EXPECT_EQ(solved.exit_code, 2);
+    EXPECT_NE((solved.out + solved.err).find("a.problem"), std::string::npos) << solved.out;
+  }
 }
 
 }  // namespace
