@@ -3,7 +3,7 @@
 // Every second problem is for tuning; what is reported is measured on the others, unless a folder's half is named.
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <utility>
 
 #include "app/base/assets.h"
 #include "app/bench/bench.h"
@@ -18,6 +18,8 @@ namespace quicksand::bench {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr double kLeastShown = 1e-12;  // error; a smaller one is rounding of the reference [g dt]
 
 std::vector<fs::path> files_in(const fs::path& folder) {
   std::vector<fs::path> files;
@@ -156,11 +158,13 @@ std::vector<Task> problem_tasks(const Options& options) {
 }
 
 void report_problems(std::span<const Row> rows, const Options& options, Section& section) {
-  std::map<std::string, std::vector<const Row*>> groups;
+  // In the order of the files, which is that of the run.
+  std::vector<std::pair<std::string, std::vector<const Row*>>> groups;
   std::vector<const Row*> all;
   for (const Row& row : rows) {
     if (row.what != "solve") continue;
-    groups[row.name].push_back(&row);
+    if (groups.empty() || groups.back().first != row.name) groups.push_back({row.name, {}});
+    groups.back().second.push_back(&row);
     all.push_back(&row);
   }
   if (all.empty()) return;
@@ -190,10 +194,13 @@ void report_problems(std::span<const Row> rows, const Options& options, Section&
             .legend = LegendPlace::below};
   for (const auto& [name, group] : groups) {
     table.rows.push_back(table_row(name, group));
-    plot.curves.push_back(
-        {.name = name,
-         .x = each(group, [](const Row& r) { return 1e3 * r.seconds.cpu; }),
-         .y = each(group, [](const Row& r) { return std::max(r.error.value_or(0), 1e-12); })});
+    const std::string phase = name.substr(0, name.find(','));
+    if (plot.curves.empty() || plot.curves.back().name != phase)
+      plot.curves.push_back({.name = phase});
+    for (const Row* row : group) {
+      plot.curves.back().x.push_back(1e3 * row->seconds.cpu);
+      plot.curves.back().y.push_back(std::max(row->error.value_or(0), kLeastShown));
+    }
   }
   table.rows.push_back(table_row("all", all));
   section.add(std::move(table));
