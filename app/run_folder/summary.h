@@ -6,8 +6,8 @@
 
 #include "app/json/json_text.h"
 #include "app/series/quantities.h"
-#include "core/problem/work_clock.h"
 #include "core/phases/protocol.h"
+#include "core/problem/work_clock.h"
 #include "core/scene/scenario.h"
 
 namespace quicksand {

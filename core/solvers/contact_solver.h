@@ -4,9 +4,9 @@
 #include <functional>
 #include <memory>
 
-#include "core/problem/work_clock.h"
 #include "core/problem/contact_problem.h"
 #include "core/problem/solver_settings.h"
+#include "core/problem/work_clock.h"
 
 namespace quicksand {
 
