@@ -28,7 +28,7 @@ void describe(Fields& f, RunOptions& options) {
 
 }  // namespace
 
-void write_options(const std::filesystem::path& file, RunOptions options) {
+void write_options(const std::filesystem::path& file, const RunOptions& options) {
   const auto visit = [](Fields& f, RunOptions& all) { describe(f, all); };
   write_whole(file, written_fields(options, visit).dump(2) + "\n");
 }

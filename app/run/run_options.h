@@ -33,7 +33,7 @@ constexpr double kLongestCheckpointTime = 1e6;
 
 // Writes and reads what is kept; `out`, `continued_from`, `quiet`, `keep_earlier`, `lock` and `watch` belong to the call.
 // Throw InputError.
-void write_options(const std::filesystem::path& file, RunOptions options);
+void write_options(const std::filesystem::path& file, const RunOptions& options);
 RunOptions read_options(const std::filesystem::path& file);
 
 }  // namespace quicksand

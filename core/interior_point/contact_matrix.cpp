@@ -11,7 +11,8 @@ namespace {
 // What a contact adds to the blocks of its bodies: X^T D Y, up to a sign, where X and Y take the motion of a body to
 // that of its contact point, [R s; 0 1] with the rows n and t of R and s the velocity there of a unit spin. The first
 // two columns of a block depend on the body of its row only, so eight columns make the four blocks.
-enum Column { first_a, second_a, first_b, second_b, spin_aa, spin_ab, spin_ba, spin_bb, kColumns };
+enum Column { first_a, second_a, first_b, second_b, spin_aa, spin_ab, spin_ba, spin_bb };
+constexpr std::size_t kColumns = spin_bb + 1;
 
 // The columns of four contacts: column k of contact c from out[c] + 4 k on.
 QUICKSAND_IN_LANES void find_columns(const RowLanes& row, const Impedance<Lanes>& d,

@@ -38,7 +38,7 @@ double violation(const ContactRow& row, const Vec3& delassus, int components, co
 void InteriorPoint::Products::add(const Products& other) {
   for (std::size_t k = 0; k < by_power.size(); ++k) by_power[k] += other.by_power[k];
   pairs += other.pairs;
-  fastest = larger(fastest, other.fastest);
+  fastest = fastest > other.fastest ? fastest : other.fastest;
 }
 
 // The smallest product of an admissible error of an impulse and one of a speed.
@@ -110,7 +110,7 @@ void InteriorPoint::start(const ContactProblem& problem, double shift, const Con
 double InteriorPoint::fastest_change(std::size_t contacts) const {
   struct alignas(sizeof(Lanes)) Fastest {
     Lanes squared{};
-    void add(const Fastest& other) { squared = larger(squared, other.squared); }
+    void add(const Fastest& other) { squared = squared > other.squared ? squared : other.squared; }
   };
   const Fastest found = gather_lane_blocks<Fastest>(
       contacts, [&](std::size_t k, Fastest & part) __attribute__((always_inline)) {

@@ -23,6 +23,7 @@ namespace quicksand {
 // clang-format on
 
 struct GlTable {
+// NOLINTNEXTLINE(bugprone-macro-parentheses): a name that is declared cannot be in any.
 #define QUICKSAND_GL_MEMBER(name) decltype(&::gl##name) name = nullptr;
   QUICKSAND_GL_FUNCTIONS(QUICKSAND_GL_MEMBER)
 #undef QUICKSAND_GL_MEMBER

@@ -57,6 +57,7 @@ void measure_group(const std::vector<fs::path>& files, const Options& options,
   // One solver for all, so that its memory is there and its order of elimination is another problem's, as in a run.
   ContactSolver solver;
   std::vector<RecordedProblem> problems;
+  problems.reserve(files.size());
   for (const fs::path& file : files) problems.push_back(read_problem(file));
   const Method method = paper_scene(options, options.method).solver.method;
   const std::size_t first = rows.size();
