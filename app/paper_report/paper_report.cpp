@@ -163,8 +163,8 @@ Report paper_report(const PaperReport& made, const std::vector<Programme>& progr
   }
   if (made.beside) methods.push_back(*made.beside);
   // NSCD, the paper's own, stands first.
-  std::ranges::stable_partition(
-      methods, [](const MethodFindings& method) { return method.method == kNscdMethod; });
+  std::stable_partition(methods.begin(), methods.end(),
+                        [](const MethodFindings& method) { return method.method == kNscdMethod; });
   add_lead(report, made, methods);
   const std::vector<std::string> missing = add_figures(report, made, found);
 
