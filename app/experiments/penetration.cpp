@@ -58,7 +58,7 @@ class Penetration : public PaperExperiment {
       if (curve_.forces[k] != kWeak && curve_.forces[k] != kEqual && curve_.forces[k] != kStrong)
         continue;
       add_snapshots(section, results, curve_.pushes[k], folder,
-                    "pushed with " + number_text(curve_.forces[k]) + " F_c");
+                    "pushed with " + number_text(curve_.forces[k]) + " × cohesion force");
     }
   }
 

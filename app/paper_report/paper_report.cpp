@@ -94,9 +94,9 @@ std::vector<std::string> add_figures(Report& report, const PaperReport& made,
   Section snapshots{.title = "Snapshots", .blocks = {}};
   snapshots.add(Paragraph{
       "Last states of the first realization. The paper's colours are not among the facts that we "
-      "have "
-      "of it: beside our colours stand two, blue for grains all of whose bonds are active, red for "
-      "those with a broken one."});
+      "have of it: beside the number of active bonds stands, in two colours, whether all bonds of "
+      "a "
+      "grain hold."});
   for (const PaperFigure& figure : paper_figures()) {
     std::vector<std::pair<std::string, Section>> parts;
     bool asked = false;

@@ -5,11 +5,12 @@
 namespace quicksand {
 namespace {
 
-constexpr std::array<ColouringInfo, 5> kColourings{{
+constexpr std::array<ColouringInfo, 6> kColourings{{
     {Colouring::active_bonds, "active_bonds", "number of active bonds of a grain: 0, 1, 2, 3, 4+",
      "1"},
     {Colouring::initial_bonds, "initial_bonds",
      "share of a grain's initial bonds that are still active", "1"},
+    {Colouring::broken_bonds, "broken_bonds", "whether all bonds of a grain hold", "1"},
     {Colouring::speed, "speed", "speed of a grain's centre", "sqrt(g d)"},
     {Colouring::pressure, "pressure",
      "compressive contact forces on a grain over its circumference", "F_g/d"},

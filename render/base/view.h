@@ -14,7 +14,14 @@ namespace quicksand {
 
 enum class Theme : std::uint8_t { light, dark };
 
-enum class Colouring : std::uint8_t { active_bonds, initial_bonds, speed, pressure, coordination };
+enum class Colouring : std::uint8_t {
+  active_bonds,
+  initial_bonds,
+  broken_bonds,
+  speed,
+  pressure,
+  coordination
+};
 
 struct ColouringInfo {
   Colouring colouring = Colouring::active_bonds;

@@ -63,6 +63,18 @@ ColouredGrains by_initial_bonds(const World& world, const View& view) {
   return grains;
 }
 
+ColouredGrains by_broken_bonds(const World& world, const View& view) {
+  const NeighbourCounts count = count_neighbours(world);
+  const Colour holds = kCurveColours[0], broken = kCurveColours[1],
+               none = palette(view.theme).no_value;
+  ColouredGrains grains;
+  grains.scale.title = "Bonds";
+  grains.scale.swatches = {{holds, "all hold"}, {broken, "some broken"}, {none, "never any"}};
+  for (std::size_t i = 0; i < count.broken.size(); ++i)
+    grains.fill.push_back(count.broken[i] > 0 ? broken : count.active[i] > 0 ? holds : none);
+  return grains;
+}
+
 std::vector<double> speeds(const World& world) {
   std::vector<double> values;
   for (const Vec3& velocity : world.disks.velocity) values.push_back(velocity.head<2>().norm());
@@ -90,6 +102,8 @@ ColouredGrains colour_grains(const World& world, const View& view) {
       return by_count(count_neighbours(world).touching, colours.counts, "Contacts");
     case Colouring::initial_bonds:
       return by_initial_bonds(world, view);
+    case Colouring::broken_bonds:
+      return by_broken_bonds(world, view);
     case Colouring::speed:
       return by_value(world, view, speeds(world),
                       "Speed " + italic("v") + " / √(" + italic("gd") + ")");

@@ -93,6 +93,13 @@ TEST(Colouring, ActiveBondsCountFloorAndImagesButNotBrokenOnes) {
   EXPECT_EQ(fill[11], bonds[1]);  // across the side
 }
 
+TEST(Colouring, BrokenBondsShowWhereNotAllHold) {
+  const World world = worlds::arch();
+  const auto fill = colour_grains(world, View{.colouring = Colouring::broken_bonds}).fill;
+  EXPECT_EQ(fill[0], kCurveColours[0]);  // the next one and the floor hold
+  EXPECT_EQ(fill[9], kCurveColours[1]);  // broken off
+}
+
 TEST(Colouring, ARangeThatIsGivenHoldsWhateverTheDataAre) {
   const World world = worlds::arch_with_intruder();
   const View view{.colouring = Colouring::speed, .colour_low = 2, .colour_high = 50};
