@@ -207,12 +207,18 @@ int reproduce(const ReproduceArguments& options) {
     list_runs(programmes);
     return kFine;
   }
-  make_writable({options.report_folder()});
   std::vector<std::vector<JobOutcome>> outcomes;
+  if (options.report) {
+    for (const Programme& programme : programmes)
+      outcomes.push_back(outcomes_found(programme.jobs.jobs()));
+    if (counted(outcomes).finished == 0)
+      throw InputError(options.out.string(), "holds no finished run of these experiments");
+  }
+  make_writable({options.report_folder()});
   bool interrupted = false;
-  for (const Programme& programme : programmes) {
-    const std::vector<Job>& jobs = programme.jobs.jobs();
-    if (options.report || interrupted) {
+  while (outcomes.size() < programmes.size()) {
+    const std::vector<Job>& jobs = programmes[outcomes.size()].jobs.jobs();
+    if (interrupted) {
       outcomes.push_back(outcomes_found(jobs));
       continue;
     }

@@ -339,6 +339,15 @@ TEST_F(Reproduce, RunsOfOtherSettingsAreNotOverwritten) {
   EXPECT_EQ(contents(folder_.path() / scene), "{}\n");
 }
 
+TEST_F(Reproduce, AReportOfNothingIsRefused) {
+  const std::string none = (folder_.path() / "none").string(),
+                    report = (folder_.path() / "report").string();
+  const Outcome outcome = reproduce({"penetration", "--quick", "--out", none, "--report", report});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("no finished run"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(report));
+}
+
 TEST_F(Reproduce, QuickIsByBothMethodsInFoldersOfTheirNames) {
   const Outcome quick = reproduce({"--quick", "--dry-run"});
   EXPECT_EQ(quick.exit_code, 0) << quick.err;
