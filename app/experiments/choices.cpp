@@ -106,7 +106,7 @@ class Choices : public PaperExperiment {
 
   Table pull_outcomes(const PaperResults& results) const {
     Table table{
-        .caption = "Pull-out by the share of the bonds that are restored before, drawn by lot.",
+        .caption = "Pull-out by the share of the bonds that are restored before, drawn at random.",
         .columns = {{"push force [F_c]", true},
                     {"restored", true},
                     {"pull-out force [F_c]", true},

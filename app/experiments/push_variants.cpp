@@ -98,7 +98,7 @@ class Density : public PaperExperiment {
     return denser->value - usual->value > std::max(kLeast, 2 * error);
   }
 
-  // Seed by seed: by the depth, or, where no depth above the ground is reached in both, by the velocity.
+  // Seed by seed: by the depth, or, where no depth above the floor is reached in both, by the velocity.
   std::optional<Measured> shift(const PaperResults& results) const {
     std::vector<double> by_depth, by_speed;
     for (std::size_t seed = 0; seed < samples_[0].runs.size(); ++seed) {
@@ -109,7 +109,7 @@ class Density : public PaperExperiment {
     }
     if (!by_depth.empty()) return mean_over(by_depth, "for the same depth");
     return mean_over(by_speed,
-                     "for the same mean velocity, as no depth above the ground is reached in both");
+                     "for the same mean velocity, as no depth above the floor is reached in both");
   }
 
   // Only those of intruders that the packing stopped.
@@ -164,7 +164,7 @@ class WaterDrag : public PaperExperiment {
   }
 
  private:
-  // On the ground the depth says nothing; bonds do.
+  // On the floor the depth says nothing; bonds do.
   std::optional<Measured> largest_change(const PaperResults& results) const {
     std::optional<Measured> largest;
     for (const auto& [quantity, name] :

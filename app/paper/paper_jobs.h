@@ -107,7 +107,7 @@ class PaperJobs {
   PushCurve push_curve(const RunGroup& samples);
   // Searches for the smallest force with which the intruder enters by `distance` [d].
   RunGroup thresholds(const RunGroup& samples, double distance);
-  // After bonds were restored: all, or so many of them, drawn by lot. [1]
+  // After bonds were restored: all, or so many of them, drawn at random. [1]
   RunGroup pulls(const RunGroup& pushes, double first_force_over_cohesion, double restored = 1);
   RunGroup pistons(const RunGroup& samples, const std::string& tag, const PistonLoad& load);
   // With the load of the scale's method.

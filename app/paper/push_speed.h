@@ -11,7 +11,7 @@ namespace quicksand {
 // Where it is past the start and the velocity is taken first, over the box's height.
 inline constexpr double kPloughsFrom = 0.15;
 
-// Mean velocity between 15 and 60 % of the box's height [d], past the start and before the ground; absent
+// Mean velocity between 15 and 60 % of the box's height [d], past the start and before the floor; absent
 // if the intruder did not come that deep. [sqrt(g d)]
 std::optional<double> ploughing_speed(const RunResults& push, double height);
 
