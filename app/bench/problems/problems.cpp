@@ -1,8 +1,9 @@
 // Recorded problems, solved again: time, work and error of each, by parts of the phases that posed them.
 //
-// Every second problem is for tuning; what is reported is measured on the others, unless a folder's half is named.
+// Every second problem is for tuning (--tuning); figures to report are measured on the others.
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "app/base/assets.h"
@@ -20,15 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kLeastShown = 1e-12;  // error; a smaller one is rounding of the reference [g dt]
-
-std::vector<fs::path> files_in(const fs::path& folder) {
-  std::vector<fs::path> files;
-  if (fs::is_directory(folder))
-    for (const auto& entry : fs::directory_iterator(folder))
-      if (entry.path().extension() == ".problem") files.push_back(entry.path());
-  std::ranges::sort(files);
-  return files;
-}
 
 // The paper's programme in a smaller box, where no folder is named.
 void record_standard(const Options& options, const fs::path& folder) {
@@ -52,19 +44,30 @@ SolveReport solve_again(const RecordedProblem& recorded, const SolverSettings& s
              : solver.solve(recorded.step.problem, settings, state, recorded.from);
 }
 
-void measure_group(const std::vector<fs::path>& files, const Options& options,
-                   std::vector<Row>& rows) {
+struct Recorded {
+  std::string file;
+  RecordedProblem problem;
+};
+
+// The half of a folder's problems that is asked for.
+std::vector<Recorded> read_half(const fs::path& folder, const Options& options) {
+  const std::vector<fs::path> files = problems_in(folder);
+  std::vector<Recorded> half;
+  for (std::size_t k = options.tuning ? 0 : 1; k < files.size(); k += 2)
+    half.push_back({files[k].filename().string(), read_problem(files[k])});
+  return half;
+}
+
+void measure(const std::vector<Recorded>& problems, const Options& options,
+             std::vector<Row>& rows) {
   // One solver for all, so that its memory is there and its order of elimination is another problem's, as in a run.
   ContactSolver solver;
-  std::vector<RecordedProblem> problems;
-  problems.reserve(files.size());
-  for (const fs::path& file : files) problems.push_back(read_problem(file));
   const Method method = paper_scene(options, options.method).solver.method;
   const std::size_t first = rows.size();
   for (int repeat = 0; repeat < options.repeats_or(3); ++repeat)
     for (std::size_t k = 0; k < problems.size(); ++k) {
       stop_if_interrupted();
-      const RecordedProblem& recorded = problems[k];
+      const RecordedProblem& recorded = problems[k].problem;
       SolverSettings settings = recorded.settings;
       settings.method = method;
       ContactState state;
@@ -89,7 +92,7 @@ void measure_group(const std::vector<fs::path>& files, const Options& options,
              .value = recorded.reference.doubt,
              .error = velocity_distance(recorded.step.problem, state.velocity,
                                         recorded.reference.velocity),
-             .found = files[k].filename().string()});
+             .found = problems[k].file});
       Row& row = rows[first + k];
       if (seconds.cpu < row.seconds.cpu) row.seconds = seconds;
     }
@@ -140,20 +143,17 @@ std::vector<Cell> table_row(const std::string& name, std::span<const Row* const>
 std::vector<Task> problem_tasks(const Options& options) {
   const fs::path folder = options.problems.empty() ? options.out / "problems" : options.problems;
   std::vector<Task> tasks;
-  if (!options.problems.empty() && files_in(folder).empty())
+  if (!options.problems.empty() && problems_in(folder).empty())
     throw InputError(folder.string(),
                      "holds no recorded problems; quicksand bench record makes them");
   // Before anything is measured: a file that is no problem is the user's error.
-  if (!options.problems.empty())
-    for (const fs::path& file : files_in(folder)) read_problem(file);
-  // Groups are known when the files are there, so one task finds and measures them all.
-  tasks.push_back({"recorded problems", [options, folder](std::vector<Row>& rows) {
-                     if (files_in(folder).empty()) record_standard(options, folder);
-                     const std::vector<fs::path> files = files_in(folder);
-                     std::vector<fs::path> half;
-                     for (std::size_t k = 0; k < files.size(); ++k)
-                       if ((k % 2 == 0) == options.tuning) half.push_back(files[k]);
-                     measure_group(half, options, rows);
+  const auto problems = std::make_shared<std::vector<Recorded>>(read_half(folder, options));
+  tasks.push_back({"recorded problems", [options, folder, problems](std::vector<Row>& rows) {
+                     if (problems_in(folder).empty()) {
+                       record_standard(options, folder);
+                       *problems = read_half(folder, options);
+                     }
+                     measure(*problems, options, rows);
                    }});
   return tasks;
 }

@@ -1,11 +1,14 @@
 #include "app/bench/problems/record.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 #include <vector>
 
 #include "app/base/interrupt.h"
 #include "app/bench/problems/recorded_problem.h"
+#include "core/base/errors.h"
+#include "core/base/format.h"
 #include "core/phases/protocol.h"
 
 namespace quicksand::bench {
@@ -22,6 +25,7 @@ class Sample {
     RecordedProblem& kept = kept_.emplace_back();
     kept.step.problem = posed.problem;
     kept.step.start = posed.start;
+    // What cohesion a row has is not told; the strongest bond's is near, and only the reference starts there.
     for (const ContactRow& row : posed.problem.contacts)
       kept.step.no_force.emplace_back(
           row.cohesive ? posed.problem.force_scale * posed.problem.dt : 0, 0, 0);
@@ -54,7 +58,6 @@ class Sample {
 
 int write_phase(Sample& sample, const std::string& phase, const RecordRequest& request) {
   std::vector<RecordedProblem> problems = sample.take();
-  int written = 0;
   for (std::size_t k = 0; k < problems.size(); ++k) {
     RecordedProblem& problem = problems[k];
     static constexpr const char* kThirds[] = {"early", "middle", "late"};
@@ -63,19 +66,28 @@ int write_phase(Sample& sample, const std::string& phase, const RecordRequest& r
       std::fprintf(stderr, "reference %zu of %zu: %s\n", k + 1, problems.size(),
                    problem.group.c_str());
     problem.reference = solve_tightly(problem.step);
-    char name[32];
-    std::snprintf(name, sizeof name, "_%03zu.problem", k);
-    std::string file = phase + name;
+    std::string file = phase + format("_%03zu.problem", k);
     std::ranges::replace(file, ' ', '_');
     write_problem(problem, request.out / file);
-    ++written;
   }
-  return written;
+  return static_cast<int>(problems.size());
 }
 
 }  // namespace
 
-int record_problems(const RecordRequest& request) {
+std::vector<std::filesystem::path> problems_in(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  if (std::filesystem::is_directory(folder))
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+      if (entry.path().extension() == ".problem") files.push_back(entry.path());
+  std::ranges::sort(files);
+  return files;
+}
+
+Recording record_problems(const RecordRequest& request) {
+  if (!problems_in(request.out).empty())
+    throw InputError(request.out.string(),
+                     "holds recorded problems already; choose another folder with --out");
   const InterruptWatch watch;
   const Scenario scene = read_scene(request.scene);
   Protocol protocol(scene, start_world(scene));
@@ -83,7 +95,7 @@ int record_problems(const RecordRequest& request) {
   protocol.watch_problems(
       [&](const PosedProblem& posed) { sample.offer(posed, protocol.world().time); });
   ProgressLine line(request.progress);
-  int written = 0;
+  Recording recording;
   while (const Phase* phase = protocol.phase()) {
     const std::string name =
         std::to_string(protocol.state().phase + 1) + " " + std::string(phase_name(*phase));
@@ -93,10 +105,12 @@ int record_problems(const RecordRequest& request) {
       line.show(protocol);
     }
     line.end();
-    written += write_phase(sample, name, request);
-    if (progress != Progress::phase_ended) break;
+    recording.problems += write_phase(sample, name, request);
+    recording.interrupted = watch.interrupted();
+    if (progress == Progress::failed) recording.failure = protocol.failure();
+    if (progress != Progress::phase_ended || recording.interrupted) break;
   }
-  return written;
+  return recording;
 }
 
 }  // namespace quicksand::bench

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "app/run/progress_line.h"
 #include "app/scene/scene_file.h"
@@ -16,8 +18,17 @@ struct RecordRequest {
   ProgressLine::Style progress = ProgressLine::Style::none;
 };
 
+struct Recording {
+  int problems = 0;  // written
+  bool interrupted = false;
+  std::string failure;  // a sentence, if the run failed
+};
+
+// The files of a folder that hold problems, in the order of the run.
+std::vector<std::filesystem::path> problems_in(const std::filesystem::path& folder);
+
 // Runs the scene and writes its problems, each with a reference solution, as out/*.problem. Ctrl-C ends the run, and
-// what the phase under way has posed is written. Returns how many were written.
-int record_problems(const RecordRequest& request);
+// what the phase under way has posed is written. Throws InputError where the folder holds problems already.
+Recording record_problems(const RecordRequest& request);
 
 }  // namespace quicksand::bench

@@ -198,11 +198,13 @@ int bench_command(Request& request) {
 int record_command(RecordRequest& request, bool quiet) {
   make_writable({.path = request.out});
   request.progress = StatusLine::style_of_stderr(quiet);
-  const int written = record_problems(request);
+  const Recording recording = record_problems(request);
   std::printf(
-      "%d problems in %s\n%s\n", written, request.out.c_str(),
+      "%d problems in %s\n%s\n", recording.problems, request.out.c_str(),
       command_text({"quicksand", "bench", "problems", "--problems", request.out.string()}).c_str());
-  return kFine;
+  if (!recording.failure.empty())
+    std::fprintf(stderr, "quicksand: the run failed: %s\n", recording.failure.c_str());
+  return recording.interrupted ? kInterrupted : !recording.failure.empty() ? kRunFailed : kFine;
 }
 
 // Adds `bench record`; what it returns runs it.

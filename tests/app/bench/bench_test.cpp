@@ -149,6 +149,9 @@ TEST(Benchmark, RecordedProblemsAreSolvedAgain) {
       {"record", (kSource / "assets/scenes/chain.json").string(), "--count", "4", "--out", "kept"},
       folder.path());
   ASSERT_EQ(recorded.exit_code, 0) << recorded.err;
+  const Outcome again = run_bench(
+      {"record", (kSource / "assets/scenes/chain.json").string(), "--out", "kept"}, folder.path());
+  EXPECT_EQ(again.exit_code, 2) << "what is there would be mixed with others";
   const Outcome solved =
       run_bench({"problems", "--problems", "kept", "--tuning", "--out", "results"}, folder.path());
   ASSERT_EQ(solved.exit_code, 0) << solved.err;
