@@ -13,7 +13,8 @@
 // With the products of a step that is foreseen, `further(x, dx, y, dy)` says by how much the aim of a pair
 // is to be changed, which improves the direction without another factorisation [Gondzio 1996].
 //
-// `here` is 1 where there is such a pair, and 0 in a lane without a contact or friction: all its changes are zero.
+// `here` is 1 where there is such a pair, and 0 in a lane without a contact or friction: all its changes are zero. What no
+// contact of the problem has costs nothing.
 #pragma once
 
 #include "core/interior_point/contact_lanes.h"
@@ -37,6 +38,12 @@ QUICKSAND_IN_LANES void lift_pair(double least, Real& x, Real& y) {
   x = new_x, y = new_y;
 }
 
+// project_bounded() of projection.h.
+template <class Real>
+QUICKSAND_IN_LANES Real within(const Real& x, const Real& bound) {
+  return smaller(larger(x, Real(-bound)), bound);
+}
+
 // A force x with |x| <= limit N that opposes the speed u = a - b: friction or rolling friction.
 template <class Real>
 struct alignas(sizeof(Real)) BoundedForce {
@@ -50,7 +57,7 @@ struct alignas(sizeof(Real)) BoundedForce {
                                 const Real& least_n, const Real& least_speed) {
     const Real none = Real{}, one = none + 1.0, most = limit * n;
     here = limit > none ? one : none;
-    x = smaller(larger(force, Real(-most)), most);
+    x = within(force, most);
     const Real least_x = limit * least_n, back = -speed;
     low = larger<Real>(most + x, start_beside(speed, least_speed, least_x));
     high = larger<Real>(most - x, start_beside(back, least_speed, least_x));
@@ -101,7 +108,7 @@ struct alignas(sizeof(Real)) BoundedForce {
   // Of a contact that pushes with n.
   QUICKSAND_IN_LANES Real admissible(const Real& n) const {
     const Real most = limit * n;
-    return smaller(larger(x, Real(-most)), most);
+    return within(x, most);
   }
 
  private:
@@ -116,6 +123,7 @@ struct alignas(sizeof(Real)) BoundedForce {
 
 template <class Real>
 struct alignas(sizeof(Real)) ContactCone {
+  int components = 3;  // modelled, of all lanes: 1 normal, 2 and friction, 3 and rolling friction
   Real here{};
   Real n{}, s{}, dn{}, ds{};
   BoundedForce<Real> slide, roll;
@@ -126,8 +134,8 @@ struct alignas(sizeof(Real)) ContactCone {
     n = larger(p.n, start_beside(u.n, least_speed, least_n));
     s = larger(u.n, start_beside(n, least_n, least_speed));
     dn = ds = Real{};
-    slide.start(p.t, n, u.t, least_n, least_speed);
-    roll.start(p.r, n, u.r, least_n, least_speed);
+    if (components >= 2) slide.start(p.t, n, u.t, least_n, least_speed);
+    if (components >= 3) roll.start(p.r, n, u.r, least_n, least_speed);
   }
   QUICKSAND_IN_LANES void impulse(Components<Real>& p) const { p = {n, slide.x, roll.x}; }
 
@@ -137,8 +145,8 @@ struct alignas(sizeof(Real)) ContactCone {
     defect_ = here * (u.n - s);
     per_n_ = 1.0 / n;
     impedance_ = here / (s * per_n_ + eps.n);
-    slide.linearise(n, u.t, eps.t);
-    roll.linearise(n, u.r, eps.r);
+    if (components >= 2) slide.linearise(n, u.t, eps.t);
+    if (components >= 3) roll.linearise(n, u.r, eps.r);
     d.nn = impedance_;
     d.tt = slide.impedance;
     d.tn = -slide.impedance * slide.coupling * impedance_;
@@ -148,8 +156,8 @@ struct alignas(sizeof(Real)) ContactCone {
   // Aims at products tau; gives dp at du = 0.
   QUICKSAND_IN_LANES void set_targets(double tau, double correct, Components<Real>& dp) {
     c_n_ = (here * (tau - n * s) - correct * (dn * ds)) * per_n_;
-    slide.set_targets(tau, correct);
-    roll.set_targets(tau, correct);
+    if (components >= 2) slide.set_targets(tau, correct);
+    if (components >= 3) roll.set_targets(tau, correct);
     impulse_at_rest(dp);
   }
   // Changes the aims as said above; gives the same.
@@ -158,21 +166,21 @@ struct alignas(sizeof(Real)) ContactCone {
     Real more;
     further(n, dn, s, ds, more);
     c_n_ += here * more * per_n_;
-    slide.adjust_targets(further);
-    roll.adjust_targets(further);
+    if (components >= 2) slide.adjust_targets(further);
+    if (components >= 3) roll.adjust_targets(further);
     impulse_at_rest(dp);
   }
   QUICKSAND_IN_LANES void find_direction(const Components<Real>& du) {
     dn = impedance_ * (c_n_ - defect_ - du.n);
     ds = c_n_ - s * per_n_ * dn;
-    slide.find_direction(dn, du.t);
-    roll.find_direction(dn, du.r);
+    if (components >= 2) slide.find_direction(dn, du.t);
+    if (components >= 3) roll.find_direction(dn, du.r);
   }
   QUICKSAND_IN_LANES void move(double alpha) {
     n += alpha * dn;
     s += alpha * ds;
-    slide.move(alpha);
-    roll.move(alpha);
+    if (components >= 2) slide.move(alpha);
+    if (components >= 3) roll.move(alpha);
   }
   // The nearest admissible impulse: none at an open contact, friction within its bounds.
   QUICKSAND_IN_LANES void admissible_impulse(const Real& delassus, Components<Real>& p) const {
@@ -181,8 +189,10 @@ struct alignas(sizeof(Real)) ContactCone {
   }
   QUICKSAND_IN_LANES void lift(double least) {
     lift_pair(least, n, s);
+    if (components < 2) return;
     lift_pair(least, slide.low, slide.a);
     lift_pair(least, slide.high, slide.b);
+    if (components < 3) return;
     lift_pair(least, roll.low, roll.a);
     lift_pair(least, roll.high, roll.b);
   }
@@ -191,8 +201,10 @@ struct alignas(sizeof(Real)) ContactCone {
   template <class Visit>
   QUICKSAND_IN_LANES void visit_pairs(const Visit& visit) const {
     visit(here, n, dn, s, ds);
+    if (components < 2) return;
     visit(slide.here, slide.low, slide.dlow, slide.a, slide.da);
     visit(slide.here, slide.high, slide.dhigh, slide.b, slide.db);
+    if (components < 3) return;
     visit(roll.here, roll.low, roll.dlow, roll.a, roll.da);
     visit(roll.here, roll.high, roll.dhigh, roll.b, roll.db);
   }

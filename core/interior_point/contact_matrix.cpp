@@ -1,6 +1,7 @@
 #include "core/interior_point/contact_matrix.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/parallel.h"
 
@@ -87,13 +88,10 @@ QUICKSAND_IN_LANES void hold(const Eigen::Vector4d& of_row, const Eigen::Vector4
 void ContactMatrix::attach(const ContactProblem& problem) {
   const WorkClock::Span span(clock_, Work::factorisation);
   problem_ = &problem;
-  body_of_row_.clear();
+  mobile_ = 0;
   row_of_body_.assign(problem.inverse_mass.size(), -1);
-  for (std::size_t i = 0; i < problem.inverse_mass.size(); ++i) {
-    if (problem.inverse_mass[i].isZero(0)) continue;
-    row_of_body_[i] = static_cast<int>(body_of_row_.size());
-    body_of_row_.push_back(static_cast<int>(i));
-  }
+  for (std::size_t i = 0; i < problem.inverse_mass.size(); ++i)
+    if (!problem.inverse_mass[i].isZero(0)) row_of_body_[i] = mobile_++;
   edges_.clear();
   edge_of_contact_.assign(problem.contacts.size(), -1);
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
@@ -102,10 +100,11 @@ void ContactMatrix::attach(const ContactProblem& problem) {
     edge_of_contact_[c] = static_cast<int>(edges_.size());
     edges_.push_back({i, j});
   }
-  lu_.analyse(static_cast<int>(body_of_row_.size()), edges_);
+  lu_.analyse(mobile_, edges_);
   place_bodies();
   order_contacts();
   place_contacts();
+  list_sides();
 }
 
 void ContactMatrix::place_bodies() {
@@ -114,11 +113,10 @@ void ContactMatrix::place_bodies() {
   place_.resize(nb);
   inverse_mass_.resize(nb);
   free_velocity_.resize(nb);
-  diagonal_.resize(body_of_row_.size());
-  for (std::size_t k = 0; k < body_of_row_.size(); ++k)
-    diagonal_[static_cast<std::size_t>(lu_.position(static_cast<int>(k)))] =
-        &lu_.diagonal_block(static_cast<int>(k));
-  int immobile = static_cast<int>(body_of_row_.size());
+  diagonal_.resize(static_cast<std::size_t>(mobile_));
+  for (int k = 0; k < mobile_; ++k)
+    diagonal_[static_cast<std::size_t>(lu_.position(k))] = &lu_.diagonal_block(k);
+  int immobile = mobile_;
   for (std::size_t i = 0; i < nb; ++i) {
     const int place = row_of_body_[i] < 0 ? immobile++ : lu_.position(row_of_body_[i]);
     place_[i] = place;
@@ -148,13 +146,13 @@ void ContactMatrix::place_contacts() {
   momentum_.resize(2 * kLanes * rows_.size());
   columns_.resize(kLanes * rows_.size());
   coupling_.clear();
-  side_start_.assign(place_.size() + 1, 0);
   for (std::size_t c = 0; c < kLanes * rows_.size(); ++c) {
     const auto contact_here = static_cast<std::size_t>(order_[c < nc ? c : 0]);
     const ContactRow& contact = problem.contacts[contact_here];
     RowLanes& row = rows_[c / kLanes];
     const std::size_t k = c % kLanes;
-    const int a = row.a[k] = place_[contact.a], b = row.b[k] = place_[contact.b];
+    row.a[k] = place_[contact.a];
+    row.b[k] = place_[contact.b];
     row.normal_x[k] = contact.normal.x();
     row.normal_y[k] = contact.normal.y();
     row.spin_a_n[k] = contact.spin_a.x();
@@ -165,8 +163,6 @@ void ContactMatrix::place_contacts() {
     row.offset.t[k] = contact.offset.y();
     row.offset.r[k] = contact.offset.z();
     if (c >= nc) continue;
-    ++side_start_[static_cast<std::size_t>(a) + 1];
-    ++side_start_[static_cast<std::size_t>(b) + 1];
     const int edge = edge_of_contact_[contact_here];
     if (edge < 0) continue;
     coupling_.push_back({.contact = static_cast<int>(c),
@@ -174,6 +170,16 @@ void ContactMatrix::place_contacts() {
                          .ba = &lu_.lower_block(edge),
                          .held = (problem.inverse_mass[contact.a].array() == 0).any() ||
                                  (problem.inverse_mass[contact.b].array() == 0).any()});
+  }
+}
+
+void ContactMatrix::list_sides() {
+  const std::size_t nc = order_.size();
+  side_start_.assign(place_.size() + 1, 0);
+  for (std::size_t c = 0; c < nc; ++c) {
+    const RowLanes& row = rows_[c / kLanes];
+    ++side_start_[static_cast<std::size_t>(row.a[c % kLanes]) + 1];
+    ++side_start_[static_cast<std::size_t>(row.b[c % kLanes]) + 1];
   }
   for (std::size_t i = 0; i < place_.size(); ++i) side_start_[i + 1] += side_start_[i];
   side_.resize(2 * nc);
@@ -269,14 +275,15 @@ template <class Put>
       });
 }
 
-void ContactMatrix::velocity_change(BodyVectors& change) {
+const BodyVectors& ContactMatrix::velocity_change() {
   const WorkClock::Span span(clock_, Work::back_substitution);
-  change.resize(place_.size());
+  change_.resize(place_.size());
   sum_momenta([&](std::size_t i, const Lanes& im, const Lanes& sum) __attribute__((always_inline)) {
     const Lanes none{};
-    store_lanes(im > none ? sum : none, change[i].data());
+    store_lanes(im > none ? sum : none, change_[i].data());
   });
-  lu_.solve_in_place(change.data());
+  lu_.solve_in_place(change_.data());
+  return change_;
 }
 
 void ContactMatrix::velocity(BodyVectors& velocity) const {
@@ -296,10 +303,34 @@ void ContactMatrix::velocity_change(const std::vector<Vec3>& impulse, std::vecto
     momentum_[2 * c] << momentum_of_a(row, impulse[contact]), 0;
     momentum_[2 * c + 1] << momentum_of_b(row, impulse[contact]), 0;
   }
-  velocity_change(change_);
+  velocity_change();
   dv.resize(place_.size());
   for (std::size_t i = 0; i < dv.size(); ++i)
     dv[i] = change_[static_cast<std::size_t>(place_[i])].head<3>();
+}
+
+double ContactMatrix::fastest_change() const {
+  struct alignas(sizeof(Lanes)) Fastest {
+    Lanes squared{};
+    void add(const Fastest& other) { squared = squared > other.squared ? squared : other.squared; }
+  };
+  const Fastest found = gather_lane_blocks<Fastest>(
+      order_.size(), [&](std::size_t k, Fastest & part) __attribute__((always_inline)) {
+        const RowLanes& row = rows_[k];
+        const auto at_contact = [&](const std::array<int, kLanes>& body, const Lanes& spin_n,
+                                    const Lanes& spin_t) __attribute__((always_inline)) {
+          BodyLanes v;
+          gather(change_, body, v);
+          const Lanes n = row.normal_x * v.x + row.normal_y * v.y + spin_n * v.z;
+          const Lanes t = row.normal_x * v.y - row.normal_y * v.x + spin_t * v.z;
+          part.squared = larger<Lanes>(part.squared, n * n + t * t);
+        };
+        at_contact(row.a, row.spin_a_n, row.spin_a_t);
+        at_contact(row.b, row.spin_b_n, row.spin_b_t);
+      });
+  double squared = 0;
+  for (std::size_t k = 0; k < kLanes; ++k) squared = std::max(squared, found.squared[k]);
+  return std::sqrt(squared);
 }
 
 }  // namespace quicksand

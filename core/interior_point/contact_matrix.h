@@ -33,13 +33,15 @@ class ContactMatrix {
 
   // Where the momenta of impulses are put (see RowLanes::momenta); what is beyond the last contact is not read.
   Eigen::Vector4d* momenta(std::size_t block) { return momentum_.data() + 2 * kLanes * block; }
-  // change := (M + H^T D H)^-1 H^T p for the impulses p of these momenta, by places of bodies; 0 where one is immobile.
-  void velocity_change(BodyVectors& change);
+  // (M + H^T D H)^-1 H^T p for the impulses p of these momenta, by places of bodies; 0 where one is immobile.
+  const BodyVectors& velocity_change();
   // velocity := free velocity + M^-1 H^T p, by places of bodies.
   void velocity(BodyVectors& velocity) const;
 
-  // dv (nb) := (M + H^T D H)^-1 H^T impulse for impulses (nc); zero for immobile bodies.
+  // The same for impulses (nc) into dv (nb).
   void velocity_change(const std::vector<Vec3>& impulse, std::vector<Vec3>& dv);
+  // The last of these changes where it is fastest at a contact, turning included [sqrt(g d)].
+  double fastest_change() const;
 
   // Whether the determinant of the factorised matrix is negative.
   bool negative() const { return lu_.negative(); }
@@ -54,13 +56,14 @@ class ContactMatrix {
   void place_bodies();
   void order_contacts();
   void place_contacts();
+  void list_sides();
   template <class Put>
   void sum_momenta(const Put& put) const;  // put(place, inverse mass, sum)
 
   WorkClock* clock_;
   const ContactProblem* problem_ = nullptr;
   std::vector<int> row_of_body_;  // (nb) block row, -1 if immobile
-  std::vector<int> body_of_row_;
+  int mobile_ = 0;                // bodies
   std::vector<Edge> edges_;
   std::vector<int> edge_of_contact_;  // (nc) -1 if only one body is mobile
   BlockLu lu_;
@@ -75,7 +78,7 @@ class ContactMatrix {
   BodyVectors momentum_;                         // by sides
   std::vector<std::array<double, 32>> columns_;  // (nc, rounded up) see contact_matrix.cpp
   std::vector<Impedance<Lanes>> packed_;
-  BodyVectors change_;
+  BodyVectors change_;  // the last one
 };
 
 }  // namespace quicksand

@@ -165,7 +165,7 @@ void InteriorPoint::iterate(Path& path) {
     path.state.impulse[static_cast<std::size_t>(matrix_.order()[c])] = {p.n[k], p.t[k], p.r[k]};
   }
   path.measure();
-  path.report.velocity_change = std::sqrt(fastest_change(nc)) / problem.velocity_scale;
+  path.report.velocity_change = matrix_.fastest_change() / problem.velocity_scale;
 }
 
 // Whether the state is the solution: its residual is accepted, and its velocities have settled or no longer do.

@@ -63,7 +63,6 @@ class InteriorPoint {
   double follow(const ContactProblem& problem);
   void relative_velocity_at(std::size_t block, Components<Lanes>& u) const;
   void set_momenta(std::size_t contacts);
-  double fastest_change(std::size_t contacts) const;
   double find_step(const ContactProblem& problem, double product, double least_product);
   bool finish(const ContactProblem& problem, const SolverSettings& settings, ContactState& state,
               SolveReport& report);
@@ -87,8 +86,7 @@ class InteriorPoint {
   std::vector<ContactCone<Lanes>> cone_;
   std::vector<Impedance<Lanes>> impedance_;
   std::vector<Components<Lanes>> impulse_;
-  BodyVectors velocity_;  // that the impulses of the cones give
-  BodyVectors change_;
+  BodyVectors velocity_;    // that the impulses of the cones give
   std::vector<Vec3> best_;  // (nc)
   ContactState relaxed_;
   RelaxationScratch relaxation_;

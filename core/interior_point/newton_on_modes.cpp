@@ -80,7 +80,7 @@ SolveReport NewtonOnModes::solve(const ContactProblem& problem, const SolverSett
       state.impulse[c] +=
           change_[c] - impedance_[c] * relative_velocity(row, dv_[row.a], dv_[row.b]);
     }
-    const double change = fastest_at_contacts(problem, dv_) / problem.velocity_scale;
+    const double change = matrix.fastest_change() / problem.velocity_scale;
     if (from_best) report.velocity_change = change;
     const Residual reached = residual(problem, state);
     from_best = settings.distance(reached) < settings.distance(report.residual);

@@ -62,7 +62,7 @@ void InteriorPoint::start(const ContactProblem& problem, double shift, const Con
   proximal_ = T::kProximal;
   delassus_.resize(nc);
   softness_.resize(blocks);
-  cone_.resize(blocks);
+  cone_.assign(blocks, {});
   impedance_.resize(blocks);
   impulse_.resize(blocks);
 
@@ -84,6 +84,7 @@ void InteriorPoint::start(const ContactProblem& problem, double shift, const Con
     const Vec3 bounds = bounds_of(problem, row, delassus_[from]);
     ContactCone<Lanes>& cone = cone_[c / kLanes];
     Components<Lanes>& w = softness_[c / kLanes];
+    cone.components = problem.components;
     cone.here[k] = c < nc ? 1 : 0;
     cone.slide.limit[k] = c < nc ? bounds.y() : 0;
     cone.roll.limit[k] = c < nc ? bounds.z() : 0;
@@ -104,31 +105,6 @@ void InteriorPoint::start(const ContactProblem& problem, double shift, const Con
       });
   set_momenta(nc);
   matrix_.velocity(velocity_);
-}
-
-// The square of the fastest change at a contact (see fastest_at_contacts).
-double InteriorPoint::fastest_change(std::size_t contacts) const {
-  struct alignas(sizeof(Lanes)) Fastest {
-    Lanes squared{};
-    void add(const Fastest& other) { squared = squared > other.squared ? squared : other.squared; }
-  };
-  const Fastest found = gather_lane_blocks<Fastest>(
-      contacts, [&](std::size_t k, Fastest & part) __attribute__((always_inline)) {
-        const RowLanes& row = matrix_.rows()[k];
-        const auto at_contact = [&](const std::array<int, kLanes>& body, const Lanes& spin_n,
-                                    const Lanes& spin_t) __attribute__((always_inline)) {
-          BodyLanes v;
-          gather(change_, body, v);
-          const Lanes n = row.normal_x * v.x + row.normal_y * v.y + spin_n * v.z;
-          const Lanes t = row.normal_x * v.y - row.normal_y * v.x + spin_t * v.z;
-          part.squared = larger<Lanes>(part.squared, n * n + t * t);
-        };
-        at_contact(row.a, row.spin_a_n, row.spin_a_t);
-        at_contact(row.b, row.spin_b_n, row.spin_b_t);
-      });
-  double squared = 0;
-  for (std::size_t k = 0; k < kLanes; ++k) squared = std::max(squared, found.squared[k]);
-  return squared;
 }
 
 // Momenta of the impulses.
@@ -200,11 +176,11 @@ double InteriorPoint::centre_direction(const ContactProblem& problem, double tau
 }
 
 double InteriorPoint::follow(const ContactProblem& problem) {
-  matrix_.velocity_change(change_);
+  const BodyVectors& change = matrix_.velocity_change();
   const Products found = gather_lane_blocks<Products>(
       problem.contacts.size(), [&](std::size_t k, Products & part) __attribute__((always_inline)) {
         Components<Lanes> du;
-        matrix_.rows()[k].relative_velocity(change_, du);
+        matrix_.rows()[k].relative_velocity(change, du);
         cone_[k].find_direction(du);
         cone_[k].visit_pairs([&](const Lanes&, const Lanes& x, const Lanes& dx, const Lanes& y,
                                  const Lanes& dy) __attribute__((always_inline)) {

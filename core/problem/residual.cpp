@@ -11,11 +11,6 @@ namespace quicksand {
 
 namespace {
 
-struct Largest {
-  double value = 0;
-  void add(const Largest& other) { value = std::max(value, other.value); }
-};
-
 // Of a part of the contacts.
 struct WorstTerms {
   Residual worst;
@@ -49,22 +44,6 @@ void velocity_from_impulses(const ContactProblem& problem, const std::vector<Vec
       [&](std::size_t c, const ContactRow& row) {
         velocity[row.b] += problem.inverse_mass[row.b].cwiseProduct(momentum_of_b(row, impulse[c]));
       });
-}
-
-double fastest_at_contacts(const ContactProblem& problem, const std::vector<Vec3>& change) {
-  const auto collect = [&](std::size_t begin, std::size_t end, Largest& squared) {
-    for (std::size_t c = begin; c < end; ++c) {
-      const ContactRow& row = problem.contacts[c];
-      const auto at_contact = [&](const Vec3& v, const Vec2& spin) {
-        const Vec2 in_frame(row.normal.dot(v.head<2>()),
-                            perpendicular(row.normal).dot(v.head<2>()));
-        return (in_frame + v.z() * spin).squaredNorm();
-      };
-      squared.value = std::max({squared.value, at_contact(change[row.a], row.spin_a),
-                                at_contact(change[row.b], row.spin_b)});
-    }
-  };
-  return std::sqrt(gather_range<Largest>(problem.contacts.size(), collect).value);
 }
 
 Residual residual(const ContactProblem& problem, ContactState& state) {

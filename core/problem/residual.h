@@ -34,7 +34,4 @@ Residual residual(const ContactProblem& problem, ContactState& state);
 void velocity_from_impulses(const ContactProblem& problem, const std::vector<Vec3>& impulse,
                             std::vector<Vec3>& velocity);
 
-// Fastest at a contact of a change of velocity (nb) there, turning included. [sqrt(g d)]
-double fastest_at_contacts(const ContactProblem& problem, const std::vector<Vec3>& change);
-
 }  // namespace quicksand
