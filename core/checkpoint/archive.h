@@ -134,11 +134,11 @@ class CheckpointArchive {
  private:
   static constexpr bool kReads = std::is_const_v<Json>;
 
-  Json& json_for(const char* key, [[maybe_unused]] nlohmann::json fresh) {
+  Json& json_for(const char* key, [[maybe_unused]] const nlohmann::json& fresh) {
     if constexpr (kReads)
       return json_.at(key);
     else
-      return json_[key] = std::move(fresh);
+      return json_[key] = fresh;
   }
   [[noreturn]] static void fail(const char* key, const char* problem) {
     throw std::runtime_error(std::string(key) + " " + problem);
