@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/export/tables.h"
+#include "core/world/shaped_contact.h"
 
 namespace quicksand {
 
@@ -66,6 +67,11 @@ ExportedWorld::ExportedWorld(const World& exported, const std::vector<Pair>& tou
 Vec2 ExportedWorld::place(int disk) const { return shown_at(world, disk); }
 
 Vec2 ExportedWorld::branch(const Link& link) const {
+  if (is_shaped(link.pair)) {
+    const ShapedContact at = shaped_contact(world, link.pair);
+    if (is_wall(link.pair.b)) return at.arm + (at.radius + at.gap) * at.normal;
+    return (world.disks.radius[link.pair.a] + at.gap) * at.normal;
+  }
   const auto [a, b] = link.pair;
   if (!is_wall(b)) return world.separation(a, b);
   const Wall& wall = world.wall(b);

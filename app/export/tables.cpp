@@ -77,10 +77,10 @@ constexpr DataColumn kDiskColumns[] = {
 
 constexpr DataColumn kContactColumns[] = {
     {"a", "1", "number of the disk that the normal comes from", integer, 1,
-     [](const E& e, int row, int) -> double { return link(e, row).pair.a; }},
+     [](const E& e, int row, int) -> double { return e.world.row(link(e, row).pair.a); }},
     {"b", "1", "number of the disk that the normal goes to; -1: a wall", integer, 1,
      [](const E& e, int row, int) -> double {
-       const int b = link(e, row).pair.b;
+       const int b = e.world.row(link(e, row).pair.b);
        return is_wall(b) ? -1 : b;
      }},
     {"wall", "1", "number of that wall; -1: a disk", integer, 1,
@@ -103,8 +103,9 @@ constexpr DataColumn kContactColumns[] = {
      }},
     {"gap", "d", "now, positive when apart", real, 1,
      [](const E& e, int row, int) { return e.world.gap(link(e, row).pair); }},
-    {"branch", "d", "from the centre of a to that of b, or to the wall, the nearest way", real, 2,
-     [](const E& e, int row, int k) { return e.branch(link(e, row))[k]; }},
+    {"branch", "d",
+     "from the centre of a to that of b, or to the point of contact with a wall or shaped body",
+     real, 2, [](const E& e, int row, int k) { return e.branch(link(e, row))[k]; }},
     {"normal", "1", "unit vector from a to b, now", real, 2,
      [](const E& e, int row, int k) { return present_normal(e, row)[k]; }},
     {"force", "F_g", "on b in the last step, along that step's normal and tangent", real, 2,
@@ -157,7 +158,8 @@ constexpr DataTable kTables[] = {
      kContactColumns, [](const E& e) { return static_cast<int>(e.links.size()); }, 2,
      [](const E& e, int row, int which) {
        const Link& l = link(e, row);
-       return which == 0 ? e.place(l.pair.a) : Vec2(e.place(l.pair.a) + e.branch(l));
+       const Vec2 from = e.place(e.world.row(l.pair.a));
+       return which == 0 ? from : Vec2(from + e.branch(l));
      }},
     {"walls", "straight walls; lines as long as the packing is wide or high", kWallColumns,
      [](const E& e) { return static_cast<int>(e.world.walls.size()); }, 2,

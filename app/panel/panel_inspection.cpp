@@ -48,8 +48,9 @@ void show_contacts(const PanelFrame& frame, int body) {
   }
   ImGui::PopStyleColor();
   for (const Contact& contact : world.contacts) {
-    if (contact.pair.a != body && contact.pair.b != body) continue;
-    const int other = contact.pair.a == body ? contact.pair.b : contact.pair.a;
+    const auto [a, b] = world.rows(contact.pair);
+    if (a != body && b != body) continue;
+    const int other = a == body ? b : a;
     const double dt = world.impulse_dt;
     const bool loaded = dt > 0;
     cell(body_text(world, other), false);
@@ -79,8 +80,9 @@ void show_body(PanelFrame& frame, int body) {
   if (!disks.applied[k].isZero()) {
     w.reading("Applied force [weights]", pair_text(disks.applied[k].x(), disks.applied[k].y()));
   }
-  const auto bonded = std::ranges::count_if(world.bonds.list, [body](const Bond& bond) {
-    return bond.state == BondState::active && (bond.pair.a == body || bond.pair.b == body);
+  const auto bonded = std::ranges::count_if(world.bonds.list, [&](const Bond& bond) {
+    const auto [a, b] = world.rows(bond.pair);
+    return bond.state == BondState::active && (a == body || b == body);
   });
   w.reading("Active bonds", std::to_string(bonded));
   show_contacts(frame, body);

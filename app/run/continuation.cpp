@@ -31,6 +31,8 @@ struct SetUpBy {
   Keys operator()(const ShearPhase&) const { return {"first_force", "depths", "grains_per_depth"}; }
   Keys operator()(const HealPhase&) const { return {}; }
   Keys operator()(const PistonPhase&) const { return {"mass"}; }
+  Keys operator()(const PenetratePhase&) const { return {"shape", "density", "x"}; }
+  Keys operator()(const VanePhase&) const { return {"shape", "density", "x", "depth", "clear"}; }
 };
 
 }  // namespace

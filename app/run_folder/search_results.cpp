@@ -3,6 +3,7 @@
 #include "app/json/json_reader.h"
 #include "core/base/whole_file.h"
 #include "core/measures/critical_force.h"
+#include "core/measures/drive_result.h"
 #include "core/measures/shear_strength.h"
 #include "core/scene/scenario.h"
 
@@ -38,6 +39,20 @@ Json json_of(const AdiabaticDeposit& sample) {
           {"change", or_null(sample.change)},
           {"coordination", sample.coordination},
           {"grains", sample.grains}};
+}
+
+// A vane also tells what strength field practice would compute from its torque.
+Json json_of(const DriveResult& found) {
+  Json json = {
+      {"phase", found.phase},       {"drive", found.drive == Drive::vane ? "vane" : "penetrate"},
+      {"peak", found.peak},         {"peak_at", found.peak_at},
+      {"residual", found.residual}, {"sensitivity", sensitivity(found)},
+      {"way", found.way},           {"cleared", found.cleared}};
+  if (found.drive != Drive::vane) return json;
+  json["radius"] = found.radius;
+  json["peak_strength"] = vane_strength(found.peak, found.radius);
+  json["residual_strength"] = vane_strength(found.residual, found.radius);
+  return json;
 }
 
 Json json_of(const StrengthAtDepth& at) {
@@ -98,6 +113,7 @@ Json search_results(const Scenario& scenario, const ProtocolState& state) {
   Json json = Json::object();
   if (!state.critical_forces.empty()) json["critical_forces"] = list_of(state.critical_forces);
   if (!state.adiabatic_deposits.empty()) json["adiabatic"] = list_of(state.adiabatic_deposits);
+  if (!state.drive_results.empty()) json["drives"] = list_of(state.drive_results);
   for (std::size_t k = 0; k < state.adiabatic_deposits.size(); ++k) {
     const AdiabaticDeposit& last = state.adiabatic_deposits[k];
     const bool followed = k + 1 < state.adiabatic_deposits.size() &&

@@ -121,6 +121,74 @@ std::vector<Reference> phase_guides(const RunResults& run) {
   return guides;
 }
 
+// The load of a driven intruder over its way, where a phase drives one.
+struct DrivePlot {
+  const char* phase;  // whose samples count
+  const char* title;
+  const char* way;  // column of series.csv
+  const char* way_label;
+  const char* way_unit;
+  const char* label;
+  const char* unit;
+  double sign;  // of the load
+  std::vector<TimeHistory> histories;
+};
+
+std::vector<DrivePlot> drive_plots() {
+  return {{.phase = "penetrate",
+           .title = "Resistance over depth",
+           .way = "depth",
+           .way_label = "depth of the lowest point",
+           .way_unit = "d",
+           .label = "upward force",
+           .unit = "F_g",
+           .sign = 1,
+           .histories = {{"resistance", "all"},
+                         {"resistance_front", "front"},
+                         {"resistance_flank", "flank"},
+                         {"resistance_shaft", "shaft"}}},
+          {.phase = "vane",
+           .title = "Torque over angle",
+           .way = "intruder_angle",
+           .way_label = "angle",
+           .way_unit = "rad",
+           .label = "torque against the turning",
+           .unit = "F_g d",
+           .sign = -1,
+           .histories = {{"intruder_torque", "torque"}}}};
+}
+
+// Empty if no run has such a phase.
+std::optional<Plot> plot_of_drive(const DrivePlot& described, std::span<const RunResults> runs,
+                                  const std::vector<std::string>& names) {
+  const bool single = runs.size() == 1;
+  Plot plot{.name = std::string(described.phase) + "_load",
+            .title = described.title,
+            .x = {.label = described.way_label, .unit = described.way_unit},
+            .y = {.label = described.label, .unit = described.unit},
+            .legend = LegendPlace::below};
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const std::vector<std::string>& phases = runs[r].phases();
+    for (const TimeHistory& history : described.histories) {
+      if (!has_values(runs[r], history.quantity)) continue;
+      std::vector<double> way, load;
+      const std::vector<double>& all_ways = runs[r].column(described.way);
+      const std::vector<double>& all_loads = runs[r].column(history.quantity);
+      for (std::size_t i = 0; i < phases.size(); ++i) {
+        if (phases[i] != described.phase) continue;
+        way.push_back(all_ways[i]);
+        load.push_back(described.sign * all_loads[i]);
+      }
+      if (!way.empty())
+        plot.curves.push_back(
+            {.name = single ? history.name : names[r], .x = std::move(way), .y = std::move(load)});
+      if (!single) break;  // the sum alone
+    }
+  }
+  if (plot.curves.empty()) return std::nullopt;
+  return plot;
+}
+
 }  // namespace
 
 std::vector<Figure> run_figures(std::span<const RunResults> runs) {
@@ -165,6 +233,9 @@ std::vector<Figure> run_figures(std::span<const RunResults> runs) {
       for (std::size_t k = 0; k < described.compared; ++k) add(described, histories.subspan(k, 1));
     }
   }
+  for (const DrivePlot& described : drive_plots())
+    if (std::optional<Plot> plot = plot_of_drive(described, runs, names))
+      figures.push_back({*std::move(plot), std::string(described.title) + "."});
   return figures;
 }
 

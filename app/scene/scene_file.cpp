@@ -57,10 +57,28 @@ void require_same_box(const Scenario& scenario, const World& state) {
 void require_intruder(const Scenario& scenario, const World& state) {
   if (state.intruder() >= 0) return;
   for (std::size_t k = 0; k < scenario.phases.size(); ++k) {
-    if (std::holds_alternative<PushPhase>(scenario.phases[k].kind)) return;
-    if (!std::holds_alternative<PullPhase>(scenario.phases[k].kind)) continue;
-    throw InputError(scenario.start_from,
-                     "has no intruder, which phases[" + std::to_string(k) + "], a pull, needs");
+    const Phase& phase = scenario.phases[k];
+    if (brings_intruder(phase)) return;
+    if (!std::holds_alternative<PullPhase>(phase.kind) &&
+        !std::holds_alternative<VanePhase>(phase.kind))
+      continue;
+    throw InputError(scenario.start_from, "has no intruder, which phases[" + std::to_string(k) +
+                                              "], a " + std::string(phase_name(phase)) + ", needs");
+  }
+}
+
+// A scene has one intruder of several parts.
+void refuse_second_intruder(const Scenario& scenario, const World& state) {
+  if (state.intruder() < 0) return;
+  for (std::size_t k = 0; k < scenario.phases.size(); ++k) {
+    const Phase& phase = scenario.phases[k];
+    const bool second = brings_intruder(phase) &&
+                        (!state.shapes.empty() || !std::holds_alternative<PushPhase>(phase.kind));
+    const bool dropped = !state.shapes.empty() && std::holds_alternative<DepositPhase>(phase.kind);
+    if (second || dropped)
+      throw InputError(scenario.start_from,
+                       "has an intruder, and phases[" + std::to_string(k) +
+                           (second ? "] brings another" : "] drops grains on it"));
   }
 }
 
@@ -69,6 +87,7 @@ void require_way_down(const Scenario& scenario, const World& state) {
   for (std::size_t k = 0; k < scenario.phases.size(); ++k) {
     const Phase& phase = scenario.phases[k];
     if (!std::holds_alternative<PushPhase>(phase.kind) &&
+        !std::holds_alternative<PenetratePhase>(phase.kind) &&
         !std::holds_alternative<DepositPhase>(phase.kind))
       continue;
     throw InputError(scenario.start_from, "has a piston in the way of phases[" + std::to_string(k) +
@@ -141,6 +160,7 @@ World start_world(const Scenario& scenario) {
   require_same_box(scenario, state);
   require_intruder(scenario, state);
   require_way_down(scenario, state);
+  refuse_second_intruder(scenario, state);
   world.disks = std::move(state.disks);
   world.walls = std::move(state.walls);
   world.bonds = std::move(state.bonds);

@@ -104,6 +104,35 @@ struct PhaseText {
            bonding(p.bonding, p.bonds) + (p.remove ? "; then it is taken away" : "; it stays");
   }
 
+  std::string operator()(const PenetratePhase& p) const {
+    return shape_name(p.shape) + " of density " + number(p.density) + ", driven down " +
+           (p.speed ? "at " + number(*p.speed) + " sqrt(g d)" : "with " + force_text(p.force)) +
+           ramp(p.ramp_time) + ", to a depth of " + number(p.depth) + " d" +
+           (p.speed
+                ? ""
+                : ", or " + rest(p.rest_speed, p.rest_time, p.max_time, "the intruder is not")) +
+           bonding(p.bonding, p.bonds) + (p.release ? "; then it is released" : "");
+  }
+  std::string operator()(const VanePhase& p) const {
+    const std::string what = p.shape
+                                 ? "vane of " + std::to_string(p.shape->blades) + " blades of " +
+                                       number(p.shape->radius) + " d, " + number(p.depth) +
+                                       " d deep" + (p.clear ? ", grains in its way taken out" : "")
+                                 : std::string("the intruder that is there");
+    return what + ", turned by " + number(p.angle) + " rad " +
+           (p.angular_velocity ? "at " + number(*p.angular_velocity) + " sqrt(g/d)"
+                               : "with a torque of " + number(p.torque) + " F_g d") +
+           ramp(p.ramp_time) + bonding(p.bonding, p.bonds) +
+           (p.release ? "; then it is released" : "");
+  }
+  static std::string shape_name(const IntruderShape& shape) {
+    return std::visit(
+        [](const auto& kind) { return std::string(std::decay_t<decltype(kind)>::kName); }, shape);
+  }
+  static std::string ramp(double time) {
+    return time > 0 ? " after a ramp of " + number(time) + " sqrt(d/g)" : "";
+  }
+
   std::string operator()(const PullPhase& p) const {
     return "smallest upward force that " +
            (p.distance ? "lifts the intruder by " + number(*p.distance) + " d"

@@ -1,6 +1,7 @@
 #include "app/scene/scene_size.h"
 
 #include "app/series/sample_times.h"
+#include "core/scene/validate.h"
 
 namespace quicksand {
 
@@ -9,7 +10,7 @@ SceneSize size_of(const Scenario& scenario) {
   for (const Phase& phase : scenario.phases) {
     if (const auto* deposit = std::get_if<DepositPhase>(&phase.kind))
       size.deposited += estimated_grains(scenario, *deposit);
-    if (std::holds_alternative<PushPhase>(phase.kind)) ++size.pushed_in;
+    if (brings_intruder(phase)) ++size.pushed_in;
   }
   return size;
 }

@@ -1,4 +1,7 @@
-// Phases that change bonds or load the whole packing, as fields of a scene file.
+// Phases that change bonds, load the whole packing or drive an intruder of any shape, as fields of a scene file.
+#include <array>
+#include <utility>
+
 #include "app/scene_json/phase_fields.h"
 
 namespace quicksand {
@@ -42,6 +45,156 @@ void describe_piston(Fields& f, PistonPhase& p, const ContactLaw& law) {
   if (f.reading() && p.max_time <= p.ramp_time) {
     f.refuse("max_time", "is not longer than ramp_time; the force would not reach its value");
   }
+}
+
+namespace {
+
+constexpr std::size_t kMostParts = 1000, kMostCorners = 100;
+constexpr auto kLength = above(0, 1e4, "d");
+
+void describe_corner(Fields& f, Vec2& corner) {
+  f.vector({"at", "centre of the rounding", Presence::required}, between(-1e4, 1e4, "d"), corner);
+}
+
+void describe_part(Fields& f, ConvexPart& part) {
+  f.list({"corners", "one: a disk; two: a capsule; more: a convex polygon, counter-clockwise"},
+         kMostCorners, part.corners, describe_corner);
+  f.number({"radius", "of the rounding about the corners", Presence::required}, kLength,
+           part.radius);
+  f.flag({"shaft", "whether its resistance counts as the shaft's"}, part.shaft);
+}
+
+void describe_vane_shape(Fields& f, VaneIntruder& s) {
+  f.integer({"blades", "of equal length about the axis"}, 1, 100, s.blades);
+  f.number({"radius", "from the axis to the tips"}, kLength, s.radius);
+  f.number({"thickness", "of a blade, whose end is a half circle"}, kLength, s.thickness);
+}
+
+struct ShapeFields {
+  Fields& f;
+
+  void operator()(DiskIntruder& s) const {
+    f.number({"diameter", "of the disk"}, kLength, s.diameter);
+  }
+  void operator()(ConeIntruder& s) const {
+    f.number({"width", "of tip and shaft"}, kLength, s.width);
+    f.number({"angle", "between the flanks of the tip"}, between(5, 175, "degrees"), s.angle);
+    f.number({"length", "of the shaft above the tip; 0: none"}, between(0, 1e4, "d"), s.length);
+    f.number({"rounding", "radius of tip and edges"}, kLength, s.rounding);
+  }
+  void operator()(PlateIntruder& s) const {
+    f.number({"width", "over all"}, kLength, s.width);
+    f.number({"thickness", "of the plate, whose ends are half circles"}, kLength, s.thickness);
+    f.number({"tilt", "from the horizontal, counter-clockwise"}, between(-90, 90, "degrees"),
+             s.tilt);
+  }
+  void operator()(BallOnRodIntruder& s) const {
+    f.number({"diameter", "of the ball"}, kLength, s.diameter);
+    f.number({"rod_width", "of the rod, whose end is a half circle"}, kLength, s.rod_width);
+    f.number({"rod_length", "of the rod above the ball"}, kLength, s.rod_length);
+  }
+  void operator()(VaneIntruder& s) const { describe_vane_shape(f, s); }
+  void operator()(PartsIntruder& s) const {
+    f.list({"parts", "convex parts of one body, which may overlap"}, kMostParts, s.parts,
+           describe_part);
+  }
+};
+
+constexpr auto kAllShapes = std::make_index_sequence<std::variant_size_v<IntruderShape>>{};
+
+template <std::size_t... kinds>
+constexpr auto shape_names(std::index_sequence<kinds...> /*all*/) {
+  return std::array{std::variant_alternative_t<kinds, IntruderShape>::kName...};
+}
+constexpr auto kShapes = shape_names(kAllShapes);
+
+template <std::size_t... kinds>
+void set_shape(IntruderShape& shape, int type, std::index_sequence<kinds...> /*all*/) {
+  ((static_cast<int>(kinds) == type ? static_cast<void>(shape.emplace<kinds>())
+                                    : static_cast<void>(0)),
+   ...);
+}
+
+void refuse_problem(Fields& f, const IntruderShape& shape) {
+  if (!f.reading()) return;
+  const ShapeProblem found = problem_of(shape);
+  if (!found.key.empty()) f.refuse(found.key.c_str(), found.problem);
+}
+
+void describe_shape(Fields& f, IntruderShape& shape) {
+  f.variant({"type", "what it is"}, kShapes, static_cast<int>(shape.index()),
+            [&](Fields& g, int type) {
+              if (shape.index() != static_cast<std::size_t>(type))
+                set_shape(shape, type, kAllShapes);
+              std::visit(ShapeFields{g}, shape);
+              refuse_problem(g, shape);
+            });
+}
+
+void describe_ramp(Fields& f, const char* help, double& ramp_time) {
+  f.number({"ramp_time", help}, between(0, kMaxTime, "sqrt(d/g)"), ramp_time);
+}
+
+}  // namespace
+
+void describe_penetrate(Fields& f, PenetratePhase& p, const ContactLaw& law) {
+  f.object({"shape", "of the intruder, upright as it is put on the surface"},
+           [&](Fields& g) { describe_shape(g, p.shape); });
+  f.number({"density", "of the intruder, over that of a grain"}, above(0, 1e6, "1"), p.density);
+  f.number({"x", "where its centre of mass is placed; the middle of the box if absent"},
+           between(-1e7, 1e7, "d"), p.x);
+  f.number({"speed", "downward; it neither turns nor gives way to the side"},
+           above(0, 1e6, "sqrt(g d)"), p.speed);
+  std::optional<double> force, over_cohesion;
+  if (!p.speed) force = p.force;
+  f.number({"force", "downward, besides the intruder's weight; it is free to turn"},
+           between(0, 1e12, "F_g"), force);
+  f.number({"force_over_cohesion", "the same, over the grains' cohesion force"},
+           between(0, 1e6, "F_c"), over_cohesion);
+  f.exactly_one({"speed", "force", "force_over_cohesion"});
+  describe_ramp(f, "in which speed or force rises from 0 to its value; 0: at once", p.ramp_time);
+  f.number({"depth", "of its lowest point below the surface, which ends the phase"},
+           above(0, 1e6, "d"), p.depth);
+  describe_rest(f, p.rest_speed, p.rest_time, p.max_time);
+  f.flag({"release",
+          "whether what drives it ends with the phase; else it is held, or the force "
+          "stays"},
+         p.release);
+  describe_bonding(f, p.bonding, p.bonds);
+  if (!f.reading()) return;
+  if (over_cohesion && !law.cohesion_force) {
+    f.refuse("force_over_cohesion", "needs contact.cohesion_force, which is absent; give force");
+  }
+  p.force = over_cohesion ? *over_cohesion * *law.cohesion_force : force.value_or(0);
+}
+
+void describe_vane(Fields& f, VanePhase& p) {
+  f.optional_object({"shape", "of the vane that is put in; absent: the intruder that is there"},
+                    p.shape, [](Fields& g, VaneIntruder& shape) {
+                      describe_vane_shape(g, shape);
+                      refuse_problem(g, shape);
+                    });
+  f.number({"density", "of the vane, over that of a grain"}, above(0, 1e6, "1"), p.density);
+  f.number({"x", "where its axis is put; the middle of the box if absent"}, between(-1e7, 1e7, "d"),
+           p.x);
+  f.number({"depth", "of the axis below the top of the packing"}, between(0, 1e6, "d"), p.depth);
+  f.flag({"clear", "whether grains where the vane is to be are taken away; else they are refused"},
+         p.clear);
+  f.number({"angular_velocity", "counter-clockwise; its centre stays where it is"},
+           above(0, 1e6, "sqrt(g/d)"), p.angular_velocity);
+  std::optional<double> torque;
+  if (!p.angular_velocity) torque = p.torque;
+  f.number({"torque", "counter-clockwise; it is free to move"}, between(0, 1e12, "F_g d"), torque);
+  f.exactly_one({"angular_velocity", "torque"});
+  describe_ramp(f, "in which either rises from 0 to its value; 0: at once", p.ramp_time);
+  f.number({"angle", "turned by, which ends the phase"}, above(0, 1e4, "rad"), p.angle);
+  describe_rest(f, p.rest_speed, p.rest_time, p.max_time);
+  f.flag({"release",
+          "whether what turns it ends with the phase; else it is held, or the torque "
+          "stays"},
+         p.release);
+  describe_bonding(f, p.bonding, p.bonds);
+  if (f.reading()) p.torque = torque.value_or(0);
 }
 
 }  // namespace quicksand

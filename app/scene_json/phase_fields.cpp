@@ -154,6 +154,20 @@ struct KindText {
   explicit KindText(const PistonPhase&)
       : sentence("A wall with mass is laid on the packing and presses it down."),
         example(R"({"command": "piston", "mass": 10, "force": 1e4, "max_time": 5})") {}
+  explicit KindText(const PenetratePhase&)
+      : sentence(
+            "An intruder of any shape is driven into the packing, at a given speed or by a force. "
+            "Finds the largest and the last resistance."),
+        example(
+            R"({"command": "penetrate", "shape": {"type": "cone", "width": 2}, "speed": 1, "depth": 3})") {
+  }
+  explicit KindText(const VanePhase&)
+      : sentence(
+            "A vane is put into the packing, or the intruder that is there is taken, and turned. "
+            "Finds the largest and the last torque."),
+        example(
+            R"({"command": "vane", "shape": {"radius": 2}, "depth": 4, "clear": true, "angular_velocity": 1})") {
+  }
 };
 
 template <class Kind>
@@ -177,6 +191,8 @@ struct KindFields {
   void operator()(ShearPhase& p) const { describe_shear(f, p, scenario.grain_law); }
   void operator()(HealPhase& p) const { describe_heal(f, p); }
   void operator()(PistonPhase& p) const { describe_piston(f, p, scenario.grain_law); }
+  void operator()(PenetratePhase& p) const { describe_penetrate(f, p, scenario.grain_law); }
+  void operator()(VanePhase& p) const { describe_vane(f, p); }
 };
 
 }  // namespace

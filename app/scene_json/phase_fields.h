@@ -41,4 +41,7 @@ void describe_threshold(Fields& f, PushPhase& push);
 void describe_heal(Fields& f, HealPhase& phase);
 void describe_piston(Fields& f, PistonPhase& phase, const ContactLaw& law);
 
+void describe_penetrate(Fields& f, PenetratePhase& phase, const ContactLaw& law);
+void describe_vane(Fields& f, VanePhase& phase);
+
 }  // namespace quicksand

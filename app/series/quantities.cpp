@@ -128,6 +128,21 @@ const Quantity kQuantities[] = {
      [](const Row& r) { return or_none(r.sample.within[0].active_bond_fraction); }},
     {"active_bonds_within_1e-2", "1", "active bonds over pairs up to a gap of 1e-2 d",
      [](const Row& r) { return or_none(r.sample.within[1].active_bond_fraction); }},
+    {"intruder_angle", "rad", "turned since it was placed, counter-clockwise",
+     [](const Row& r) { return of_intruder(r, r.sample.intruder_angle); }},
+    {"intruder_torque", "F_g d", "of the contacts of the last step on the intruder",
+     [](const Row& r) { return of_intruder(r, r.sample.reaction.torque); }},
+    {"resistance_normal", "F_g", "part of the resistance that is of normal forces",
+     [](const Row& r) { return of_intruder(r, r.sample.reaction.normal); }},
+    {"resistance_tangential", "F_g", "part of the resistance that is friction",
+     [](const Row& r) { return of_intruder(r, r.sample.reaction.tangential); }},
+    {"resistance_front", "F_g",
+     "part of the resistance where the intruder's surface faces down within 45 degrees",
+     [](const Row& r) { return of_intruder(r, r.sample.reaction.front); }},
+    {"resistance_flank", "F_g", "part of the resistance elsewhere but at the shaft",
+     [](const Row& r) { return of_intruder(r, r.sample.reaction.flank); }},
+    {"resistance_shaft", "F_g", "part of the resistance at the shaft",
+     [](const Row& r) { return of_intruder(r, r.sample.reaction.shaft); }},
 };
 
 }  // namespace

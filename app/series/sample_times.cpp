@@ -35,6 +35,15 @@ struct Interval {
   double operator()(const ShearPhase& phase) const { return phase.trials.max_time; }
   double operator()(const HealPhase&) const { return 0; }
   double operator()(const PistonPhase& phase) const { return until_rest(phase.max_time); }
+  double operator()(const PenetratePhase& phase) const {
+    if (!phase.speed) return until_rest(phase.max_time);
+    return std::min(phase.max_time, phase.ramp_time + phase.depth / *phase.speed) / kSamples;
+  }
+  double operator()(const VanePhase& phase) const {
+    if (!phase.angular_velocity) return until_rest(phase.max_time);
+    return std::min(phase.max_time, phase.ramp_time + phase.angle / *phase.angular_velocity) /
+           kSamples;
+  }
 
   double until_rest(double max_time) const {
     const double fall = fall_time(scenario) / kSamplesPerFall;

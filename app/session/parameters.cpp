@@ -117,6 +117,12 @@ ParameterGroup group_of(const char* name, const Scenario& scenario,
   return group;
 }
 
+template <class Kind>
+bool has(const Scenario& scenario) {
+  return std::ranges::any_of(
+      scenario.phases, [](const Phase& phase) { return std::holds_alternative<Kind>(phase.kind); });
+}
+
 }  // namespace
 
 std::vector<ParameterGroup> parameters_of(const Scenario& scenario) {
@@ -132,12 +138,25 @@ std::vector<ParameterGroup> parameters_of(const Scenario& scenario) {
   add(computing, all, "step", Names{"dt", "max_turn", "break_rule"});
   computing.parameters.back().label = "failure criterion";
   add(computing, all, "solver", Names{"method", "tolerance"});
-  return {std::move(contacts),
-          group_of<DepositPhase>("Deposition", scenario, all,
-                                 Names{"height", "interval", "drop_velocity"}),
-          group_of<PushPhase>("Intruder", scenario, all, Names{"diameter", "density", "force"}),
-          group_of<PistonPhase>("Piston", scenario, all, Names{"mass", "force", "ramp_time"}),
-          std::move(computing)};
+  std::vector<ParameterGroup> groups{
+      std::move(contacts),
+      group_of<DepositPhase>("Deposition", scenario, all,
+                             Names{"height", "interval", "drop_velocity"}),
+      group_of<PushPhase>("Intruder", scenario, all, Names{"diameter", "density", "force"}),
+      group_of<PistonPhase>("Piston", scenario, all, Names{"mass", "force", "ramp_time"})};
+  // Of other intruders those that the scene drives.
+  if (has<PenetratePhase>(scenario))
+    groups.push_back(group_of<PenetratePhase>(
+        "Penetration", scenario, all,
+        Names{"shape.width", "shape.diameter", "shape.angle", "shape.radius", "shape.thickness",
+              "shape.length", "shape.tilt", "density", "speed", "force", "ramp_time", "depth"}));
+  if (has<VanePhase>(scenario))
+    groups.push_back(
+        group_of<VanePhase>("Vane", scenario, all,
+                            Names{"shape.blades", "shape.radius", "shape.thickness",
+                                  "angular_velocity", "torque", "ramp_time", "angle"}));
+  groups.push_back(std::move(computing));
+  return groups;
 }
 
 }  // namespace quicksand

@@ -12,14 +12,20 @@
 namespace quicksand {
 
 // Two bodies, a < b. Disks are numbered from 0 and wall k is body kWallBase + k, so that disks can be
-// added without renumbering the walls; a is always a disk.
+// added without renumbering the walls; a is a disk. In a pair of a shaped body (shapes.h) one of its corners stands for
+// it: as b the first corner of the part that a disk touches, as a the one that touches a wall.
 struct Pair {
   int a = 0;
   int b = 0;
   auto operator<=>(const Pair&) const = default;
 };
 constexpr int kWallBase = 1 << 30;
+constexpr int kCornerBase = 1 << 29;
 constexpr bool is_wall(int body) { return body >= kWallBase; }
+constexpr bool is_disk(int body) { return body < kCornerBase; }
+constexpr bool is_shaped(Pair pair) {
+  return !is_disk(pair.a) || (!is_disk(pair.b) && !is_wall(pair.b));
+}
 
 enum class BondState : std::uint8_t { active, broken };
 

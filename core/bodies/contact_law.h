@@ -27,6 +27,9 @@ struct ContactLaw {
 // r for equal disks.
 double rolling_length(double coefficient, double radius_a, double radius_b);
 
+// The same for a disk on the flank of a shaped body, whose radius is infinite: coefficient times 2 r.
+double rolling_length_on_flank(double coefficient, double radius);
+
 // The same for a disk on a wall: coefficient times the disk's radius.
 double rolling_length_on_wall(double coefficient, double radius);
 

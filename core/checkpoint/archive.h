@@ -34,6 +34,11 @@ class CheckpointArchive {
   void added(const char* key, T& x) {
     if (!kReads || json_.contains(key)) value(key, x);
   }
+  // Whether to go on with a key that is absent where there is nothing to write.
+  bool has(const char* key, bool written) const {
+    if constexpr (kReads) return json_.contains(key);
+    return written;
+  }
   template <class E>
   void word(const char* key, E& x) {
     if constexpr (kReads) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/measures/critical_force.h"
+#include "core/measures/drive_result.h"
 
 namespace quicksand {
 
@@ -42,6 +43,26 @@ bool possible(const Wall& wall) {
          wall.role <= WallRole::piston;
 }
 
+// Corners part by part, each part of one body.
+bool possible(const Shapes& shapes, const Disks& disks) {
+  const auto nk = static_cast<int>(shapes.corners.size());
+  for (int first = 0; first < nk;) {
+    const Corner& part = shapes.corners[static_cast<std::size_t>(first)];
+    if (part.count < 1 || part.count > nk - first || !shapes.find(part.body)) return false;
+    for (int k = first; k < first + part.count; ++k) {
+      const Corner& corner = shapes.corners[static_cast<std::size_t>(k)];
+      if (corner.count != part.count || corner.body != part.body || !corner.place.allFinite() ||
+          !positive(corner.radius))
+        return false;
+    }
+    first += part.count;
+  }
+  return std::ranges::all_of(shapes.bodies, [&](const ShapedBody& shaped) {
+    return shaped.body >= 0 && shaped.body < disks.size() && positive(shaped.inertia) &&
+           not_negative(shaped.arm) && positive(shaped.radius);
+  });
+}
+
 bool possible(const Bond& bond) { return bond.state <= BondState::broken; }
 
 bool possible(const Contact& contact) {
@@ -75,6 +96,12 @@ bool possible(const AdiabaticDeposit& sample) {
                 sample.change.value_or(0));
 }
 
+bool possible(const DriveResult& found) {
+  return found.phase >= 0 && found.drive <= Drive::vane &&
+         finite(found.peak, found.peak_at, found.residual, found.way) && positive(found.radius) &&
+         found.cleared >= 0;
+}
+
 template <class Item>
 bool all_possible(const std::vector<Item>& items) {
   return std::ranges::all_of(items, [](const Item& item) { return possible(item); });
@@ -84,10 +111,19 @@ template <class Item>
 bool pairs_in_order(const World& world, const std::vector<Item>& items) {
   const auto nd = world.disks.size();
   const auto nw = static_cast<int>(world.walls.size());
+  const std::vector<Corner>& corners = world.shapes.corners;
+  std::vector<char> begins_part(corners.size(), 0);
+  for (std::size_t k = 0; k < corners.size(); k += static_cast<std::size_t>(corners[k].count))
+    begins_part[k] = 1;
+  const auto is_corner = [&](int body, bool of_part) {
+    if (is_disk(body) || is_wall(body)) return false;
+    const auto k = static_cast<std::size_t>(body - kCornerBase);
+    return k < corners.size() && (!of_part || begins_part[k]);
+  };
   for (std::size_t k = 0; k < items.size(); ++k) {
     const auto [a, b] = items[k].pair;
-    if (a < 0 || a >= nd) return false;
-    if (is_wall(b) ? b - kWallBase >= nw : b <= a || b >= nd) return false;
+    if (a < 0 || (a >= nd && !(is_corner(a, false) && is_wall(b)))) return false;
+    if (is_wall(b) ? b - kWallBase >= nw : !is_corner(b, true) && (b <= a || b >= nd)) return false;
     if (k > 0 && !(items[k - 1].pair < items[k].pair)) return false;
   }
   return true;
@@ -108,6 +144,7 @@ const char* inconsistency(const World& world) {
   if (!possible(world.grain_law) || !possible(world.wall_law) || !possible(world.intruder_law))
     return "no such contact law";
   if (!possible(world.disks)) return "a number of a disk is not possible";
+  if (!possible(world.shapes, world.disks)) return "a number of a shaped body is not possible";
   if (!all_possible(world.walls)) return "a number of a wall is not possible";
   if (!all_possible(world.bonds.list) || !pairs_in_order(world, world.bonds.list))
     return "the bonds are not those of these bodies";
@@ -135,7 +172,8 @@ const char* inconsistency(const Checkpoint& checkpoint) {
   if (!possible(errors.residual) || !possible(errors.bond_gap) || !possible(errors.penetration))
     return "no such distribution of errors";
   if (!possible(protocol.search)) return "no such search";
-  if (!all_possible(protocol.critical_forces) || !all_possible(protocol.adiabatic_deposits))
+  if (!all_possible(protocol.critical_forces) || !all_possible(protocol.adiabatic_deposits) ||
+      !all_possible(protocol.drive_results))
     return "a number that a search found is not possible";
   return nullptr;
 }

@@ -27,7 +27,7 @@ using Reader = CheckpointReader;
 static_assert(std::endian::native == std::endian::little, "arrays are stored little-endian");
 
 constexpr const char* kFormat = "quicksand checkpoint";
-constexpr int kVersion = 6, kOldestVersion = 4;
+constexpr int kVersion = 7, kOldestVersion = 4;
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{4} << 30U;  // [bytes]
 // Memory that reading takes: the bytes are there as they are, as JSON and as a world.
 constexpr double kBytesPerByte = 4;
@@ -71,6 +71,22 @@ void describe_lists(Archive& archive, World& world) {
     column("impulse", &Contact::impulse);
     column("cohesion", &Contact::cohesion);
   });
+  // Worlds without shaped bodies are written as if there were none to write.
+  if (archive.has("corners", !world.shapes.empty())) {
+    archive.columns("corners", world.shapes.corners, [](auto column) {
+      column("place", &Corner::place);
+      column("radius", &Corner::radius);
+      column("body", &Corner::body);
+      column("count", &Corner::count);
+      column("shaft", &Corner::shaft);
+    });
+    archive.columns("shaped_bodies", world.shapes.bodies, [](auto column) {
+      column("body", &ShapedBody::body);
+      column("inertia", &ShapedBody::inertia);
+      column("arm", &ShapedBody::arm);
+      column("radius", &ShapedBody::radius);
+    });
+  }
   archive.columns("walls", world.walls, [](auto column) {
     column("point", &Wall::point);
     column("normal", &Wall::normal);

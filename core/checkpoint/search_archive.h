@@ -51,6 +51,17 @@ void describe_search_results(Archive& archive, State& state) {
     a.value("grains", sample.grains);
     a.optional("change", sample.change);
   });
+  if (!archive.has("drive_results", true)) return;  // of an earlier version
+  archive.list("drive_results", state.drive_results, [](auto& a, auto& found) {
+    a.value("phase", found.phase);
+    a.word("drive", found.drive);
+    a.value("peak", found.peak);
+    a.value("peak_at", found.peak_at);
+    a.value("residual", found.residual);
+    a.value("way", found.way);
+    a.value("radius", found.radius);
+    a.value("cleared", found.cleared);
+  });
 }
 
 // Reading throws std::exception for what is no search.

@@ -21,8 +21,9 @@ constexpr int kAngleBins = 35;
 constexpr int kBinsPerDecade = 10;
 
 bool has_intruder(const World& world, Pair pair) {
-  return world.disks.role[pair.a] == Role::intruder ||
-         (!is_wall(pair.b) && world.disks.role[pair.b] == Role::intruder);
+  const auto [a, b] = world.rows(pair);
+  return world.disks.role[a] == Role::intruder ||
+         (!is_wall(b) && world.disks.role[b] == Role::intruder);
 }
 
 // Normal forces of the last step that `take` lets through, as it gives them.
@@ -45,9 +46,9 @@ std::vector<std::vector<double>> bond_directions(const World& world) {
     if (bond.state != BondState::active) continue;
     Vec2 n;
     world.gap(bond.pair, &n);
-    directions[static_cast<std::size_t>(bond.pair.a)].push_back(std::atan2(n.y(), n.x()));
-    if (!is_wall(bond.pair.b))
-      directions[static_cast<std::size_t>(bond.pair.b)].push_back(std::atan2(-n.y(), -n.x()));
+    const auto [a, b] = world.rows(bond.pair);
+    directions[static_cast<std::size_t>(a)].push_back(std::atan2(n.y(), n.x()));
+    if (!is_wall(b)) directions[static_cast<std::size_t>(b)].push_back(std::atan2(-n.y(), -n.x()));
   }
   return directions;
 }
@@ -115,7 +116,7 @@ Histogram bond_angles(const World& world) {
 Histogram contact_orientations(const World& world, std::span<const Pair> touching) {
   std::vector<double> angles;
   for (const Pair& pair : touching) {
-    if (is_wall(pair.b) || has_intruder(world, pair)) continue;
+    if (!is_disk(pair.b) || has_intruder(world, pair)) continue;
     const Vec2 s = world.separation(pair.a, pair.b);
     angles.push_back(std::atan2(std::abs(s.y()), std::abs(s.x())));
   }

@@ -9,6 +9,7 @@
 
 #include "core/world/extent.h"
 #include "core/world/neighbors.h"
+#include "core/world/shaped_contact.h"
 
 namespace quicksand {
 
@@ -53,6 +54,12 @@ Energies energies(const World& world) {
     sum.rotational += disks.inertia(i) * disks.velocity[i].z() * disks.velocity[i].z() / 2;
     if (world.gravity) sum.potential -= disks.mass[i] * world.gravity->dot(disks.position[i]);
   }
+  for (const ShapedBody& shaped : world.shapes.bodies) {
+    const int i = shaped.body;
+    if (disks.fixed(i)) continue;
+    const double spin = disks.velocity[i].z();
+    sum.rotational += (shaped.inertia - disks.inertia(i)) * spin * spin / 2;
+  }
   return sum;
 }
 
@@ -62,8 +69,9 @@ NeighbourCounts count_neighbours(const World& world, std::span<const Pair> touch
   for (auto* counts : {&n.active, &n.broken, &n.initial, &n.initial_active, &n.touching, &n.loaded})
     counts->assign(nd, 0);
   const auto count = [&](std::vector<int>& counts, Pair pair) {
-    ++counts[static_cast<std::size_t>(pair.a)];
-    if (!is_wall(pair.b)) ++counts[static_cast<std::size_t>(pair.b)];
+    const auto [a, b] = world.rows(pair);
+    ++counts[static_cast<std::size_t>(a)];
+    if (!is_wall(b)) ++counts[static_cast<std::size_t>(b)];
   };
   for (const Bond& bond : world.bonds.list) {
     const bool active = bond.state == BondState::active;
@@ -113,8 +121,9 @@ std::vector<double> contact_pressure(const World& world) {
   for (const Contact& contact : world.contacts) {
     const double force = contact.normal_force(world.impulse_dt);
     if (force <= 0) continue;
-    add(contact.pair.a, force);
-    if (!is_wall(contact.pair.b)) add(contact.pair.b, force);
+    const auto [a, b] = world.rows(contact.pair);
+    add(a, force);
+    if (!is_wall(b)) add(b, force);
   }
   return pressure;
 }
@@ -123,8 +132,9 @@ Vec2 contact_force(const World& world, int body) {
   Vec2 force(0, 0);
   if (world.impulse_dt == 0) return force;
   for (const Contact& contact : world.contacts) {
-    if (contact.pair.b == body) force += contact.force(world.impulse_dt);
-    if (contact.pair.a == body) force -= contact.force(world.impulse_dt);
+    const auto [a, b] = world.rows(contact.pair);
+    if (b == body) force += contact.force(world.impulse_dt);
+    if (a == body) force -= contact.force(world.impulse_dt);
   }
   return force;
 }
@@ -143,7 +153,7 @@ double volume_fraction(const World& world, double y_low, double y_high) {
 WeightAbove weight_above_intruder(const World& world, const MeasureChoices& choices) {
   const int intruder = world.intruder();
   if (intruder < 0) return {};
-  const double radius = world.disks.radius[intruder];
+  const double radius = half_width(world, intruder);
   const double begins = world.disks.position[intruder].y() + choices.above_begins * radius;
   double all = 0;
   WeightAbove above;
@@ -166,7 +176,7 @@ WithinGap within_gap(const World& world, std::span<const Pair> pairs, double gap
                      std::int64_t grains, std::int64_t bonds) {
   std::int64_t near = 0, ends = 0;
   const auto is_grain = [&](int body) {
-    return !is_wall(body) && world.disks.role[body] == Role::grain;
+    return !is_wall(body) && world.disks.role[world.row(body)] == Role::grain;
   };
   for (const Pair& pair : pairs) {
     if (!world.movable(pair) || world.gap(pair) > gap) continue;
@@ -229,8 +239,9 @@ Sample measure(const World& world, const MeasureChoices& choices) {
     s.intruder_position = world.disks.position[intruder];
     s.intruder_velocity = world.disks.velocity[intruder].head<2>();
     s.resistance = contact_force(world, intruder).y();
-    s.depth =
-        trajectory_so_far(world).surface - (s.intruder_position.y() - world.disks.radius[intruder]);
+    s.intruder_angle = world.disks.angle[intruder];
+    s.reaction = reaction_on(world, intruder);
+    s.depth = trajectory_so_far(world).surface - lowest_point(world, intruder);
     s.weight_above = weight_above_intruder(world, choices);
     s.around_intruder = around_intruder(world, touching, choices);
   }

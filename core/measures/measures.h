@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/measures/regions.h"
+#include "core/world/reaction.h"
 #include "core/world/world.h"
 
 namespace quicksand {
@@ -87,6 +88,8 @@ struct Sample {
   Vec2 intruder_position{0, 0};  // [d]
   Vec2 intruder_velocity{0, 0};  // [sqrt(g d)]
   double resistance = 0;         // upward force of its contacts [F_g]
+  double intruder_angle = 0;     // turned since it was placed, counter-clockwise [rad]
+  Reaction reaction;             // of its contacts
   double depth = 0;  // of its lowest point below the packing's top when it was placed [d]
   WeightAbove weight_above;
   AroundIntruder around_intruder;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/world/intruder_trajectory.h"
+#include "core/world/shaped_contact.h"
 
 namespace quicksand {
 
@@ -33,7 +34,7 @@ std::vector<Region> regions_of(const World& world, std::span<const Pair> touchin
                                std::span<const int> region, int count) {
   std::vector<Sums> sums(static_cast<std::size_t>(count));
   const auto is_grain = [&](int body) {
-    return !is_wall(body) && world.disks.role[body] == Role::grain;
+    return is_disk(body) && world.disks.role[body] == Role::grain;
   };
   // Calls add(sums, twice the share) for the region of each grain of a pair.
   const auto share_out = [&](Pair pair, auto add) {
@@ -67,7 +68,7 @@ AroundIntruder around_intruder(const World& world, std::span<const Pair> touchin
                                const MeasureChoices& choices) {
   const int intruder = world.intruder();
   if (intruder < 0) return {};
-  const double radius = world.disks.radius[intruder];
+  const double radius = half_width(world, intruder);
   const double channel = radius + choices.channel_margin;
   const double intact = 2 * radius * choices.intact_distance;
   const std::vector<double> distances = distances_from_trajectory(world, std::max(channel, intact));
@@ -85,7 +86,7 @@ Region kept_all_bonds(const World& world, std::span<const Pair> touching) {
   for (const Bond& bond : world.bonds.list) {
     if (!bond.initial) continue;
     for (const int body : {bond.pair.a, bond.pair.b}) {
-      if (is_wall(body)) continue;
+      if (!is_disk(body)) continue;
       int& known = region[static_cast<std::size_t>(body)];
       if (bond.state == BondState::broken)
         known = -1;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/measures/critical_force.h"
+#include "core/measures/drive_result.h"
 #include "core/measures/force_bracket.h"
 #include "core/sweeps/nscd.h"
 #include "core/world/world.h"
@@ -75,6 +76,7 @@ struct ProtocolState {
   // Found over the whole run.
   std::vector<CriticalForce> critical_forces;
   std::vector<AdiabaticDeposit> adiabatic_deposits;
+  std::vector<DriveResult> drive_results;
 };
 
 }  // namespace quicksand

@@ -1,6 +1,7 @@
 // The phase "pull": the smallest upward force that takes the intruder out.
 #include "core/phases/running_phase.h"
 #include "core/world/extent.h"
+#include "core/world/shaped_contact.h"
 
 namespace quicksand {
 
@@ -34,10 +35,10 @@ class Pull final : public RunningPhaseOf<PullPhase> {
     if (!search.trial_runs) return search_is_over(stage, trials, false);
     const int intruder = search.targets.front().body;
     const double height = stage.world.disks.position[intruder].y();
-    const Disks& before = search.base->disks;
-    const bool out = settings().distance
-                         ? height >= before.position[intruder].y() + *settings().distance
-                         : height - before.radius[intruder] > packing_top(*search.base);
+    const bool out =
+        settings().distance
+            ? height >= search.base->disks.position[intruder].y() + *settings().distance
+            : lowest_point(stage.world, intruder) > packing_top(*search.base);
     return search_is_over(stage, trials, out, trials.until);
   }
 

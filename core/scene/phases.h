@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "core/shapes/intruder_shapes.h"
+
 namespace quicksand {
 
 // Which touches form a bond where bonds form: the first of a pair, or each while it has no active bond.
@@ -150,8 +152,52 @@ struct PistonPhase {
   bool operator==(const PistonPhase&) const = default;
 };
 
+// An intruder of any shape is put on the surface, and driven down at a given speed, upright and straight, or by a given
+// force and then free to turn and to give way. Ends at the depth, at max_time, or where the force does not move it.
+struct PenetratePhase {
+  static constexpr std::string_view kName = "penetrate";
+  IntruderShape shape = ConeIntruder{};
+  double density = 1;           // over that of a grain [1]
+  std::optional<double> x;      // place of the centre of mass [d]; middle of the box if absent
+  std::optional<double> speed;  // downward [sqrt(g d)]; absent: driven by the force
+  double force = 0;             // downward, besides its weight [F_g]
+  double ramp_time = 0;         // in which speed or force rises from 0 [sqrt(d/g)]
+  double depth = 10;            // of its lowest point below the surface, that ends the phase [d]
+  double rest_speed = 1e-3;     // as in SettlePhase, of the intruder alone, where a force drives it
+  double rest_time = 0.5;
+  double max_time = 1000;
+  bool release =
+      false;  // whether what drives it ends with the phase; else a force stays, and it is held
+  bool bonding = false;
+  BondingTouch bonds = BondingTouch::first;
+  bool operator==(const PenetratePhase&) const = default;
+};
+
+// A vane is put into the packing, or the intruder that is there is taken, and turned counter-clockwise: about its fixed
+// centre at a given angular velocity, or by a given torque and then free to move.
+struct VanePhase {
+  static constexpr std::string_view kName = "vane";
+  std::optional<VaneIntruder> shape;  // absent: the intruder that is there
+  double density = 1;                 // over that of a grain [1]
+  std::optional<double> x;            // place of the axis [d]; middle of the box if absent
+  double depth = 10;                  // of the axis below the surface [d]
+  bool clear = false;  // whether grains in its way are taken away; else they are refused
+  std::optional<double> angular_velocity;  // [sqrt(g/d)]; absent: turned by the torque
+  double torque = 0;                       // [F_g d]
+  double ramp_time = 0;                    // in which either rises from 0 [sqrt(d/g)]
+  double angle = 1.5;                      // turned by, that ends the phase [rad]
+  double rest_speed = 1e-3;                // of its tips, where a torque turns it [sqrt(g d)]
+  double rest_time = 0.5;
+  double max_time = 1000;
+  bool release = false;  // as in PenetratePhase
+  bool bonding = false;
+  BondingTouch bonds = BondingTouch::first;
+  bool operator==(const VanePhase&) const = default;
+};
+
 struct Phase {
-  std::variant<DepositPhase, SettlePhase, PushPhase, PullPhase, ShearPhase, HealPhase, PistonPhase>
+  std::variant<DepositPhase, SettlePhase, PushPhase, PullPhase, ShearPhase, HealPhase, PistonPhase,
+               PenetratePhase, VanePhase>
       kind;
   std::optional<double> dt;                // overrides StepSettings::dt [sqrt(d/g)]
   std::optional<double> sample_every;      // time between samples and frames [sqrt(d/g)]

@@ -9,6 +9,18 @@
 
 namespace quicksand {
 
+bool brings_shaped_intruder(const Phase& phase) {
+  const auto* vane = std::get_if<VanePhase>(&phase.kind);
+  const auto* penetrate = std::get_if<PenetratePhase>(&phase.kind);
+  return (penetrate && !std::holds_alternative<DiskIntruder>(penetrate->shape)) ||
+         (vane && vane->shape);
+}
+
+bool brings_intruder(const Phase& phase) {
+  return std::holds_alternative<PushPhase>(phase.kind) ||
+         std::holds_alternative<PenetratePhase>(phase.kind) || brings_shaped_intruder(phase);
+}
+
 namespace {
 
 // Overlaps up to this are rounding of touching bodies. [d]
@@ -43,25 +55,55 @@ void check_walls(const Scenario& scenario) {
   }
 }
 
-void check_push(const Scenario& scenario, const PushPhase& push, const std::string& where) {
-  if (scenario.box.sides != Sides::walls || !push.x) return;
-  const double least = push.diameter / 2, most = scenario.box.width - least;
-  if (*push.x < least || *push.x > most)
-    throw InputError(where + ".x", "is " + message_number(*push.x) +
-                                       " d; between the side walls there is room from " +
-                                       message_number(least) + " to " + message_number(most) +
-                                       " d");
+void check_room(const Scenario& scenario, const std::optional<double>& x, double diameter,
+                const std::string& where) {
+  if (scenario.box.sides != Sides::walls || !x) return;
+  const double least = diameter / 2, most = scenario.box.width - least;
+  if (*x < least || *x > most)
+    throw InputError(where + ".x",
+                     "is " + message_number(*x) + " d; between the side walls there is room from " +
+                         message_number(least) + " to " + message_number(most) + " d");
+}
+
+void require_intruder(const Scenario& scenario, std::size_t phase, const std::string& where,
+                      const char* problem) {
+  const auto before = scenario.phases.begin() + static_cast<std::ptrdiff_t>(phase);
+  if (std::any_of(scenario.phases.begin(), before, brings_intruder) ||
+      !scenario.start_from.empty() ||
+      std::ranges::find(scenario.disks, Role::intruder, &Disk::role) != scenario.disks.end())
+    return;
+  throw InputError(where, problem);
 }
 
 void check_pull(const Scenario& scenario, std::size_t phase, const std::string& where) {
-  const auto pushes = [](const Phase& p) { return std::holds_alternative<PushPhase>(p.kind); };
-  const auto before = scenario.phases.begin() + static_cast<std::ptrdiff_t>(phase);
-  if (std::any_of(scenario.phases.begin(), before, pushes) || !scenario.start_from.empty() ||
-      std::ranges::find(scenario.disks, Role::intruder, &Disk::role) != scenario.disks.end())
-    return;
-  throw InputError(where,
+  require_intruder(scenario, phase, where,
                    "a pull needs an intruder: a push before it, a body whose role is intruder, or "
                    "start_from with a state that has one");
+}
+
+// Shaped intruders touch disks and walls, not each other.
+void check_one_intruder(const Scenario& scenario, std::size_t phase, const std::string& where) {
+  if (scenario.step.nscd && brings_shaped_intruder(scenario.phases[phase]))
+    throw InputError(where,
+                     "brings an intruder of several parts, and nscd sweeps over disks and walls "
+                     "only; leave nscd out");
+  for (std::size_t k = 0; k < phase; ++k)
+    if (brings_intruder(scenario.phases[k]))
+      throw InputError(where, "brings an intruder, and phases[" + std::to_string(k) +
+                                  "] has brought one; a scene has one intruder of this kind");
+  if (std::ranges::find(scenario.disks, Role::intruder, &Disk::role) != scenario.disks.end())
+    throw InputError(where, "brings an intruder, and one is among the bodies");
+}
+
+void check_vane(const Scenario& scenario, const VanePhase& vane, std::size_t phase,
+                const std::string& where) {
+  if (vane.shape) {
+    check_room(scenario, vane.x, largest_extent(*vane.shape), where);
+    return check_one_intruder(scenario, phase, where);
+  }
+  require_intruder(scenario, phase, where,
+                   "a vane phase without a shape turns the intruder that is there, and none is: "
+                   "give its shape, or a penetrate or push before it");
 }
 
 void check_heal(const Scenario& scenario, const std::string& where) {
@@ -77,8 +119,7 @@ void check_piston(const Scenario& scenario, std::size_t phase, const std::string
   if (!scenario.box.floor || scenario.box.sides == Sides::open)
     throw InputError(where, "a piston needs a floor and sides that are periodic or walls");
   const auto brings_bodies = [](const Phase& earlier) {
-    return std::holds_alternative<DepositPhase>(earlier.kind) ||
-           std::holds_alternative<PushPhase>(earlier.kind);
+    return std::holds_alternative<DepositPhase>(earlier.kind) || brings_intruder(earlier);
   };
   if (scenario.disks.empty() && scenario.start_from.empty() &&
       std::none_of(scenario.phases.begin(),
@@ -93,6 +134,9 @@ void check_way_down(const Scenario& scenario, std::size_t phase, const std::stri
       throw InputError(where, "places bodies from above, and walls[" + std::to_string(k) +
                                   "] may be in their way; only floors may be listed with it");
   for (std::size_t k = 0; k < phase; ++k) {
+    if (brings_shaped_intruder(scenario.phases[k]))
+      throw InputError(where, "places bodies from above, and the shaped intruder of phases[" +
+                                  std::to_string(k) + "] may be in their way");
     const auto* piston = std::get_if<PistonPhase>(&scenario.phases[k].kind);
     if (piston && !piston->remove)
       throw InputError(where, "places bodies from above, and the piston of phases[" +
@@ -122,13 +166,19 @@ struct PhaseCheck {
   }
   void operator()(const SettlePhase&) const {}
   void operator()(const PushPhase& p) const {
-    check_push(scenario, p, where);
+    check_room(scenario, p.x, p.diameter, where);
     check_way_down(scenario, phase, where);
   }
   void operator()(const PullPhase&) const { check_pull(scenario, phase, where); }
   void operator()(const ShearPhase&) const {}
   void operator()(const HealPhase&) const { check_heal(scenario, where); }
   void operator()(const PistonPhase&) const { check_piston(scenario, phase, where); }
+  void operator()(const PenetratePhase& p) const {
+    check_room(scenario, p.x, largest_extent(p.shape), where);
+    check_way_down(scenario, phase, where);
+    check_one_intruder(scenario, phase, where);
+  }
+  void operator()(const VanePhase& p) const { check_vane(scenario, p, phase, where); }
 };
 
 void check_phases(const Scenario& scenario) {
@@ -145,6 +195,10 @@ void validate(const Scenario& scenario) {
   for (const Phase& phase : scenario.phases) {
     if (const auto* push = std::get_if<PushPhase>(&phase.kind))
       largest = std::max(largest, push->diameter);
+    if (const auto* penetrate = std::get_if<PenetratePhase>(&phase.kind))
+      largest = std::max(largest, largest_extent(penetrate->shape));
+    const auto* vane = std::get_if<VanePhase>(&phase.kind);
+    if (vane && vane->shape) largest = std::max(largest, largest_extent(*vane->shape));
     const auto* deposit = std::get_if<DepositPhase>(&phase.kind);
     if (deposit && deposit->polydispersity) largest = std::max(largest, kMostDiameter);
   }

@@ -9,4 +9,8 @@ namespace quicksand {
 // beyond a wall, phases that need a floor or gravity that is not there.
 void validate(const Scenario& scenario);
 
+// Whether the phase puts an intruder into the world, and one that is no disk.
+bool brings_intruder(const Phase& phase);
+bool brings_shaped_intruder(const Phase& phase);
+
 }  // namespace quicksand

@@ -5,6 +5,7 @@
 
 #include "core/bodies/sorted_cursor.h"
 #include "core/step/lengths.h"
+#include "core/world/shaped_contact.h"
 
 namespace quicksand {
 
@@ -25,7 +26,9 @@ void start_velocities(const World& world, std::vector<Vec3>& velocity) {
 
 double turning_rate(const World& world, const Contact& contact, const std::vector<Vec3>& velocity) {
   const auto [a, b] = contact.pair;
-  if (is_wall(b)) return 0;
+  if (!is_disk(b)) {
+    return is_shaped(contact.pair) ? shaped_turning_rate(world, contact.pair, velocity) : 0;
+  }
   const Vec3 u = velocity[b] - velocity[a];
   const double u_ct = perpendicular(contact.normal).dot(u.head<2>());
   return u_ct * u_ct / (world.disks.radius[a] + world.disks.radius[b] + contact.gap);
@@ -35,7 +38,13 @@ double fastest_turning(const World& world) {
   double fastest = 0;
   for (const Bond& bond : world.bonds.list) {
     const auto [a, b] = bond.pair;
-    if (bond.state == BondState::broken || is_wall(b)) continue;
+    if (bond.state == BondState::broken) continue;
+    if (!is_disk(b)) {
+      if (is_shaped(bond.pair))
+        fastest =
+            std::max(fastest, std::abs(world.disks.velocity[world.row(is_wall(b) ? a : b)].z()));
+      continue;
+    }
     const Vec2 apart = world.separation(a, b);
     const Vec2 u = (world.disks.velocity[b] - world.disks.velocity[a]).head<2>();
     fastest = std::max(fastest, std::abs(perpendicular(apart).dot(u)) / apart.squaredNorm());
@@ -43,10 +52,15 @@ double fastest_turning(const World& world) {
   return fastest;
 }
 
-double fastest(const std::vector<Vec3>& velocity) {
+double fastest(const World& world, const std::vector<Vec3>& velocity) {
   double squared = 0;
   for (const Vec3& v : velocity) squared = std::max(squared, v.head<2>().squaredNorm());
-  return std::sqrt(squared);
+  double fastest = std::sqrt(squared);
+  for (const ShapedBody& shaped : world.shapes.bodies) {
+    const Vec3& v = velocity[shaped.body];
+    fastest = std::max(fastest, v.head<2>().norm() + shaped.arm * std::abs(v.z()));
+  }
+  return fastest;
 }
 
 void free_velocities(const World& world, double dt, std::vector<Vec3>& velocity) {
@@ -68,8 +82,17 @@ void free_velocities(const World& world, double dt, std::vector<Vec3>& velocity)
   if (world.drag) apply_drag(*world.drag, world.disks, dt, velocity);
 }
 
+namespace {
+
+double relative_speed(const World& world, const Pair& pair, const std::vector<Vec3>& velocity) {
+  if (!is_disk(pair.b) && is_shaped(pair)) return closing_speed(world, pair, velocity);
+  return (velocity[problem_body(world, pair.b)] - velocity[pair.a]).head<2>().norm();
+}
+
+}  // namespace
+
 double contact_reach(const World& world, const std::vector<Vec3>& free_velocity, double dt) {
-  double reach = std::max(kAlwaysWithin, 2 * dt * fastest(free_velocity));
+  double reach = std::max(kAlwaysWithin, 2 * dt * fastest(world, free_velocity));
   for (const ContactLaw* law : {&world.grain_law, &world.wall_law, &world.intruder_law})
     if (law->cohesion_force) reach = std::max(reach, law->cohesion_range);
   return reach;
@@ -91,9 +114,8 @@ void find_contacts(const World& world, const std::vector<Pair>& candidates,
     const double gap = world.gap(pair, &normal);
     if (gap > reach) continue;
     if (!bonded && gap > kAlwaysWithin) {
-      const Vec3 u = free_velocity[problem_body(world, pair.b)] - free_velocity[pair.a];
       // The normal turns while bodies pass each other, hence their whole relative speed.
-      if (gap > kForesight * dt * u.head<2>().norm()) continue;
+      if (gap > kForesight * dt * relative_speed(world, pair, free_velocity)) continue;
     }
     if (!world.movable(pair)) continue;
     Contact& contact = contacts.emplace_back();
@@ -123,6 +145,12 @@ int add_missed_contacts(const World& world, const std::vector<Pair>& candidates,
   SortedCursor<const Contact> known(contacts);
   for (const Pair& pair : candidates) {
     if (known.at(pair)) continue;
+    if (!is_disk(pair.b) && is_shaped(pair)) {
+      if (!world.movable(pair) || !meets_within(world, pair, velocity, dt, tolerance)) continue;
+      Contact& contact = missed.emplace_back(Contact{.pair = pair});
+      contact.gap = world.gap(pair, &contact.normal);
+      continue;
+    }
     const Vec3 u = velocity[problem_body(world, pair.b)] - velocity[pair.a];
     const double path = dt * u.head<2>().norm();
     if (path < kAlwaysWithin) continue;  // what is nearer is a contact already
@@ -157,21 +185,50 @@ bool correct_turning(const World& world, const std::vector<Vec3>& velocity, doub
 
 namespace {
 
-ContactRow row_of(const World& world, const Contact& contact, const StepSettings& step) {
-  const auto [a, b] = contact.pair;
-  const ContactLaw& law = world.law(contact.pair);
-  ContactRow row{.a = a, .b = problem_body(world, b), .normal = contact.normal};
-  const double radius = world.disks.radius[a];
+// Spins, arm and rolling length of disks and walls.
+void shape_row(const World& world, Pair pair, double rolling, ContactRow& row) {
+  const double radius = world.disks.radius[pair.a];
   row.spin_a.y() = row.arm = radius;
-  row.friction = law.friction.value_or(0);
-  if (is_wall(b)) {
-    row.rolling = rolling_length_on_wall(law.rolling_friction.value_or(0), radius);
-  } else {
-    const double other = world.disks.radius[b];
-    row.spin_b.y() = -other;
-    row.arm = (radius + other) / 2;
-    row.rolling = rolling_length(law.rolling_friction.value_or(0), radius, other);
+  if (is_wall(pair.b)) {
+    row.rolling = rolling_length_on_wall(rolling, radius);
+    return;
   }
+  const double other = world.disks.radius[pair.b];
+  row.spin_b.y() = -other;
+  row.arm = (radius + other) / 2;
+  row.rolling = rolling_length(rolling, radius, other);
+}
+
+// The same of a shaped body.
+void shape_shaped_row(const World& world, Pair pair, double rolling, ContactRow& row) {
+  const ShapedContact contact = shaped_contact(world, pair);
+  const Vec2 turned = perpendicular(contact.arm);
+  const Vec2 of_foot(row.normal.dot(turned), perpendicular(row.normal).dot(turned));
+  if (is_wall(pair.b)) {
+    row.spin_a = of_foot + Vec2(0, contact.radius);
+    row.arm = contact.radius;
+    row.rolling = rolling_length_on_wall(rolling, contact.radius);
+    return;
+  }
+  const double radius = world.disks.radius[pair.a];
+  row.spin_a.y() = radius;
+  row.spin_b = of_foot - Vec2(0, contact.radius);
+  row.arm = (radius + contact.radius) / 2;
+  row.rolling = contact.flank ? rolling_length_on_flank(rolling, radius)
+                              : rolling_length(rolling, radius, contact.radius);
+}
+
+ContactRow row_of(const World& world, const Contact& contact, const StepSettings& step) {
+  const ContactLaw& law = world.law(contact.pair);
+  ContactRow row{.a = problem_body(world, contact.pair.a),
+                 .b = problem_body(world, contact.pair.b),
+                 .normal = contact.normal};
+  row.friction = law.friction.value_or(0);
+  const double rolling = law.rolling_friction.value_or(0);
+  if (!is_disk(contact.pair.b) && is_shaped(contact.pair))
+    shape_shaped_row(world, contact.pair, rolling, row);
+  else
+    shape_row(world, contact.pair, rolling, row);
   row.gap_tolerance =
       contact.cohesion == 0 ? kPlainGapTolerance : kBondGapShare * law.cohesion_range;
   if (std::abs(contact.gap) > std::min(kLeastGap, kLeastGapShare * row.gap_tolerance))
@@ -222,6 +279,8 @@ void build_problem(const World& world, const std::vector<Contact>& contacts,
     return world.grain_law.*term || world.wall_law.*term || world.intruder_law.*term;
   };
   problem.components = has(&ContactLaw::rolling_friction) ? 3 : has(&ContactLaw::friction) ? 2 : 1;
+  // A normal force on a shaped body turns it, and a single component reads no spins.
+  if (!world.shapes.empty()) problem.components = std::max(2, problem.components);
 
   double strongest_bond = 0;
   problem.contacts.resize(contacts.size());

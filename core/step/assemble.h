@@ -14,15 +14,16 @@ namespace quicksand {
 void start_velocities(const World& world, std::vector<Vec3>& velocity);
 
 // How fast the line of centres of two disks turns: u_ct^2/D with u_ct the tangential relative velocity
-// of the centres, from `velocity` (at least nd), and D their distance; 0 at walls. In a step the gap opens by dt^2/2
+// of the centres, from `velocity` (at least nd), and D their distance; 0 at walls; of shaped bodies what
+// shaped_turning_rate says. In a step the gap opens by dt^2/2
 // times that of its end. [g]
 double turning_rate(const World& world, const Contact& contact, const std::vector<Vec3>& velocity);
 
 // The fastest of all bonded pairs, |u_ct|/D [rad sqrt(g/d)].
 double fastest_turning(const World& world);
 
-// Of the fastest centre [sqrt(g d)].
-double fastest(const std::vector<Vec3>& velocity);
+// Of the fastest centre, or point of a shaped body [sqrt(g d)].
+double fastest(const World& world, const std::vector<Vec3>& velocity);
 
 // Velocities at the end of the step without contacts: gravity, applied and wall forces, cohesion not
 // included. Disks first, then walls (nd + nw).
@@ -61,7 +62,7 @@ void build_problem(const World& world, const std::vector<Contact>& contacts,
 
 // Number of a body in the problem's arrays.
 inline int problem_body(const World& world, int body) {
-  return is_wall(body) ? world.disks.size() + (body - kWallBase) : body;
+  return is_wall(body) ? world.disks.size() + (body - kWallBase) : world.row(body);
 }
 
 }  // namespace quicksand

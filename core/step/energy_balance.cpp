@@ -18,6 +18,12 @@ void add_disks(const World& world, const std::vector<Vec3>& velocity, double dt,
     energy.work +=
         dt * (disks.mass[i] * g.dot(velocity[i].head<2>()) + disks.applied[i].dot(velocity[i]));
   }
+  for (const ShapedBody& shaped : world.shapes.bodies) {
+    const int i = shaped.body;
+    if (disks.fixed(i)) continue;
+    const double after = velocity[i].z(), before = disks.velocity[i].z();
+    energy.change += (shaped.inertia - disks.inertia(i)) * (after + before) * (after - before) / 2;
+  }
 }
 
 void add_walls(const World& world, const std::vector<Vec3>& velocity, double dt,
@@ -44,8 +50,8 @@ void add_contacts(const World& world, const std::vector<Contact>& contacts,
     const Vec3 &va = velocity[row.a], &vb = velocity[row.b];
     const Vec3 impulse = contact.impulse - Vec3(dt * contact.cohesion, 0, 0);
     // What does not respond to forces passes the work of the contact on; a wall with mass does along itself.
-    if (world.disks.fixed(contact.pair.a)) energy.work -= momentum_of_a(row, impulse).dot(va);
-    if (is_wall(contact.pair.b) || world.disks.fixed(contact.pair.b)) {
+    if (world.disks.fixed(row.a)) energy.work -= momentum_of_a(row, impulse).dot(va);
+    if (is_wall(contact.pair.b) || world.disks.fixed(row.b)) {
       const Vec3& im = problem.inverse_mass[row.b];
       energy.work -=
           momentum_of_b(row, impulse).dot((im.array() == 0).select(vb.array(), 0.0).matrix());

@@ -6,6 +6,7 @@
 
 #include "core/bodies/sorted_cursor.h"
 #include "core/problem/delassus.h"
+#include "core/world/shaped_contact.h"
 
 namespace quicksand {
 
@@ -28,11 +29,14 @@ double turning_load(const World& world, const Contact& contact, double delassus)
 }
 
 double normal_delassus(const World& world, const Contact& contact) {
-  const Vec3 imb = is_wall(contact.pair.b) ? world.wall(contact.pair.b).inverse_mass()
-                                           : world.disks.inverse_mass[contact.pair.b];
-  return delassus_diagonal({.normal = contact.normal}, world.disks.inverse_mass[contact.pair.a],
-                           imb)
-      .x();
+  const auto [a, b] = world.rows(contact.pair);
+  const Vec3 imb = is_wall(b) ? world.wall(b).inverse_mass() : world.disks.inverse_mass[b];
+  ContactRow row{.normal = contact.normal};
+  if (is_shaped(contact.pair)) {
+    const double spin = contact.normal.dot(perpendicular(shaped_contact(world, contact.pair).arm));
+    (is_wall(b) ? row.spin_a : row.spin_b).x() = spin;
+  }
+  return delassus_diagonal(row, world.disks.inverse_mass[a], imb).x();
 }
 
 // Where a solution without external forces is looked for: nothing but the cohesion, and friction that

@@ -10,6 +10,7 @@
 #include "core/step/energy_criterion.h"
 #include "core/step/lengths.h"
 #include "core/world/neighbors.h"
+#include "core/world/shaped_contact.h"
 
 namespace quicksand {
 
@@ -96,7 +97,7 @@ void Stepper::solve_contacts(World& world, const StepSettings& step, const Solve
     for (std::size_t c = 0; c < s.contacts.size(); ++c) s.contacts[c].impulse = s.state.impulse[c];
 
     const WorkClock::Span searching(&s.clock, Work::contact_search);
-    const double reach = 2 * step.dt * fastest(s.state.velocity) + kMissTolerance;
+    const double reach = 2 * step.dt * fastest(world, s.state.velocity) + kMissTolerance;
     const std::vector<Pair>& near = s.neighbors.pairs(world, reach);
     if (repeat == kMaxRepeats) s.solved = s.contacts;
     const int missed =
@@ -146,7 +147,9 @@ void Stepper::update_bonds(World& world, const StepSettings& step, StepReport& r
     const Vec3& va = s.state.velocity[row.a];
     const Vec3& vb = s.state.velocity[row.b];
     double gap = step.dt * (row.offset.x() + relative_velocity(row, va, vb).x());
-    if (step.break_rule == FailureCriterion::geometric && !is_wall(pair.b)) {
+    if (step.break_rule == FailureCriterion::geometric && is_shaped(pair)) {
+      gap = shaped_contact_after(world, pair, s.state.velocity, step.dt).gap;
+    } else if (step.break_rule == FailureCriterion::geometric && !is_wall(pair.b)) {
       const Vec2 apart = world.separation(pair.a, pair.b) + step.dt * (vb - va).head<2>();
       gap = apart.norm() - world.disks.radius[pair.a] - world.disks.radius[pair.b];
     }

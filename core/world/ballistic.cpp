@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/errors.h"
+
 namespace quicksand {
 
 namespace {
@@ -25,6 +27,8 @@ bool in_a_side_wall(const World& world, const Vec2& centre, double radius) {
 }  // namespace
 
 LandingSite::LandingSite(const World& world) : world_(world) {
+  if (!world.shapes.empty())
+    throw InputError("the state", "has an intruder of several parts; nothing is dropped on it");
   constexpr double kMostStrips = 1e6;
   first_.assign(static_cast<std::size_t>(std::clamp(world.box.width, 1.0, kMostStrips)), -1);
   // Where sides are periodic, strips repeat with the box.

@@ -3,15 +3,18 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/world/shaped_contact.h"
+
 namespace quicksand {
 
 namespace {
 
-double top_of(const Disks& disks, bool intruders) {
+double top_of(const World& world, bool intruders) {
+  const Disks& disks = world.disks;
   std::optional<double> top;
   for (int i = 0; i < disks.size(); ++i) {
     if (disks.role[i] == Role::intruder && !intruders) continue;
-    const double of_disk = disks.position[i].y() + disks.radius[i];
+    const double of_disk = highest_point_of(world, i);
     top = std::max(top.value_or(of_disk), of_disk);
   }
   return top.value_or(0);
@@ -19,9 +22,9 @@ double top_of(const Disks& disks, bool intruders) {
 
 }  // namespace
 
-double packing_top(const World& world) { return top_of(world.disks, false); }
+double packing_top(const World& world) { return top_of(world, false); }
 
-double highest_point(const World& world) { return top_of(world.disks, true); }
+double highest_point(const World& world) { return top_of(world, true); }
 
 double weight_above(const World& world, double height) {
   if (!world.gravity) return 0;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <span>
 
+#include "core/world/shaped_contact.h"
+
 namespace quicksand {
 
 namespace {
@@ -120,26 +122,41 @@ std::vector<Pair> pairs_within(const World& world, double distance, std::size_t 
   for (int i = 0; i < nd && pairs.size() < enough; ++i)
     for (int k = 0; k < static_cast<int>(world.walls.size()); ++k)
       if (world.gap({i, kWallBase + k}) <= distance) pairs.push_back({i, kWallBase + k});
+  if (!world.shapes.empty()) {
+    // A shaped body is not the disk of equal area that its row is.
+    std::erase_if(pairs, [&](Pair pair) {
+      return world.shapes.find(pair.a) || (!is_wall(pair.b) && world.shapes.find(pair.b));
+    });
+    add_shaped_pairs(world, distance, pairs);
+  }
   std::ranges::sort(pairs);
   return pairs;
 }
 
 // Whether the list was built for these bodies, and not for another world that was here before.
-bool NeighborList::same_shapes(const World& world) const {
+bool NeighborList::same_bodies(const World& world) const {
   return built_at_.size() <= world.disks.position.size() &&
          std::ranges::equal(radius_, std::span(world.disks.radius).first(radius_.size())) &&
+         shapes_ == world.shapes &&
          std::ranges::equal(walls_, world.walls, {}, &Wall::normal, &Wall::normal) &&
          box_ == world.box;
 }
 
 bool NeighborList::covers(const World& world, double distance) const {
-  if (skin_ < distance || !same_shapes(world)) return false;
+  if (skin_ < distance || !same_bodies(world)) return false;
   double moved = 0;
   for (std::size_t i = 0; i < built_at_.size(); ++i)
     moved = std::max(moved, (world.disks.position[i] - built_at_[i]).squaredNorm());
   for (std::size_t k = 0; k < walls_.size(); ++k)
     moved = std::max(moved, (world.walls[k].point - walls_[k].point).squaredNorm());
-  return distance + 2 * std::sqrt(moved) <= skin_;
+  double farthest = std::sqrt(moved);
+  for (std::size_t k = 0; k < angle_.size(); ++k) {
+    const ShapedBody& shaped = shapes_.bodies[k];
+    const double turned = std::abs(world.disks.angle[shaped.body] - angle_[k]);
+    const Vec2 shift = world.disks.position[shaped.body] - built_at_[shaped.body];
+    farthest = std::max(farthest, shift.norm() + shaped.arm * turned);
+  }
+  return distance + 2 * farthest <= skin_;
 }
 
 void NeighborList::append_new_disks(const World& world) {
@@ -161,7 +178,8 @@ void NeighborList::append_new_disks(const World& world) {
 const std::vector<Pair>& NeighborList::pairs(const World& world, double distance) {
   // A few new disks are compared with all others; more are worth a new list.
   constexpr int kAppendAtMost = 4;
-  const bool few_new = world.disks.size() - static_cast<int>(built_at_.size()) <= kAppendAtMost;
+  const int added = world.disks.size() - static_cast<int>(built_at_.size());
+  const bool few_new = added <= (world.shapes.empty() ? kAppendAtMost : 0);
   if (few_new && covers(world, distance)) {
     if (world.disks.size() > static_cast<int>(built_at_.size())) append_new_disks(world);
     return pairs_;
@@ -170,6 +188,9 @@ const std::vector<Pair>& NeighborList::pairs(const World& world, double distance
   pairs_ = pairs_within(world, skin_);
   built_at_ = world.disks.position;
   radius_ = world.disks.radius;
+  shapes_ = world.shapes;
+  angle_.clear();
+  for (const ShapedBody& shaped : shapes_.bodies) angle_.push_back(world.disks.angle[shaped.body]);
   walls_ = world.walls;
   box_ = world.box;
   return pairs_;

@@ -9,7 +9,7 @@
 
 namespace quicksand {
 
-// All pairs (disk-disk and disk-wall) whose gap is at most `distance` [d], sorted. Who is content with `enough`
+// All pairs (of disks, walls and parts of shaped bodies) whose gap is at most `distance` [d], sorted. Who is content with `enough`
 // of them gets these and no more than a body has besides.
 std::vector<Pair> pairs_within(const World& world, double distance,
                                std::size_t enough = static_cast<std::size_t>(-1));
@@ -22,13 +22,15 @@ class NeighborList {
 
  private:
   bool covers(const World& world, double distance) const;
-  bool same_shapes(const World& world) const;
+  bool same_bodies(const World& world) const;
   void append_new_disks(const World& world);
 
   std::vector<Pair> pairs_;
   std::vector<Vec2> built_at_;  // (nd) positions when built
   std::vector<double> radius_;  // (nd)
-  std::vector<Wall> walls_;     // (nw) when built
+  Shapes shapes_;
+  std::vector<double> angle_;  // of the shaped bodies when built [rad]
+  std::vector<Wall> walls_;    // (nw) when built
   Box box_;
   double skin_ = -1;
 };

@@ -6,13 +6,15 @@
 
 #include "core/base/fnv.h"
 #include "core/world/neighbors.h"
+#include "core/world/shaped_contact.h"
 
 namespace quicksand {
 
 const ContactLaw& World::law(Pair pair) const {
-  if (disks.role[pair.a] == Role::intruder) return intruder_law;
-  if (is_wall(pair.b)) return wall_law;
-  return disks.role[pair.b] == Role::intruder ? intruder_law : grain_law;
+  const auto [a, b] = is_shaped(pair) ? rows(pair) : pair;
+  if (disks.role[a] == Role::intruder) return intruder_law;
+  if (is_wall(b)) return wall_law;
+  return disks.role[b] == Role::intruder ? intruder_law : grain_law;
 }
 
 Vec2 World::separation(int a, int b) const {
@@ -28,7 +30,12 @@ double World::wrapped_x(double x) const {
 }
 
 double World::gap(Pair pair, Vec2* normal) const {
-  if (is_wall(pair.b)) {
+  if (!is_disk(pair.b)) {
+    if (is_shaped(pair)) {
+      const ShapedContact contact = shaped_contact(*this, pair);
+      if (normal) *normal = contact.normal;
+      return contact.gap;
+    }
     const Wall& w = wall(pair.b);
     if (normal) *normal = -w.normal;
     return w.normal.dot(disks.position[pair.a] - w.point) - disks.radius[pair.a];
@@ -119,6 +126,10 @@ std::uint64_t world_hash(const World& world) {
   hash.add_all(world.disks.mass);
   hash.add_all(world.disks.inverse_mass);
   for (const Role role : world.disks.role) hash.add(static_cast<int>(role));
+  for (const Corner& corner : world.shapes.corners) {
+    hash.add(corner.place), hash.add(corner.radius);
+    hash.add(corner.body), hash.add(corner.count);
+  }
   for (const Wall& wall : world.walls) {
     hash.add(wall.point), hash.add(wall.normal), hash.add(wall.velocity);
     hash.add(wall.mass), hash.add(wall.force);

@@ -14,6 +14,7 @@
 #include "core/bodies/disks.h"
 #include "core/bodies/drag.h"
 #include "core/bodies/walls.h"
+#include "core/shapes/shapes.h"
 #include "core/world/intruder_trajectory.h"
 
 namespace quicksand {
@@ -24,6 +25,7 @@ struct World {
   std::optional<Drag> drag;
   ContactLaw grain_law, wall_law, intruder_law;
   Disks disks;
+  Shapes shapes;
   std::vector<Wall>
       walls;  // the box's floor and two sides, as far as it has them, then the scene's, a piston last
   Bonds bonds;
@@ -44,8 +46,17 @@ struct World {
   double wrapped_x(double x) const;
   // Gap and normal of a pair at the present positions.
   double gap(Pair pair, Vec2* normal = nullptr) const;
+  // The row in `disks` that a body of a pair has; a wall is itself.
+  int row(int body) const {
+    return is_disk(body) || is_wall(body)
+               ? body
+               : shapes.corners[static_cast<std::size_t>(body - kCornerBase)].body;
+  }
+  Pair rows(Pair pair) const { return {row(pair.a), row(pair.b)}; }
   // Whether forces move a body.
-  bool movable(int body) const { return is_wall(body) ? wall(body).mass > 0 : !disks.fixed(body); }
+  bool movable(int body) const {
+    return is_wall(body) ? wall(body).mass > 0 : !disks.fixed(row(body));
+  }
   bool movable(Pair pair) const { return movable(pair.a) || movable(pair.b); }
   const Wall& wall(int body) const { return walls[static_cast<std::size_t>(body - kWallBase)]; }
   // Index of the first intruder, or -1.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/world/shaped_contact.h"
 #include "render/base/nice_numbers.h"
 #include "render/base/palette.h"
 
@@ -20,6 +21,15 @@ struct Link {
   Vec2 from, along;
 };
 Link link(const World& world, Pair pair) {
+  if (is_shaped(pair)) {
+    // From the centre of the grain, or of the body on a wall, to the point of contact.
+    const ShapedContact at = shaped_contact(world, pair);
+    const auto from = static_cast<std::size_t>(world.row(pair.a));
+    const Vec2 middle(world.wrapped_x(world.disks.position[from].x()),
+                      world.disks.position[from].y());
+    if (is_wall(pair.b)) return {middle, at.arm + (at.radius + at.gap) * at.normal};
+    return {middle, (world.disks.radius[from] + at.gap) * at.normal};
+  }
   const auto a = static_cast<std::size_t>(pair.a);
   const Vec2 centre(world.wrapped_x(world.disks.position[a].x()), world.disks.position[a].y());
   if (!is_wall(pair.b)) return {centre, world.separation(pair.a, pair.b)};
@@ -104,14 +114,17 @@ void draw_broken_bonds(DrawList& list, const World& world, const View& view, con
     Vec2 normal;
     const double gap = world.gap(bond.pair, &normal);
     if (!(gap < kStillClose)) continue;
-    const double radius_a = world.disks.radius[static_cast<std::size_t>(bond.pair.a)];
+    const auto [a, b] = world.rows(bond.pair);
+    const double radius_a = world.disks.radius[static_cast<std::size_t>(a)];
     const double smaller =
-        is_wall(bond.pair.b)
-            ? radius_a
-            : std::min(radius_a, world.disks.radius[static_cast<std::size_t>(bond.pair.b)]);
+        is_wall(b) ? radius_a : std::min(radius_a, world.disks.radius[static_cast<std::size_t>(b)]);
     // The middle of the gap, and half a bar to either side of it.
     Link bar = link(world, bond.pair);
-    bar.from += (radius_a + gap / 2) * normal - kBarLength * smaller * perpendicular(normal);
+    if (is_shaped(bond.pair))
+      bar.from += bar.along - gap / 2 * normal;
+    else
+      bar.from += (radius_a + gap / 2) * normal;
+    bar.from -= kBarLength * smaller * perpendicular(normal);
     bar.along = 2 * kBarLength * smaller * perpendicular(normal);
     at_each_image(world, panel, bar, [&](const Vec2& from, const Vec2& to) {
       // A rim of the background sets the bars off from any colour of grains.

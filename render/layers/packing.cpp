@@ -81,6 +81,7 @@ void draw_disks(DrawList& list, const World& world, const View& view, const Colo
   const Colour outline = with_alpha(colours.outline, colours.outline.a / 255.0 * (1 - paling));
   const auto visit = [&](auto&& draw) {
     for (int i = 0; i < world.disks.size(); ++i) {
+      if (world.shapes.find(i)) continue;  // see shapes.h
       const auto k = static_cast<std::size_t>(i);
       const double r = world.disks.radius[k];
       const Vec2 centre(world.wrapped_x(world.disks.position[k].x()), world.disks.position[k].y());

@@ -10,6 +10,7 @@
 #include "render/key/key.h"
 #include "render/layers/network.h"
 #include "render/layers/packing.h"
+#include "render/layers/shapes.h"
 
 namespace quicksand {
 namespace {
@@ -89,6 +90,7 @@ void draw_world(DrawList& list, const World& world, const View& view, const Colo
                 const Panel& panel, double text, double scale_force) {
   list.clip_to(panel.clip);
   draw_disks(list, world, view, grains, panel);
+  draw_shapes(list, world, view, panel);
   list.clip_to(inside_the_sides(world, panel));
   if (view.bonds) draw_bonds(list, world, view, panel);
   if (view.forces) draw_forces(list, world, view, panel, scale_force);

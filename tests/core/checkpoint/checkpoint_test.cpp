@@ -69,6 +69,20 @@ TEST_P(Restart, InAPistonAndAHealingGivesTheSameBytes) {
   expect_restarts_to_agree(scene, 3);
 }
 
+TEST_P(Restart, InAPenetrationAndAVaneGivesTheSameBytes) {
+  Scenario scene = small_collapse(GetParam());
+  scene.phases = {{DepositPhase{.grains = 25, .interval = 0}},
+                  {PenetratePhase{.shape = ConeIntruder{.width = 1.5, .length = 1},
+                                  .speed = 5.0,
+                                  .ramp_time = 0.05,
+                                  .depth = 1,
+                                  .bonding = true},
+                   5e-3},
+                  {VanePhase{.angular_velocity = 4.0, .angle = 0.2, .release = true}, 5e-3},
+                  {SettlePhase{.max_time = 0.1}}};
+  expect_restarts_to_agree(scene, 3);
+}
+
 TEST_P(Restart, WithDragGivesTheSameBytes) {
   Scenario scene = small_collapse(GetParam());
   scene.drag = Drag{.linear = 0.7, .quadratic = 0.3};

@@ -1,0 +1,32 @@
+// What a driven intruder met: the largest load on the way, and the one that is left.
+#pragma once
+
+#include <cstdint>
+
+namespace quicksand {
+
+enum class Drive : std::uint8_t { penetrate, vane };
+
+// Loads are means over windows of the way (see drive.h), forces [F_g] and depths [d] of a penetration, torques [F_g d]
+// and angles [rad] of a vane.
+struct DriveResult {
+  int phase = 0;  // index
+  Drive drive = Drive::penetrate;
+  double peak = 0;           // largest mean of a window
+  double peak_at = 0;        // end of that window
+  double residual = 0;       // mean of the last quarter of the way
+  double way = 0;            // in all
+  double radius = 0;         // of a vane, to its tips; farthest point of other bodies [d]
+  std::int64_t cleared = 0;  // grains that made room
+
+  bool operator==(const DriveResult&) const = default;
+};
+
+// Peak over residual; 0 without a residual.
+inline double sensitivity(const DriveResult& found) {
+  return found.residual != 0 ? found.peak / found.residual : 0;
+}
+// Shear strength on the circle of the tips that a torque tells, T/(2 pi R^2) [F_g/d].
+double vane_strength(double torque, double radius);
+
+}  // namespace quicksand

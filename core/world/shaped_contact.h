@@ -1,0 +1,54 @@
+// The contacts of shaped bodies: where a disk or a wall is nearest to a part, and how that point moves.
+//
+// There a part is like a disk of the radius of its rounding about the foot, the nearest point of the hull of its
+// corners: with the arm f from the centre of mass to the foot, the point of contact is f - radius n, and it moves with
+// n.v and t.v by (n.perp f, t.perp f - radius) times the spin. On a flank the foot is not a point of the body but
+// slides along it: the surface is flat there, and its radius of curvature infinite.
+#pragma once
+
+#include <span>
+
+#include "core/world/world.h"
+
+namespace quicksand {
+
+struct ShapedContact {
+  Vec2 normal{0, 1};  // unit, from a to b
+  double gap = 0;     // [d]
+  Vec2 arm{0, 0};     // from the centre of the shaped body to the foot [d]
+  double radius = 0;  // of the rounding [d]
+  bool flank = false;
+  int body = 0;  // row of the shaped body
+};
+
+// Of a pair with is_shaped(pair), at the present positions.
+ShapedContact shaped_contact(const World& world, Pair pair);
+// The same after all has moved for dt with these velocities (nd + nw).
+ShapedContact shaped_contact_after(const World& world, Pair pair, const std::vector<Vec3>& velocity,
+                                   double dt);
+
+// How fast the two come closer at most, the spin of the body included [sqrt(g d)].
+double closing_speed(const World& world, Pair pair, const std::vector<Vec3>& velocity);
+
+// Second derivative of the gap when both move on straight and the body turns on. [g]
+double shaped_turning_rate(const World& world, Pair pair, const std::vector<Vec3>& velocity);
+
+// Whether the disk or wall and the part overlap by more than `tolerance` [d] at some moment of the step: a thin blade
+// may have passed a grain at its end.
+bool meets_within(const World& world, Pair pair, const std::vector<Vec3>& velocity, double dt,
+                  double tolerance);
+
+// A body of these parts, whose centre of mass is put at `disk.position`; its radius and role are not
+// read, it is an intruder. Returns its row in
+// Disks. A single disk is one to the last bit.
+int add_shape(World& world, const Disk& disk, std::span<const ConvexPart> parts);
+
+// Pairs of the shaped bodies with gaps up to `distance`, in no order.
+void add_shaped_pairs(const World& world, double distance, std::vector<Pair>& pairs);
+
+// Lowest and highest point, and half the widest extent along x about the centre, of any body of Disks [d].
+double lowest_point(const World& world, int body);
+double highest_point_of(const World& world, int body);
+double half_width(const World& world, int body);
+
+}  // namespace quicksand

@@ -1,0 +1,12 @@
+// Intruders of several parts, drawn as what they are: filled outline, orientation, and the force of the grains on them.
+#pragma once
+
+#include "render/base/view.h"
+#include "render/draw/draw_list.h"
+#include "render/layers/panel.h"
+
+namespace quicksand {
+
+void draw_shapes(DrawList& list, const World& world, const View& view, const Panel& panel);
+
+}  // namespace quicksand

@@ -1,0 +1,61 @@
+#include "core/placing/placing.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/placing/remove_disks.h"
+#include "core/world/ballistic.h"
+#include "core/world/shaped_contact.h"
+#include "tests/support/core/tolerance.h"
+
+namespace quicksand {
+namespace {
+
+World two_grains() {
+  World world;
+  world.box = {.width = 20, .height = 5, .sides = Sides::periodic, .floor = true};
+  world.walls.push_back({});
+  world.disks.add({.position = {9, 0.5}});
+  world.disks.add({.position = {11.5, 0.5}});
+  return world;
+}
+
+TEST(PlaceOnSurface, OfADiskIsItsLanding) {
+  const World world = two_grains();
+  const std::vector<ConvexPart> disk{{{{0, 0}}, 0.7}};
+  for (const double x : {5.0, 8.8, 10.1, 12.4}) {
+    const Vec2 landing = LandingSite(world).land(x, 0.7)->centre;
+    EXPECT_LE(distance(place_on_surface(world, x, disk), landing), tolerance::scaled(1e-8)) << x;
+  }
+}
+
+TEST(PlaceOnSurface, LaysAPlateOnTwoGrains) {
+  const std::vector<ConvexPart> plate{{{{-2, 0}, {2, 0}}, 0.25}};
+  EXPECT_LE(distance(place_on_surface(two_grains(), 10, plate), Vec2(10, 1.25)),
+            tolerance::scaled(1e-8));
+}
+
+TEST(RemoveDisks, LeavesTheOthersWithTheirBonds) {
+  World world = two_grains();
+  world.disks.add({.position = {12.5, 0.5}});
+  world.disks.add({.position = {13.5, 0.5}});
+  add_shape(world, {.position = {12.5, 1.25}}, std::vector<ConvexPart>{{{{-2, 0}, {2, 0}}, 0.25}});
+  world.bonds.form({{1, 2}, {1, kWallBase}, {2, 3}, {2, kCornerBase}, {3, kCornerBase}});
+  world.bonds.mark_initial();
+  world.contacts = {{.pair = {0, kWallBase}}, {.pair = {3, kWallBase}}};
+  remove_disks(world, {1, 1, 0, 0, 0});
+  ASSERT_EQ(world.disks.size(), 3);
+  EXPECT_EQ(world.disks.position[0], Vec2(12.5, 0.5));
+  EXPECT_EQ(world.shapes.bodies[0].body, 2);
+  std::vector<Pair> bonded;
+  for (const Bond& bond : world.bonds.list) bonded.push_back(bond.pair);
+  EXPECT_EQ(bonded, (std::vector<Pair>{{0, 1}, {0, kCornerBase}, {1, kCornerBase}}));
+  EXPECT_EQ(world.bonds.initial, 3);
+  EXPECT_EQ(world.bonds.broken, 0);
+  ASSERT_EQ(world.contacts.size(), 1U);
+  EXPECT_EQ(world.contacts[0].pair, (Pair{1, kWallBase}));
+}
+
+}  // namespace
+}  // namespace quicksand
