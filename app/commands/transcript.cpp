@@ -25,6 +25,7 @@ Answer answer_to(Console& console, const Json& command, const std::string& place
     answer.malformed = true;
     answer.where = error.where();
     answer.problem = error.what();
+    answer.nearest = error.nearest();
   } catch (const CommandFailure& error) {
     answer.problem = error.what();
   } catch (const RenderError& error) {
@@ -45,6 +46,7 @@ Json to_json(const Answer& answer, const Console& console) {
   } else {
     json["error"] = answer.problem;
     if (!answer.where.empty()) json["where"] = answer.where;
+    if (!answer.nearest.empty()) json["nearest"] = answer.nearest;
   }
   if (console.session().loaded()) {
     const World& world = console.session().world();

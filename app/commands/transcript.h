@@ -19,7 +19,7 @@ struct Answer {
   bool ok = false;
   bool malformed = false;  // InputError
   Json result;             // an object if ok
-  std::string where, problem;
+  std::string where, problem, nearest;
   double seconds = 0;  // that it took
 };
 
