@@ -40,6 +40,14 @@ class Runs(InFolder):
         self.assertEqual(run.state.about["step"], run.summary["step"])
         self.assertIn("coordination", str(run.state.measure()))
 
+    def test_tables_know_their_units(self):
+        run = quicksand.run(SMALL, no_frames=True)
+        self.assertEqual(run.series.label("depth"), "depth [d]")
+        self.assertEqual(run.series.label("coordination"), "coordination")
+        self.assertEqual(run.state.disks.label("velocity_x"), "velocity_x [sqrt(g d)]")
+        for table in (run.series, run.state.disks, run.state.contacts, run.state.walls):
+            self.assertEqual(set(table) - set(table._units), set())
+
     def test_a_run_shows_itself_in_a_notebook(self):
         run = quicksand.run(SMALL, size=(160, 120), every=0.3)
         self.assertTrue(run._repr_png_().startswith(b"\x89PNG"))

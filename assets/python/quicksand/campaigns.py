@@ -6,7 +6,7 @@ import tempfile
 import warnings
 from pathlib import Path
 
-from .program import call, option_words, plain
+from .program import call, option_words, plain, units
 from .runs import Run, self_contained
 from .table import Table
 
@@ -60,7 +60,7 @@ class Campaign(Table):
     def __init__(self, folder, program=None):
         self.folder = Path(folder)
         self._program = program
-        super().__init__(Table.read(self.folder / "results.csv"))
+        super().__init__(Table.read(self.folder / "results.csv"), units("series", program))
 
     @property
     def parameters(self) -> list[str]:
@@ -89,7 +89,7 @@ class Campaign(Table):
             pairs = [mean_and_error([row[name] for row in rows]) for rows in points.values()]
             columns[name] = [mean for mean, _ in pairs]
             columns[f"{name}_error"] = [error for _, error in pairs]
-        return Table(columns)
+        return Table(columns, self._units)
 
 
 def mean_and_error(values) -> tuple[float, float]:

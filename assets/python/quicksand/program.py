@@ -1,4 +1,5 @@
 """Finds the program, calls it, and turns what it says into progress, results and exceptions."""
+import functools
 import json
 import os
 import shutil
@@ -122,6 +123,17 @@ def _follow(process, messages) -> bool:
         except KeyboardInterrupt:  # a second one ends the program at once
             interrupted = True
             process.send_signal(signal.SIGINT)
+
+
+@functools.cache
+def _units(program, _changed) -> dict:
+    return json.loads(call(["list", "units"], program).out)
+
+
+def units(table, program=None) -> dict:
+    """Unit and meaning of the columns of a table, by name: of "series", "disks", "contacts", "walls" or "states"."""
+    path = find_program(program)
+    return _units(path, path.stat().st_mtime_ns)[table]
 
 
 def option_words(options) -> list[str]:

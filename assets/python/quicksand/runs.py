@@ -9,7 +9,7 @@ from pathlib import Path
 
 from .errors import InputError, Interrupted, RunFailed
 from .picture import Picture
-from .program import call, option_words, plain
+from .program import call, option_words, plain, units
 from .state import State
 from .table import Table, text_of
 
@@ -105,7 +105,7 @@ class Run:
     @cached_property
     def series(self) -> Table:
         """The time history, a row a sample; `quicksand list quantities` tells its columns and units."""
-        return Table.read(self.folder / "series.csv")
+        return Table.read(self.folder / "series.csv", units("series", self._program))
 
     def table(self, name) -> Table:
         """Another table of the run: "critical_forces" of a search, "adiabatic" of a deposition."""

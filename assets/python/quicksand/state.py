@@ -5,7 +5,7 @@ from functools import cached_property
 from pathlib import Path
 
 from .picture import Picture
-from .program import call, option_words
+from .program import call, option_words, units
 from .table import Table
 
 
@@ -23,7 +23,8 @@ class State:
     def _tables(self) -> dict[str, Table]:
         with tempfile.TemporaryDirectory(prefix="quicksand-") as folder:
             call(["export", self.path, "--format", "csv", "--out", folder], self._program)
-            return {name: Table.read(f"{folder}/{name}.csv") for name in ("disks", "contacts", "walls", "states")}
+            return {name: Table.read(f"{folder}/{name}.csv", units(name, self._program))
+                    for name in ("disks", "contacts", "walls", "states")}
 
     @property
     def disks(self) -> Table:

@@ -42,20 +42,22 @@ def column(values):
 class Table(Mapping):
     """Columns by name, each an array of numpy (a list without numpy); what a row does not have is nan.
 
-    `table["depth"]` is a column, `table.rows()` a list of dicts, `table.frame()` a frame of pandas.
+    `table["depth"]` is a column, `table.rows()` a list of dicts, `table.frame()` a frame of pandas, and
+    `table.label("depth")` the label of an axis.
     """
 
-    def __init__(self, columns):
+    def __init__(self, columns, units=None):
         self._columns = {name: column(values) for name, values in columns.items()}
+        self._units = units or {}
 
     @classmethod
-    def read(cls, path) -> "Table":
+    def read(cls, path, units=None) -> "Table":
         """A CSV file with a line of names. A last line that is not complete, of a run that still computes, is left out."""
         with open(path, newline="", encoding="utf-8") as file:
             names, *rows = csv.reader(file)
         rows = [row for row in rows if len(row) == len(names)]
         columns = zip(*rows) if rows else [[] for _ in names]
-        return cls({name: _values(texts) for name, texts in zip(names, columns)})
+        return cls({name: _values(texts) for name, texts in zip(names, columns)}, units)
 
     def __getitem__(self, name):
         try:
@@ -79,6 +81,12 @@ class Table(Mapping):
         """Each row as a dict of plain numbers and texts."""
         plain = [values if isinstance(values, list) else values.tolist() for values in self._columns.values()]
         return [dict(zip(self._columns, row)) for row in zip(*plain)]
+
+    def label(self, name) -> str:
+        """The name with its unit: "depth [d]"."""
+        self[name]  # tells a misspelt one
+        unit = self._units.get(name.removesuffix("_error"), {}).get("unit", "1")
+        return name if unit == "1" else f"{name} [{unit}]"
 
     def frame(self):
         """A frame of pandas. Raises ImportError without pandas."""
