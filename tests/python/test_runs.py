@@ -77,7 +77,7 @@ class Runs(InFolder):
 INTERRUPTED_RUN = """
 import quicksand
 try:
-    quicksand.run("chain", {"phases[0].max_time": 40, "phases[0].until_rest": False}, no_frames=True, out="run")
+    quicksand.run("chain", {"phases[0].max_time": 150, "phases[0].until_rest": False}, no_frames=True, out="run")
 except quicksand.Interrupted as interrupted:
     assert isinstance(interrupted, KeyboardInterrupt)
     print(interrupted.run.summary["interrupted"], interrupted.run.finished)
@@ -92,7 +92,7 @@ class Interrupts(InFolder):
             time.sleep(0.02)
         python.send_signal(signal.SIGINT)
         self.assertEqual(python.communicate()[0].split(), ["True", "False"])
-        settings = {"phases[0].max_time": 40, "phases[0].until_rest": False}
+        settings = {"phases[0].max_time": 150, "phases[0].until_rest": False}
         resumed = quicksand.run("chain", settings, no_frames=True, out="run", resume=True)
         whole = quicksand.run("chain", settings, no_frames=True, out="whole")
         self.assertTrue(resumed.finished)
@@ -103,16 +103,18 @@ class Interrupts(InFolder):
         script = """
 import quicksand
 session = quicksand.Session(out="live")
-session.load("chain", set={"phases[0].max_time": 1000, "phases[0].until_rest": False})
-print("loaded", flush=True)
+session.load("chain", set={"phases[0].max_time": 1e6, "phases[0].until_rest": False})
+session.view(width=64, height=64)
+session.record(on=True, folder="film", every=1)
 try:
     session.run()
 except quicksand.Interrupted as interrupted:
     print(interrupted.state.about["step"] > 0)
 """
         python = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True)
-        self.assertEqual(python.stdout.readline(), "loaded\n")
-        time.sleep(0.3)  # so that it computes
+        while len(list(Path("live/film/frames").glob("*.png"))) < 3:  # until it computes
+            self.assertIsNone(python.poll())
+            time.sleep(0.02)
         python.send_signal(signal.SIGINT)
         self.assertEqual(python.communicate()[0], "True\n")
 
