@@ -26,6 +26,8 @@ Answer answer_to(Console& console, const Json& command, const std::string& place
     answer.where = error.where();
     answer.problem = error.what();
     answer.nearest = error.nearest();
+    answer.file = error.file();
+    if (!answer.file.empty()) answer.path = error.path();
   } catch (const CommandFailure& error) {
     answer.problem = error.what();
   } catch (const RenderError& error) {
@@ -46,6 +48,8 @@ Json to_json(const Answer& answer, const Console& console) {
   } else {
     json["error"] = answer.problem;
     if (!answer.where.empty()) json["where"] = answer.where;
+    if (!answer.file.empty()) json["file"] = answer.file;
+    if (!answer.path.empty()) json["path"] = answer.path;
     if (!answer.nearest.empty()) json["nearest"] = answer.nearest;
   }
   if (console.session().loaded()) {

@@ -20,7 +20,8 @@ struct Answer {
   bool malformed = false;  // InputError
   Json result;             // an object if ok
   std::string where, problem, nearest;
-  double seconds = 0;  // that it took
+  std::string file, path;  // of a problem inside a file that the command names
+  double seconds = 0;      // that it took
 };
 
 // Performs the command; every error becomes an answer.

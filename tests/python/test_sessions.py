@@ -53,6 +53,9 @@ class Sessions(InFolder):
         with self.assertRaises(quicksand.InputError) as misspelt:
             self.session.load(SMALL, set={"contact.frction": 1})
         self.assertEqual((misspelt.exception.path, misspelt.exception.nearest), ("contact.frction", "friction"))
+        with self.assertRaises(quicksand.InputError) as inside:
+            self.session.load("chain", set={"contact.frction": 1})
+        self.assertEqual((Path(inside.exception.file).name, inside.exception.path), ("chain.json", "contact.frction"))
         self.session.run(steps=1)
 
     def test_refuses_arguments_that_no_command_has_as_python_does(self):

@@ -70,10 +70,11 @@ class Session:
             self.last = Reply(answer)
             return self.last
         if "where" in answer:
-            # The path inside the command, without the word that stands for it.
-            path = answer["where"].removeprefix("command").lstrip(".")
-            raise InputError(answer["error"], f"{command}: {path}" if path else command, None, path or None,
-                             answer.get("nearest"))
+            # The place inside the command, without the word that stands for it.
+            where = answer["where"].removeprefix("command").lstrip(".")
+            file = answer.get("file")
+            raise InputError(answer["error"], f"{command}: {where}" if where else command, file,
+                             answer.get("path") if file else where or None, answer.get("nearest"))
         raise CommandFailed(answer["error"], message)
 
     def _ask(self, message) -> dict:
