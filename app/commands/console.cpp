@@ -5,6 +5,7 @@
 
 #include "app/commands/command_table.h"
 #include "app/commands/session_file.h"
+#include "app/scene/scene_file.h"
 #include "core/base/errors.h"
 
 namespace quicksand {
@@ -63,6 +64,8 @@ fs::path Console::input(const std::string& name) const {
 
 // An absolute name stays what it is.
 fs::path Console::beside(const std::string& name) const { return folders_.base / name; }
+
+fs::path Console::scene(const std::string& name) const { return scene_named(name, folders_.base); }
 
 Image Console::draw_view(int width, int height) {
   if (!renderer_) renderer_ = std::make_unique<Renderer>();

@@ -24,7 +24,7 @@ bool is_figure_of(const std::string& name, std::string_view method) {
   std::vector<std::string> names;
   for (const PaperFigure& figure : paper_figures()) names.emplace_back(figure.name);
   if (std::ranges::find(names, name) == names.end())
-    throw InputError("figure \"" + name + "\"", "is not known" + suggestion(name, names));
+    refuse_name("figure \"" + name + "\"", "is not known", name, names);
   if (method == kNscdMethod) return name != kOfCriteria && name != kOfMethods;
   return name != "nscd_setting";
 }

@@ -38,7 +38,7 @@ RunOptions read_options(const std::filesystem::path& file) {
   try {
     read_fields(read_json(file), "the options of a run", [&](Fields& f) { describe(f, options); });
   } catch (const InputError& error) {
-    throw in_file(file, error);
+    throw error.in(file.string());
   }
   return options;
 }

@@ -47,8 +47,7 @@ std::vector<Planned> planned(const Request& request) {
   for (const Case& one : cases()) known.push_back(one.name);
   for (const std::string& name : request.names)
     if (std::ranges::find(known, name) == known.end())
-      throw InputError("\"" + name + "\"",
-                       "is neither a part nor a goal" + suggestion(name, known));
+      refuse_name("\"" + name + "\"", "is neither a part nor a goal", name, known);
   const auto named = [&](std::string_view name) {
     return std::ranges::find(request.names, name) != request.names.end();
   };
