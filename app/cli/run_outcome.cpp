@@ -22,6 +22,9 @@ std::string continue_command(const RunFolder& folder, const RunOptions& options)
          (options.checkpoint_every != RunOptions{}.checkpoint_every
               ? " --checkpoint-every " + number_text(options.checkpoint_every)
               : "") +
+         (options.history_limit != RunOptions{}.history_limit
+              ? " --history " + number_text(options.history_limit)
+              : "") +
          (options.strict ? " --strict --max-overlap " + number_text(options.strict->max_overlap)
                          : "") +
          (options.frames ? picture_words(options.view) : " --no-frames");
