@@ -93,14 +93,21 @@ void Session::reset() {
   start(scenario_, std::move(checkpoint));
 }
 
+// Besides what the user has chosen: units, and words of the legend.
+void Session::take_scene_into_view() {
+  const View of_scene = view_of(scenario_, view);
+  view.physical = of_scene.physical;
+  view.method = of_scene.method;
+  view.expects_intruder = of_scene.expects_intruder;
+}
+
 bool Session::set(const std::string& path, const Json& value) {
   Json json = to_json(scenario_);
   set_value(json, path, value, path);
   Scenario changed = scenario_from_json(json);
   validate(changed);
   scenario_ = std::move(changed);
-  view.physical = scenario_.physical;
-  view.method = view_of(scenario_, view).method;
+  take_scene_into_view();
   if (!holds_at_once(path)) return false;
   const bool too_late = is_set_up(path, protocol());
   Scenario now = scenario_;
@@ -150,8 +157,7 @@ void Session::save(const std::filesystem::path& file) const {
 void Session::restore(const std::filesystem::path& file) {
   StateFile state = read_state(file);
   scenario_ = state.scenario;
-  view.physical = scenario_.physical;
-  view.method = view_of(scenario_, view).method;
+  take_scene_into_view();
   start(scenario_, std::move(state.checkpoint));
 }
 

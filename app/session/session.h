@@ -95,6 +95,7 @@ class Session {
  private:
   void start(const Scenario& scenario, Checkpoint checkpoint);
   void remember(const Row& row);
+  void take_scene_into_view();
 
   Scenario scenario_;
   std::unique_ptr<SampledRun> sampled_run_;
