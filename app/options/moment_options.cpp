@@ -4,7 +4,6 @@
 #include <string>
 
 #include "app/options/number_range.h"
-#include "app/run_folder/run_folder.h"
 #include "core/base/errors.h"
 
 namespace quicksand {
@@ -37,18 +36,6 @@ void add_moment_options(CLI::App& command, MomentOptions& options) {
   command.add_option("--to", options.to, "last time [sqrt(d/g)]; its end if absent")
       ->type_name("TIME")
       ->check(time);
-}
-
-History history_of_run(const std::filesystem::path& folder) {
-  const RunFolder run{folder};
-  std::error_code ignored;
-  if (!std::filesystem::exists(run.history(), ignored))
-    throw InputError(folder.string(), "has no " + run.history().filename().string() +
-                                          ": it holds no run, or one with --history 0");
-  History history(run.history());
-  if (history.moments().empty())
-    throw InputError(run.history().string(), "has no sample yet; the run has just begun");
-  return history;
 }
 
 std::size_t moment_at(const History& history, const char* option, double time) {

@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <cstddef>
-#include <filesystem>
 #include <optional>
 
 #include "app/history/history.h"
@@ -16,9 +15,6 @@ struct MomentOptions {
 };
 // `--from TIME` and `--to TIME`.
 void add_moment_options(CLI::App& command, MomentOptions& options);
-
-// The history of the run in this folder, with at least one moment. Throws InputError.
-History history_of_run(const std::filesystem::path& folder);
 
 // Number of the moment nearest to the time that an option gives. Throws InputError if the run has not been there.
 std::size_t moment_at(const History& history, const char* option, double time);

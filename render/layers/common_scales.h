@@ -14,12 +14,12 @@ class CommonScales {
   // Whether the view takes a scale from the data; else there is nothing to add.
   bool needed() const { return colours_ || forces_; }
   void add(const World& world);
-  // The view with the widest range and the largest force of what was added; where nothing moved or pressed, from the
-  // data as before.
-  View fixed() const;
+  // A view with the widest range and the largest force of what was added, where it has none of its own; where nothing
+  // moved or pressed, from the data as before.
+  View fixed(View view) const;
 
  private:
-  View view_;
+  Colouring colouring_;
   bool colours_, forces_;
   double colour_high_ = 0;
   double force_ = 0;

@@ -7,6 +7,7 @@
 #include "app/export/exporter.h"
 #include "app/options/moment_options.h"
 #include "app/run_folder/state_file.h"
+#include "app/view/history_view.h"
 #include "core/base/errors.h"
 
 namespace quicksand {
@@ -41,7 +42,7 @@ std::vector<Source> sources_of(const ExportArguments& options) {
       throw InputError("--out " + options.out.string(), "is what is read");
     Source& source = sources.emplace_back(Source{path});
     if (fs::is_directory(path, ignored)) {
-      source.history.emplace(history_of_run(path));
+      source.history.emplace(history_of(RunFolder{path}));
       source.moments = moments_between(*source.history, options.moments);
     } else if (options.moments.given()) {
       throw InputError(path.string(), "is one state; --from and --to need the folder of a run");
@@ -79,7 +80,7 @@ Command add_export(CLI::App& program) {
   const auto options = std::make_shared<ExportArguments>();
   command
       ->add_option(
-          "sources", options->sources,
+          "states", options->sources,
           "folders of runs, for all their samples, or checkpoints; in the order of their times")
       ->type_name("DIR|STATE.cbor")
       ->required();
@@ -102,7 +103,6 @@ Command add_export(CLI::App& program) {
       "velocities\n"
       "and forces to seven digits.\n\n"
       "Examples:\n"
-      "  quicksand export out/collapse/state.cbor --format vtk --out out/collapse/vtk\n"
       "  quicksand export out/collapse --from 2 --to 4 --format vtk --out out/collapse/series\n"
       "  quicksand export out/collapse/state.cbor --format xyz --out collapse.xyz");
   return {command, [options] { return export_states(*options); }};

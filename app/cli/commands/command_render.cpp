@@ -86,7 +86,7 @@ void render_run(const RenderArguments& options, View view) {
                      "are of a film; add --film, or draw one moment with --time");
   if (!options.film) require_png(options.out);
   const bool fixed = fixed_scales(options);
-  const History history = history_of_run(options.source);
+  const History history = history_of(RunFolder{options.source});
   const Scenario scenario = read_scene({RunFolder{options.source}.scene(), {}, {}});
   const Moments moments = moments_between(history, options.moments);
   const std::size_t moment =
@@ -148,8 +148,7 @@ Command add_render(CLI::App& program) {
       "same width the same force.\n\n"
       "Examples:\n"
       "  quicksand render out/collapse --time 3.2 --colour pressure --out pressure.png\n"
-      "  quicksand render out/collapse --film --from 2 --to 4 --forces --out out/forces\n"
-      "  quicksand render out/collapse/state.cbor --out collapse.png --theme dark --bonds");
+      "  quicksand render out/collapse --film --from 2 --to 4 --forces --out out/forces");
   return {command, [options] { return render(*options); }};
 }
 
