@@ -41,6 +41,9 @@ void tell_next(const RunFolder& folder) {
     }
   std::printf("  report:               %s report %s\n", program.c_str(),
               shell_text(folder.path).c_str());
+  if (std::filesystem::exists(folder.history(), ignored))
+    std::printf("  timeline:             %s window %s\n", program.c_str(),
+                shell_text(folder.path).c_str());
   std::printf("  panel:                %s window %s\n", program.c_str(),
               shell_text(folder.scene()).c_str());
 }

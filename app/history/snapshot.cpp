@@ -17,8 +17,9 @@ namespace {
 constexpr int kCoordinateBits = 30;
 constexpr int kFinestExponent = 60;
 
-enum Flag : std::uint8_t { kBond = 1, kBroken = 2, kInitial = 4, kContact = 8 };
-enum DiskFlag : std::uint8_t { kIntruder = 1, kFixed = 2 };
+// Bits of the flags of a pair and of a disk.
+constexpr std::uint8_t kBond = 1, kBroken = 2, kInitial = 4, kContact = 8;
+constexpr std::uint8_t kIntruder = 1, kFixed = 2;
 
 // The bodies and their pairs, a column each. A pair is the distance of its first body from that of the pair before it,
 // and that of its second body from its first; or -1 - k for wall k.

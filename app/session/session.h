@@ -98,11 +98,11 @@ class Session {
   SampledRun::Sink on_sample;
 
   View view;  // of the packing, its size that of a picture without panel
-  bool follow_intruder = false;
   // The view with its window, around the intruder if that is followed, and with the scales of a run that is shown.
   View shown() const;
   std::optional<int> picked;  // body that is inspected
-  bool running = false;       // whether each frame of a panel computes steps_per_frame
+  bool follow_intruder = false;
+  bool running = false;  // whether each frame of a panel computes steps_per_frame
   std::int64_t steps_per_frame = 1;
 
  private:
@@ -117,8 +117,8 @@ class Session {
   std::vector<Row> history_;
   std::size_t stride_ = 1;  // every which sample is kept in the history
   std::size_t samples_ = 0;
-  bool by_hand_ = false;         // whether phases were begun by hand
   std::optional<double> every_;  // between samples, if not as the scene says
+  bool by_hand_ = false;         // whether phases were begun by hand
   bool failed_ = false;
 };
 
