@@ -33,6 +33,7 @@ const auto& named(const Known& known, std::string_view word, Name name, const st
   const auto found = std::ranges::find(known, word, name);
   if (found != std::end(known)) return *found;
   std::vector<std::string> names;
+  names.reserve(std::size(known));
   for (const auto& one : known) names.emplace_back(std::invoke(name, one));
   refuse_name(where, problem, word, names);
 }

@@ -23,6 +23,9 @@ std::string continue_command(const RunFolder& folder, const RunOptions& options)
          (options.checkpoint_every != RunOptions{}.checkpoint_every
               ? " --checkpoint-every " + number_text(options.checkpoint_every)
               : "") +
+         (options.history_limit != RunOptions{}.history_limit
+              ? " --history " + number_text(options.history_limit)
+              : "") +
          (options.strict ? " --strict --max-overlap " + number_text(options.strict->max_overlap)
                          : "") +
          (options.frames ? picture_words(options.view) : " --no-frames");
@@ -39,6 +42,9 @@ void tell_next(const RunFolder& folder) {
     }
   std::printf("  report:               %s report %s\n", program.c_str(),
               shell_text(folder.path).c_str());
+  if (std::filesystem::exists(folder.history(), ignored))
+    std::printf("  timeline:             %s window %s\n", program.c_str(),
+                shell_text(folder.path).c_str());
   std::printf("  panel:                %s window %s\n", program.c_str(),
               shell_text(folder.scene()).c_str());
 }

@@ -97,6 +97,8 @@ void Console::carry_out(const std::vector<Json>& commands) {
     if (given) given(command);
   }
   panel().set_recording(recording != nullptr);
+  if (Timeline* timeline = session_.timeline(); timeline && timeline->playing)
+    timeline->play_frame();
   if (!session_.running || !session_.loaded()) return;
   const std::int64_t first = session_.world().step;
   RunUntil frame;

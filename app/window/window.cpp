@@ -73,10 +73,9 @@ class Window {
     GuiInput input;
     int lively = kLively;  // frames until the picture rests
     while (!console_.quit && !watch_.interrupted()) {
-      const bool busy = lively > 0 || console_.session().running;
-      if (!display->poll(input, busy ? 1 : kIdle)) break;
-      if (display->something_happened()) lively = kLively;
-      if (lively > 0 || console_.session().running) {
+      if (!display->poll(input, lively > 0 || moves() ? 1 : kIdle)) break;
+      if (display->something_happened() || run_has_grown()) lively = kLively;
+      if (lively > 0 || moves()) {
         show(*display, input);
         --lively;
         if (Clock::now() - interactions_written_ > kRecordingPeriod) write_interactions();
@@ -87,8 +86,30 @@ class Window {
   }
 
  private:
+  // Whether the picture changes by itself.
+  bool moves() {
+    const Timeline* timeline = console_.session().timeline();
+    return console_.session().running || (timeline != nullptr && timeline->playing);
+  }
+
+  // Looks now and then whether the run that is shown, which may still be computing, has new samples.
+  bool run_has_grown() {
+    Timeline* timeline = console_.session().timeline();
+    if (timeline == nullptr || Clock::now() - looked_ < kLookPeriod) return false;
+    looked_ = Clock::now();
+    try {
+      return timeline->refresh();
+    } catch (const InputError& error) {
+      console_.panel().show_error(error.where() + ": " + error.what());
+      return true;
+    }
+  }
+
+  static constexpr std::chrono::milliseconds kLookPeriod{500};
   static constexpr const char* kHint =
       "Press space to run and to pause. Drag a grain to pull at it, turn the wheel to zoom.";
+  static constexpr const char* kRunHint =
+      "Press space to play and to pause, the arrows to go by one sample. Drag along the timeline.";
   static constexpr int kLively = 4;
   static constexpr int kIdle = 100;  // [ms]
   static constexpr std::chrono::seconds kRecordingPeriod{2};
@@ -97,11 +118,15 @@ class Window {
   void begin() {
     do_first();
     // A recording shows what a session does, nothing for the hand.
-    if (!console_.recording) console_.panel().show_hint(kHint);
+    if (console_.recording) return;
+    console_.panel().show_hint(console_.session().timeline() != nullptr ? kRunHint : kHint);
   }
 
   void do_first() {
     if (options_.file.empty()) return do_now({{"command", "load"}, {"scene", kDemoScene}});
+    std::error_code ignored;
+    if (fs::is_directory(options_.file, ignored))
+      return do_now({{"command", "open"}, {"run", fs::absolute(options_.file).string()}});
     const bool is_file = options_.file.find_first_of("/.") != std::string::npos;
     if (is_file && parse_json(read_scene_text(options_.file)).contains("commands")) {
       do_now({{"command", "include"}, {"file", fs::absolute(options_.file).string()}});
@@ -127,7 +152,10 @@ class Window {
   // Now and then: a screen that goes away must not take what was done with it.
   void write_interactions() {
     if (options_.record.empty() || interactions_.empty() || !console_.session().loaded()) return;
-    write_whole(options_.record, interactions_.session(console_.session().world()).dump(2) + "\n");
+    const Session& session = console_.session();
+    const Timeline* timeline = session.timeline();
+    const auto shown = timeline ? std::optional(timeline->shown()) : std::nullopt;
+    write_whole(options_.record, interactions_.session(session.world(), shown).dump(2) + "\n");
     interactions_written_ = Clock::now();
   }
 
@@ -145,6 +173,7 @@ class Window {
   Console console_;
   InteractionRecording interactions_;
   Clock::time_point interactions_written_ = Clock::now();
+  Clock::time_point looked_ = Clock::now();  // for new samples of a run
   Rate rate_;
 };
 

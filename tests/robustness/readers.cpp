@@ -8,9 +8,11 @@
 #include "app/campaign/campaign.h"
 #include "app/commands/command_table.h"
 #include "app/commands/session_file.h"
+#include "app/history/snapshot.h"
 #include "app/run/run_options.h"
 #include "app/run/run_position.h"
 #include "app/scene_json/scenario_json.h"
+#include "core/base/errors.h"
 #include "core/checkpoint/checkpoint.h"
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
@@ -60,6 +62,10 @@ std::vector<std::string> command_examples() {
   return lines;
 }
 
+void write(const fs::path& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary | std::ios::trunc) << text;
+}
+
 constexpr std::size_t kSealSize = 9;
 
 std::string unsealed(const std::string& bytes) { return bytes.substr(0, bytes.size() - kSealSize); }
@@ -98,13 +104,28 @@ std::vector<std::string> checkpoints(const fs::path& file) {
           unsealed(contents(kSource / "tests/golden/mid_way.cbor"))};
 }
 
+// Of the states of these checkpoints: a history says by checksums whether its bytes are whole, and only then reads them.
+std::vector<std::string> snapshots(const fs::path& file) {
+  std::vector<std::string> texts;
+  for (const std::string& bytes : checkpoints(file)) {
+    write(file, sealed(bytes));
+    const Bytes snapshot = snapshot_of(read_checkpoint(file).world);
+    texts.emplace_back(snapshot.begin(), snapshot.end());
+  }
+  return texts;
+}
+
+void read_snapshot_of(const std::string& text) {
+  try {
+    world_from_snapshot({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  } catch (const std::runtime_error& problem) {
+    throw InputError("history.qsh", problem.what());
+  }
+}
+
 std::string default_options(const fs::path& file) {
   write_options(file, {});
   return contents(file);
-}
-
-void write(const fs::path& file, const std::string& text) {
-  std::ofstream(file, std::ios::binary | std::ios::trunc) << text;
 }
 
 void read_scene_of(const std::string& text) {
@@ -153,7 +174,8 @@ std::vector<Reader> readers(const fs::path& folder) {
              read_options(json);
            }},
           {"checkpoint", checkpoints(cbor),
-           [=](const std::string& text) { read_checkpoint_of(text, cbor); }}};
+           [=](const std::string& text) { read_checkpoint_of(text, cbor); }},
+          {"history", snapshots(cbor), read_snapshot_of}};
 }
 
 }  // namespace quicksand::test
