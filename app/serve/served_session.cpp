@@ -79,6 +79,7 @@ void ServedSession::take_turn() {
     waiting_.pop_front();
     perform(next);
   }
+  publish_frame();
   if (console_.session().running) compute();
   publish_frame();
   publish_slow_parts();

@@ -32,6 +32,7 @@ export class Picture {
     if (this.canvas.width === width && this.canvas.height === height) return;
     [this.canvas.width, this.canvas.height] = [width, height];
     if (this.frame?.png) this.tell_size();
+    if (this.own) this.look(this.own);
     this.redraw();
   }
 

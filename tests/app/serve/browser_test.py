@@ -217,6 +217,7 @@ def downloads(browser, server):
 
 def looks_like_the_program(browser, server):
     browser.resize(900, 560)
+    browser.wait("innerWidth === 900 && quicksand.picture.canvas.width === document.getElementById('view').clientWidth")
     worst = 1
     for view in [{"colour": "active_bonds", "theme": "light", "bonds": True, "orientation": True},
                  {"colour": "pressure", "theme": "dark", "forces": True, "bonds": False}]:
