@@ -77,10 +77,10 @@ std::vector<Command> add_commands(CLI::App& program) {
       "Examples:\n"
       "  quicksand run assets/scenes/collapse.json\n"
       "  quicksand run --help");
-  return {add_run(program),       add_resume(program), add_check(program),    add_render(program),
-          add_measure(program),   add_export(program), add_campaign(program), add_report(program),
-          add_reproduce(program), add_bench(program),  add_session(program),  add_window(program),
-          add_compare(program),   add_list(program)};
+  return {add_run(program),       add_resume(program),  add_check(program),    add_render(program),
+          add_measure(program),   add_export(program),  add_campaign(program), add_report(program),
+          add_reproduce(program), add_bench(program),   add_session(program),  add_window(program),
+          add_serve(program),     add_compare(program), add_list(program)};
 }
 
 constexpr const char* kPurpose = "Contact dynamics of cohesive grain packings.";

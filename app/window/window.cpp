@@ -4,16 +4,16 @@
 #include <cstdio>
 #include <optional>
 
-#include "app/base/assets.h"
 #include "app/base/exit_code.h"
 #include "app/base/interrupt.h"
 #include "app/commands/command_table.h"
 #include "app/commands/console.h"
 #include "app/commands/session_file.h"
 #include "app/run_folder/run_folder.h"
-#include "app/scene/scene_file.h"
 #include "app/window/display.h"
+#include "app/window/first_command.h"
 #include "app/window/interaction_recording.h"
+#include "app/window/step_rate.h"
 #include "core/base/errors.h"
 #include "core/base/whole_file.h"
 
@@ -23,34 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-
-// How fast it goes, over the last second: steps, and the share of the present phase.
-class Rate {
- public:
-  void add(std::int64_t steps, const Protocol& protocol) {
-    steps_ += steps;
-    const double seconds = std::chrono::duration<double>(Clock::now() - since_).count();
-    if (seconds < 1) return;
-    const double done = protocol.phase() != nullptr ? protocol.phase_progress() : 1;
-    const double progress = protocol.state().phase == phase_ ? done - done_ : 0;
-    per_second_ = steps_ > 0 ? std::optional(static_cast<double>(steps_) / seconds) : std::nullopt;
-    left_ =
-        steps_ > 0 && progress > 0 ? std::optional((1 - done) / progress * seconds) : std::nullopt;
-    steps_ = 0;
-    since_ = Clock::now();
-    done_ = done;
-    phase_ = protocol.state().phase;
-  }
-  std::optional<double> per_second() const { return per_second_; }
-  std::optional<double> left() const { return left_; }  // of the phase [s]
-
- private:
-  Clock::time_point since_ = Clock::now();
-  std::int64_t steps_ = 0;
-  double done_ = 0;  // share of the phase at the beginning of this second
-  int phase_ = -1;
-  std::optional<double> per_second_, left_;
-};
 
 class Window {
  public:
@@ -114,26 +86,11 @@ class Window {
   static constexpr int kIdle = 100;  // [ms]
   static constexpr std::chrono::seconds kRecordingPeriod{2};
 
-  // What the command line names: it becomes the first command, or the first commands.
   void begin() {
-    do_first();
+    do_now(first_command(options_.file));
     // A recording shows what a session does, nothing for the hand.
     if (console_.recording) return;
     console_.panel().show_hint(console_.session().timeline() != nullptr ? kRunHint : kHint);
-  }
-
-  void do_first() {
-    if (options_.file.empty()) return do_now({{"command", "load"}, {"scene", kDemoScene}});
-    std::error_code ignored;
-    if (fs::is_directory(options_.file, ignored))
-      return do_now({{"command", "open"}, {"run", fs::absolute(options_.file).string()}});
-    const bool is_file = options_.file.find_first_of("/.") != std::string::npos;
-    if (is_file && parse_json(read_scene_text(options_.file)).contains("commands")) {
-      do_now({{"command", "include"}, {"file", fs::absolute(options_.file).string()}});
-      return;
-    }
-    do_now({{"command", "load"},
-            {"scene", is_file ? fs::absolute(options_.file).string() : options_.file}});
   }
 
   void do_now(const Json& command) {
@@ -174,7 +131,7 @@ class Window {
   InteractionRecording interactions_;
   Clock::time_point interactions_written_ = Clock::now();
   Clock::time_point looked_ = Clock::now();  // for new samples of a run
-  Rate rate_;
+  StepRate rate_;
 };
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "app/run/run_options.h"
 #include "app/run/run_position.h"
 #include "app/scene_json/scenario_json.h"
+#include "app/serve/client_message.h"
 #include "core/base/errors.h"
 #include "core/checkpoint/checkpoint.h"
 #include "core/scene/make_world.h"
@@ -143,6 +144,24 @@ void read_line_of(const std::string& text) {
   command_of(command, "line").check(command, "line");
 }
 
+// What a browser sends.
+std::vector<std::string> messages() {
+  return {R"({"ask": "body", "at": [1.5, -2], "id": 3})", R"({"ask": "recording", "id": 5})",
+          R"({"command": "load", "scene": "chain", "set": {"box.width": 9}, "id": 4})",
+          R"({"command": "set", "path": "phases[1].force", "value": 1e3})",
+          R"({"command": "camera", "low": [0, 0.5], "high": [20, 12]})",
+          R"({"command": "push", "diameter": 3, "density": 0.5, "force": 1e4, "max_time": 20})",
+          R"({"command": "apply", "body": 12, "force": [100, -0.25], "id": 6})",
+          R"({"command": "save", "file": "film/state.cbor"})"};
+}
+
+void read_message_of(const std::string& text) {
+  Json id;
+  const ClientMessage message = read_message(text, id);
+  if (message.command.is_null() == message.question.is_null())
+    throw std::logic_error("a message is a command or a question");
+}
+
 void read_campaign_of(const std::string& text, const fs::path& file) {
   write(file, text);
   const Campaign campaign = read_campaign(file);
@@ -167,6 +186,7 @@ std::vector<Reader> readers(const fs::path& folder) {
              read_session_file(json);
            }},
           {"line", command_examples(), read_line_of},
+          {"message", messages(), read_message_of},
           {"options",
            {default_options(json)},
            [=](const std::string& text) {

@@ -236,7 +236,7 @@ Command add_bench(CLI::App& program) {
   command
       ->add_option(
           "parts", request->names,
-          "all but peers if none is given; one or more of: " + names + "; or a case of goals")
+          "all but problems, serve and peers if none is given; one or more of: " + names + "; or a case of goals")
       ->type_name("PART");
   command->add_option("--out", request->options.out, "folder of results and states [out/bench]")
       ->type_name("DIR");
