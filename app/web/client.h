@@ -33,7 +33,7 @@ class Client {
   std::uint64_t last_frame() const { return sent_[static_cast<std::size_t>(Newest::frame)]; }
 
   struct Message {
-    Bytes bytes;  // null: there is nothing to send
+    Payload bytes;  // null: there is nothing to send
     bool binary = false;
   };
   // What it gets next.

@@ -27,11 +27,11 @@ struct ClientText {
 enum class Newest : std::uint8_t { frame, state, plots };
 constexpr std::size_t kNewestKinds = 3;
 
-// Bytes that are not changed any more.
-using Bytes = std::shared_ptr<const std::string>;
+// Payload that are not changed any more.
+using Payload = std::shared_ptr<const std::string>;
 
 struct Published {
-  Bytes bytes;
+  Payload bytes;
   std::uint64_t number = 0;  // counts what was published; 0: nothing yet
 };
 

@@ -35,7 +35,7 @@ int refusal_of(const HttpRequest& request, const Access& access);
 struct HttpAnswer {
   int status = 200;
   std::string type = "text/plain; charset=utf-8";
-  Bytes body;
+  Payload body;
   std::filesystem::path file;  // sent instead of a body, if not empty
   std::string cookie;          // to be kept by the browser; empty: none
   std::size_t sent = 0;        // of the body [bytes]

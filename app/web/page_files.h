@@ -10,7 +10,7 @@ namespace quicksand {
 
 struct PagePart {
   std::string type;  // as Content-Type names it
-  Bytes bytes;
+  Payload bytes;
 };
 using PageParts = std::map<std::string, PagePart, std::less<>>;
 

@@ -22,7 +22,7 @@ class WebSocketClient {
   void send_text(std::string_view text) { send(kText, text); }
   // That so many pictures were drawn.
   void send_drawn(std::uint32_t pictures);
-  // Bytes as they are, whatever the protocol says.
+  // Payload as they are, whatever the protocol says.
   void send_raw(std::string_view bytes);
 
   struct Message {

@@ -146,7 +146,8 @@ void read_line_of(const std::string& text) {
 
 // What a browser sends.
 std::vector<std::string> messages() {
-  return {R"({"ask": "body", "at": [1.5, -2], "id": 3})", R"({"ask": "recording", "id": 5})",
+  return {R"({"ask": "body", "at": [1.5, -2], "id": 3})",
+          R"({"ask": "recording", "id": 5})",
           R"({"command": "load", "scene": "chain", "set": {"box.width": 9}, "id": 4})",
           R"({"command": "set", "path": "phases[1].force", "value": 1e3})",
           R"({"command": "camera", "low": [0, 0.5], "high": [20, 12]})",

@@ -234,9 +234,9 @@ Command add_bench(CLI::App& program) {
   std::string names;
   for (const Part& part : parts()) names += (names.empty() ? "" : ", ") + std::string(part.name);
   command
-      ->add_option(
-          "parts", request->names,
-          "all but problems, serve and peers if none is given; one or more of: " + names + "; or a case of goals")
+      ->add_option("parts", request->names,
+                   "all but problems, serve and peers if none is given; one or more of: " + names +
+                       "; or a case of goals")
       ->type_name("PART");
   command->add_option("--out", request->options.out, "folder of results and states [out/bench]")
       ->type_name("DIR");

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "app/experiments/experiments.h"
 #include "app/paper/paper_strength.h"
 #include "app/paper/push_speed.h"
+#include "app/studies/figures.h"
 #include "core/base/errors.h"
 #include "tests/support/files.h"
 #include "tests/support/paper_fixture.h"

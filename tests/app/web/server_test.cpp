@@ -113,7 +113,8 @@ int close_code_of(WebSocketClient& client) {
 }
 
 TEST(Server, ClosesOnMessagesThatAreTooLargeOrTooMany) {
-  const SessionServer server("chain", {.message = 1000, .messages_per_second = 1, .most_at_once = 5});
+  const SessionServer server("chain",
+                             {.message = 1000, .messages_per_second = 1, .most_at_once = 5});
   Page large(server);
   large.send_text(std::string(1001, ' '));
   EXPECT_EQ(close_code_of(large), 1009);
