@@ -16,10 +16,15 @@ bool Client::may_speak() {
 }
 
 Client::Heard Client::hear(std::string_view piece, bool binary, bool ends) {
-  if (said_.size() + piece.size() > limits_.message) return Heard::too_large;
+  if (refusal_ == Refusal::none && said_.size() + piece.size() > limits_.message)
+    refusal_ = Refusal::too_large;
+  if (refusal_ != Refusal::none) return Heard::refused;
   said_ += piece;
   if (!ends) return Heard::piece;
-  if (!may_speak()) return Heard::too_many;
+  if (!may_speak()) {
+    refusal_ = Refusal::too_many;
+    return Heard::refused;
+  }
   if (!binary) return Heard::text;
   std::uint32_t number = 0;
   if (said_.size() == sizeof number) std::memcpy(&number, said_.data(), sizeof number);

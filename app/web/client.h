@@ -20,8 +20,12 @@ class Client {
   ClientId id() const { return id_; }
 
   // A piece of a message. A binary one, of four bytes, says which picture was drawn; others are texts.
-  enum class Heard : std::uint8_t { piece, text, seen, too_large, too_many };
+  // Nothing is heard after a message that is too large or one too many.
+  enum class Heard : std::uint8_t { piece, text, seen, refused };
   Heard hear(std::string_view piece, bool binary, bool ends);
+  // Why the connection closes, or none.
+  enum class Refusal : std::uint8_t { none, too_large, too_many };
+  Refusal refusal() const { return refusal_; }
   std::string take_text();
 
   void answer(std::string text) { answers_.push_back(std::move(text)); }
@@ -50,6 +54,7 @@ class Client {
   ClientId id_;
   ServerLimits limits_;
   std::string said_;  // of the present message
+  Refusal refusal_ = Refusal::none;
   std::deque<std::string> answers_;
   std::array<std::uint64_t, kNewestKinds> sent_{};  // numbers of what it got
   std::uint64_t frame_ = 0, seen_ = 0;  // pictures that it got, and has drawn, counted for it

@@ -156,13 +156,6 @@ int Server::Impl::receive(lws* wsi, const void* in, std::size_t size) {
   const Client::Heard heard =
       client.hear(piece, lws_frame_is_binary(wsi) != 0,
                   lws_is_final_fragment(wsi) != 0 && lws_remaining_packet_payload(wsi) == 0);
-  if (heard == Client::Heard::too_large || heard == Client::Heard::too_many) {
-    lws_close_reason(wsi,
-                     heard == Client::Heard::too_large ? LWS_CLOSE_STATUS_MESSAGE_TOO_LARGE
-                                                       : LWS_CLOSE_STATUS_POLICY_VIOLATION,
-                     nullptr, 0);
-    return -1;
-  }
   if (heard == Client::Heard::text && !exchange.give({client.id(), client.take_text()}))
     client.answer(R"({"ok": false, "error": "too many messages wait; try again"})");
   if (heard == Client::Heard::seen && client.has_room())
@@ -176,6 +169,16 @@ int Server::Impl::send(lws* wsi) {
   const auto found = clients.find(wsi);
   if (found == clients.end()) return -1;
   Client& client = found->second;
+  // Here rather than where it was heard: while a message is partly sent, the library would close
+  // without the reason.
+  if (client.refusal() != Client::Refusal::none) {
+    lws_close_reason(wsi,
+                     client.refusal() == Client::Refusal::too_large
+                         ? LWS_CLOSE_STATUS_MESSAGE_TOO_LARGE
+                         : LWS_CLOSE_STATUS_POLICY_VIOLATION,
+                     nullptr, 0);
+    return -1;
+  }
   const Client::Message message = client.next(exchange);
   if (!message.bytes) return 0;
   // The library writes its own header before the bytes.
