@@ -153,7 +153,7 @@ Json look_of(const Session& session) {
 }
 
 std::string frame_message(const Session& session, Json head) {
-  const View& view = session.view;
+  const View view = session.shown();
   const ColouredGrains grains = colour_grains(session.world(), view);
   BinaryMessage message;
   add_disks(message, session, grains);

@@ -9,7 +9,6 @@
 #include "app/web/access.h"
 #include "app/web/server.h"
 #include "app/window/first_command.h"
-#include "core/base/errors.h"
 #include "core/base/whole_file.h"
 #include "render/base/external_program.h"
 #include "render/base/render_error.h"
@@ -19,8 +18,6 @@
 namespace quicksand {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 // Besides the files of the page: the programs that draw, which are those of the pictures, and the letters.
 PageParts all_parts() {
@@ -70,10 +67,8 @@ void write_recording(const ServeOptions& options, ServedSession& live) {
 
 int run_serve(const ServeOptions& options) {
   const InterruptWatch watch;
-  std::error_code ignored;
-  if (fs::is_directory(options.file, ignored))
-    throw InputError(options.file, "is a folder; `quicksand window` walks through that of a run");
-  const RunFolder folder{options.out.empty() ? fs::path("out") / "serve" : options.out};
+  const RunFolder folder{options.out.empty() ? std::filesystem::path("out") / "serve"
+                                             : options.out};
   make_writable(folder);
   const std::string token =
       options.token_file.empty() ? random_token() : token_of(options.token_file);
