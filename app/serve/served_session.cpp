@@ -27,7 +27,6 @@ constexpr auto kIdle = 100ms;
 constexpr auto kFramePeriod = 16ms;  // of a session that runs: as long as a screen shows a picture
 constexpr auto kPicturePeriod = 33ms;  // between two pictures while it computes
 constexpr auto kPlotsPeriod = 500ms;
-constexpr std::size_t kMostWaiting = 256;  // commands, while one computes
 constexpr const char* kRecordingFile = "recording.json";
 constexpr const char* kSeriesFile = "series.csv";
 
@@ -104,8 +103,9 @@ void ServedSession::hear(ClientText text) {
   try {
     ClientMessage message = read_message(text.text, id);
     if (message.question.is_null()) {
-      if (waiting_.size() >= kMostWaiting)
-        throw InputError("message", "comes while too many commands wait; pause, or try again");
+      if (std::ranges::count(waiting_, text.client, &Waiting::client) >= Exchange::kMostOfOneClient)
+        throw InputError("message",
+                         "comes while too many commands of this page wait; pause, or try again");
       waiting_.push_back({text.client, std::move(message.command), id});
       return;
     }
