@@ -95,10 +95,10 @@ bool ServedSession::listen(const Session& session) {
 }
 
 void ServedSession::take_messages(std::chrono::milliseconds wait) {
-  for (ClientText& message : exchange_.take(wait, picture_is_old_)) hear(std::move(message));
+  for (const ClientText& message : exchange_.take(wait, picture_is_old_)) hear(message);
 }
 
-void ServedSession::hear(ClientText text) {
+void ServedSession::hear(const ClientText& text) {
   Json id;
   try {
     ClientMessage message = read_message(text.text, id);
