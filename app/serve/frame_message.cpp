@@ -130,9 +130,17 @@ void add_forces(BinaryMessage& message, const Session& session) {
 Json intruders_json(const World& world) {
   Json intruders = Json::array();
   for (std::size_t k = 0; k < world.disks.role.size(); ++k)
-    if (world.disks.role[k] == Role::intruder)
-      intruders.push_back({k, world.disks.applied[k].x(), world.disks.applied[k].y()});
+    if (world.disks.role[k] == Role::intruder) intruders.push_back(k);
   return intruders;
+}
+
+// The disks that forces are applied to, with these.
+Json applied_json(const World& world) {
+  Json applied = Json::array();
+  for (std::size_t k = 0; k < world.disks.applied.size(); ++k)
+    if (const Vec3& force = world.disks.applied[k]; !force.head<2>().isZero(0))
+      applied.push_back({k, force.x(), force.y()});
+  return applied;
 }
 
 }  // namespace
@@ -169,6 +177,7 @@ std::string frame_message(const Session& session, Json head) {
   head.update(look_of(session));
   head["legend"] = legend_json(grains.scale, view.theme);
   head["intruders"] = intruders_json(session.world());
+  head["applied"] = applied_json(session.world());
   head["shows"] = {{"legend", view.legend},
                    {"scale_bar", view.scale_bar},
                    {"numbers", view.numbers},

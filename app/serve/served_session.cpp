@@ -27,8 +27,7 @@ constexpr auto kIdle = 100ms;
 constexpr auto kFramePeriod = 16ms;  // of a session that runs: as long as a screen shows a picture
 constexpr auto kPicturePeriod = 33ms;  // between two pictures while it computes
 constexpr auto kPlotsPeriod = 500ms;
-constexpr auto kLookPeriod = 500ms;        // for new samples of a run that another process computes
-constexpr std::size_t kMostWaiting = 256;  // commands, while one computes
+constexpr auto kLookPeriod = 500ms;  // for new samples of a run that another process computes
 constexpr const char* kRecordingFile = "recording.json";
 constexpr const char* kSeriesFile = "series.csv";
 
@@ -110,16 +109,17 @@ bool ServedSession::listen(const Session& session) {
 }
 
 void ServedSession::take_messages(std::chrono::milliseconds wait) {
-  for (ClientText& message : exchange_.take(wait, picture_is_old_)) hear(std::move(message));
+  for (const ClientText& message : exchange_.take(wait, picture_is_old_)) hear(message);
 }
 
-void ServedSession::hear(ClientText text) {
+void ServedSession::hear(const ClientText& text) {
   Json id;
   try {
     ClientMessage message = read_message(text.text, id);
     if (message.question.is_null()) {
-      if (waiting_.size() >= kMostWaiting)
-        throw InputError("message", "comes while too many commands wait; pause, or try again");
+      if (std::ranges::count(waiting_, text.client, &Waiting::client) >= Exchange::kMostOfOneClient)
+        throw InputError("message",
+                         "comes while too many commands of this page wait; pause, or try again");
       waiting_.push_back({text.client, std::move(message.command), id});
       return;
     }

@@ -45,7 +45,7 @@ class ServedSession {
 
   bool listen(const Session& session);
   void take_messages(std::chrono::milliseconds wait);
-  void hear(ClientText message);
+  void hear(const ClientText& text);
   void perform(const Waiting& message);
   void record(const Json& command, const Json& result);
   void compute();

@@ -44,7 +44,7 @@ struct OpenFile {
 };
 
 std::string new_token(const std::filesystem::path& file) {
-  const std::string token = random_token();
+  std::string token = random_token();
   const OpenFile made(open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
   if (made.number < 0 ||
       write(made.number, token.data(), token.size()) != static_cast<ssize_t>(token.size()))

@@ -1,5 +1,6 @@
 #include "app/web/exchange.h"
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
@@ -12,7 +13,8 @@ std::size_t index_of(Newest kind) { return static_cast<std::size_t>(kind); }
 bool Exchange::give(ClientText message) {
   {
     const std::lock_guard lock(mutex_);
-    if (waiting_.size() >= kMostWaiting) return false;
+    if (std::ranges::count(waiting_, message.client, &ClientText::client) >= kMostOfOneClient)
+      return false;
     waiting_.push_back(std::move(message));
   }
   arrived_.notify_one();

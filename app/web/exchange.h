@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <condition_variable>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -27,7 +28,7 @@ struct ClientText {
 enum class Newest : std::uint8_t { frame, state, plots };
 constexpr std::size_t kNewestKinds = 3;
 
-// Payload that are not changed any more.
+// Bytes that are not changed any more.
 using Payload = std::shared_ptr<const std::string>;
 
 struct Published {
@@ -37,7 +38,10 @@ struct Published {
 
 class Exchange {
  public:
-  // Of the serving thread. A message for the computing one; false: there are too many.
+  // So many messages of a client wait at most: one that floods the queue keeps no other out.
+  static constexpr std::ptrdiff_t kMostOfOneClient = 128;
+
+  // Of the serving thread. A message for the computing one; false: too many of this client wait.
   bool give(ClientText message);
   // A client has room for the next picture, after this one.
   void want_frame_after(std::uint64_t number);
@@ -57,8 +61,6 @@ class Exchange {
   std::function<void()> wake_server;
 
  private:
-  static constexpr std::size_t kMostWaiting = 256;
-
   mutable std::mutex mutex_;
   std::condition_variable arrived_;
   std::deque<ClientText> waiting_;

@@ -4,6 +4,12 @@ import {DrawList, packed} from "./painter.js";
 const clamp = (x, low, high) => Math.min(Math.max(x, low), high);
 
 // Opacity is rounded to bytes as colours are.
+const brightness = ([r, g, b]) => (0.2126 * r + 0.7152 * g + 0.0722 * b) / 255;
+// The one of two that stands out more on a ground.
+const clearer_on = (ground, one, other) => {
+  const apart = (c) => Math.abs(brightness(c) - brightness(ground));
+  return apart(one) >= apart(other) ? one : other;
+};
 const with_alpha = ([r, g, b], alpha) => [r, g, b, Math.round(255 * alpha)];
 const mix = (a, b, t) => [0, 1, 2].map((i) => Math.round((1 - t) * a[i] + t * b[i]));
 
@@ -50,27 +56,30 @@ class Drawing {
     const outline = packed(with_alpha(palette.outline, (palette.outline[3] / 255) * (1 - paling)));
     const fills = [];
     for (let i = 0; i < frame.colours.length; i += 3)
-      fills.push(packed(mix(frame.colours.subarray(i, i + 3), palette.background, paling)));
-    const intruders = new Map(frame.intruders.map(([k, ...force]) => [k, force]));
+      fills.push(mix(frame.colours.subarray(i, i + 3), palette.background, paling));
+    const packed_fills = fills.map(packed);
+    const intruders = new Set(frame.intruders);
+    const applied = new Map(frame.applied.map(([k, ...force]) => [k, force]));
+    const fill = (k) => (intruders.has(k) ? palette.intruder : fills[frame.colour[k]]);
     this.each_disk((k, x, y, r) => {
       if (intruders.has(k)) {
         this.list.disk(x, y, r, colour.intruder, clamp(0.1 * r, 1, 3), colour.intruder_outline);
       } else {
-        this.list.disk(x, y, r, fills[frame.colour[k]], r < 2.2 ? 0 : clamp(0.13 * r, 0.5, 1.6), outline);
+        this.list.disk(x, y, r, packed_fills[frame.colour[k]], r < 2.2 ? 0 : clamp(0.13 * r, 0.5, 1.6), outline);
       }
     });
-    if (!intruders.size && !frame.angle) return;
+    if (!applied.size && !frame.angle) return;
     this.each_disk((k, x, y, r) => {
-      const force = intruders.get(k);
-      if (force) this.applied_force(x, y, r, force);
-      if (frame.angle && r >= 4) this.orientation(x, y, r, frame.angle[k], Boolean(force));
+      const force = applied.get(k);
+      if (force) this.applied_force(x, y, r, force, packed(clearer_on(fill(k), palette.ink, palette.background)));
+      if (frame.angle && r >= 4) this.orientation(x, y, r, frame.angle[k], intruders.has(k));
     });
   }
 
-  applied_force(x, y, r, [fx, fy]) {
+  applied_force(x, y, r, [fx, fy], ink) {
     const size = Math.hypot(fx, fy);
     if (r < 7 || size === 0) return;
-    const along = [fx / size, -fy / size], across = [-along[1], along[0]], ink = this.colour.background;
+    const along = [fx / size, -fy / size], across = [-along[1], along[0]];
     const width = Math.max(1.2, 0.13 * r), tip = [x + 0.58 * r * along[0], y + 0.58 * r * along[1]];
     this.list.line(x - 0.55 * r * along[0], y - 0.55 * r * along[1], ...tip, width, ink, true);
     for (const side of [-0.8, 0.8])

@@ -87,5 +87,7 @@ struct View {
 // Sizes that can be drawn [px].
 constexpr int kSmallestPicture = 64;
 constexpr int kLargestPicture = 8192;
+// How far from the origin the corners of a window may lie [d].
+constexpr double kFarthestWindow = 1e7;
 
 }  // namespace quicksand

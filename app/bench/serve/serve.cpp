@@ -26,6 +26,7 @@ struct Watched {
 // So many clients look on until the end.
 Watched look_on(const Served& served, int clients, double seconds, const std::atomic<bool>& ends) {
   std::vector<std::unique_ptr<Viewer>> viewers;
+  viewers.reserve(static_cast<std::size_t>(clients));
   for (int i = 0; i < clients; ++i)
     viewers.push_back(std::make_unique<Viewer>(served.port(), served.token()));
   while (!ends)

@@ -72,6 +72,17 @@ TEST(Frame, TheLegendDoesNotMoveWhenAnIntruderComesThatIsExpected) {
   }
 }
 
+TEST(Frame, AForceOnAGrainIsAnArrowInIt) {
+  World world = worlds::arch();
+  const View view{.width = 400, .height = 300, .legend = false, .numbers = false};
+  const auto lines = [&] { return compose(world, view, font()).list.segments().size(); };
+  const std::size_t without = lines();
+  world.disks.applied[3] = Vec3(0, -5, 0);
+  EXPECT_EQ(lines(), without + 3);
+  world.disks.applied[3] = Vec3(0, 0, 5);
+  EXPECT_EQ(lines(), without) << "a torque has no direction in the plane";
+}
+
 TEST(Frame, OnlyBrokenBondsThatAreStillCloseAreMarked) {
   World world = worlds::arch();
   const Colour broken = palette(Theme::light).broken;
