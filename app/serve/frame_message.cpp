@@ -7,6 +7,7 @@
 #include "app/serve/binary_message.h"
 #include "core/base/format.h"
 #include "render/base/palette.h"
+#include "render/gl/shader_texts.h"
 #include "render/layers/colouring.h"
 #include "render/layers/network.h"
 #include "render/picture/frame.h"
@@ -135,6 +136,12 @@ Json intruders_json(const World& world) {
 }
 
 }  // namespace
+
+Json shaders_json() {
+  Json shaders = Json::object();
+  for (const ShaderText& shader : shader_texts()) shaders[shader.name] = shader.text;
+  return shaders;
+}
 
 Json look_of(const Session& session) {
   const World& world = session.world();

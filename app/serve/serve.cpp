@@ -5,6 +5,7 @@
 #include "app/base/exit_code.h"
 #include "app/base/interrupt.h"
 #include "app/run_folder/run_folder.h"
+#include "app/serve/frame_message.h"
 #include "app/serve/served_session.h"
 #include "app/web/access.h"
 #include "app/web/server.h"
@@ -13,7 +14,6 @@
 #include "render/base/external_program.h"
 #include "render/base/render_error.h"
 #include "render/draw/font.h"
-#include "render/gl/shader_texts.h"
 
 namespace quicksand {
 
@@ -22,10 +22,8 @@ namespace {
 // Besides the files of the page: the programs that draw, which are those of the pictures, and the letters.
 PageParts all_parts() {
   PageParts parts = page_files();
-  Json shaders = Json::object();
-  for (const ShaderText& shader : shader_texts()) shaders[shader.name] = shader.text;
   parts["/shaders.json"] = {"application/json",
-                            std::make_shared<const std::string>(shaders.dump())};
+                            std::make_shared<const std::string>(shaders_json().dump())};
   for (const char* name : {"Roboto-Regular.ttf", "Roboto-Medium.ttf"}) {
     try {
       const std::vector<unsigned char> font = read_font_file(name);

@@ -1,11 +1,15 @@
 // quicksand report: a readable page about finished runs.
 #include <cstdio>
+#include <limits>
 #include <memory>
 
 #include "app/base/exit_code.h"
 #include "app/cli/commands.h"
 #include "app/report/provenance.h"
+#include "app/run_folder/run_folder.h"
 #include "app/run_report/run_report.h"
+#include "app/serve/film_page.h"
+#include "core/base/errors.h"
 
 namespace quicksand {
 
@@ -15,6 +19,24 @@ struct ReportArguments {
   std::vector<std::filesystem::path> folders;
   std::filesystem::path out;
 };
+
+// A page beside the report in which the run plays, where it has a history; the report links to it.
+void add_film_page(Report& page, const RunFolder& run, const std::filesystem::path& out) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(run.history(), ignored)) return;
+  const RunFolder folder{out};
+  try {
+    make_writable(folder);
+    constexpr auto kEnd = std::numeric_limits<std::size_t>::max();
+    if (write_film_page(folder.film_page(), run, View{}, 0, kEnd) == 0) return;
+  } catch (const InputError& error) {
+    std::fprintf(stderr, "quicksand: %s: %s\n", error.where().c_str(), error.what());
+    return;
+  }
+  const std::string name = folder.film_page().filename().string();
+  Cell cell{.text = "The run, to be walked through in a browser:", .links = {{name, name}}};
+  page.lead.emplace_back(Table{.columns = {{.title = "Timeline"}}, .rows = {{std::move(cell)}}});
+}
 
 int report(const ReportArguments& options) {
   std::vector<RunResults> runs;
@@ -32,6 +54,7 @@ int report(const ReportArguments& options) {
     words.insert(words.end(), {"--out", out.string()});
   }
   Report page = run_report(runs);
+  if (runs.size() == 1) add_film_page(page, runs.front().folder(), out);
   page.provenance = provenance({.command = command_text(words), .seconds = seconds});
   for (const std::string& problem : write_report(page, out)) {
     std::fprintf(stderr, "quicksand: %s\n", problem.c_str());
@@ -52,7 +75,9 @@ Command add_report(CLI::App& program) {
                    "folder of the report [that of a single run; out/report for several]")
       ->type_name("DIR");
   command->footer(
-      "Writes report.html (one file, to be read and sent), report.md, plots/ (CSV, gnuplot "
+      "Writes report.html (one file, to be read and sent), film.html beside it for a single run\n"
+      "(at most 20 MB, in which its history plays without a network), report.md, plots/ (CSV, "
+      "gnuplot "
       "script,\n"
       "PNG and SVG of each) and pictures/. Plots need gnuplot; without it their data and scripts\n"
       "are written.\n\n"

@@ -338,9 +338,39 @@ def walks_through_a_run(browser, server):
         walk.end()
 
 
+def plays_a_film_by_itself(browser, server):
+    """One file, neither a server nor a network."""
+    ran = subprocess.run([PROGRAM, "report", "run"], cwd=FOLDER, stdout=subprocess.DEVNULL)
+    assert ran.returncode == 0 and 'href="film.html"' in (FOLDER / "run/report.html").read_text()
+    page = Browser()
+    try:
+        page.protocol("Network.enable", {})
+        page.protocol("Network.emulateNetworkConditions",
+                      {"offline": True, "latency": 0, "downloadThroughput": 0, "uploadThroughput": 0})
+        page.open(f"file://{FOLDER}/run/film.html")
+        page.wait("window.quicksand && quicksand.frame()", what="the first frame")
+        settle(page)
+        drawn = page.run("quicksand.picture.paint(); return quicksand.picture.canvas.toDataURL('image/png')")
+        rows = pixels(base64.b64decode(drawn.split(",")[1]))[2]
+        assert len({row[i:i + 3] for row in rows for i in range(0, len(row), 3)}) > 5, "an empty picture"
+        last = page.run("return quicksand.frame().timeline.samples") - 1
+        for key in ("End", "Home"):
+            page.run("document.querySelector('#timeline input[type=range]').focus()")
+            code = {"End": 35, "Home": 36}[key]
+            for kind in ("keyDown", "keyUp"):
+                page.protocol("Input.dispatchKeyEvent", {"type": kind, "key": key, "code": key, "windowsVirtualKeyCode": code})
+            page.wait(f"quicksand.frame().timeline.sample === {last if key == 'End' else 0}", what=key)
+        page.run("[...document.querySelectorAll('#timeline button')].find((b) => b.textContent === 'Play').click()")
+        page.wait(f"quicksand.frame().timeline.sample === {last} && !quicksand.frame().timeline.playing", 60, "the end")
+        problems = [entry["message"] for entry in page.messages() if entry["level"] == "SEVERE"]
+        assert not problems, f"the page complained: {problems}"
+    finally:
+        page.close()
+
+
 TESTS = [opens, chooses_a_scene, changes_a_parameter, runs_and_pauses, hovers, pulls, colours, zooms, plots, downloads,
          looks_like_the_program, fits_a_phone, reloads_in_mid_run, two_at_once, refuses_a_wrong_token,
-         walks_through_a_run, survives_the_server]
+         walks_through_a_run, plays_a_film_by_itself, survives_the_server]
 
 
 def main():
