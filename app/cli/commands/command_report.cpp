@@ -56,8 +56,7 @@ int report(const ReportArguments& options) {
   } else {
     words.insert(words.end(), {"--out", out.string()});
   }
-  if (!options.from.empty()) words.insert(words.end(), {"--from", options.from});
-  Report page = run_report(runs, options.from);
+  Report page = run_report(runs);
   if (runs.size() == 1) add_film_page(page, runs.front().folder(), out);
   page.provenance = provenance({.command = command_text(words), .seconds = seconds});
   for (const std::string& problem : write_report(page, out)) {

@@ -29,7 +29,7 @@ class FilmPage : public testing::Test {
 TEST_F(FilmPage, HoldsEachSampleAndAsksNothingOfTheNetwork) {
   EXPECT_EQ(written(kMostFilmPage), 41U);
   const std::string page = contents(file_);
-  for (const char* outside : {"http://", "https://", "src=\"", "url(", "href=\"style"})
+  for (const char* outside : {"http://", "https://", "src=\"", "url(\"", "href=\"style"})
     EXPECT_EQ(page.find(outside), std::string::npos) << outside;
   EXPECT_NE(page.find("\"film.js\":\"data:text/javascript"), std::string::npos);
 }
