@@ -56,7 +56,8 @@ int report(const ReportArguments& options) {
   } else {
     words.insert(words.end(), {"--out", out.string()});
   }
-  Report page = run_report(runs);
+  if (!options.from.empty()) words.insert(words.end(), {"--from", options.from});
+  Report page = run_report(runs, options.from);
   if (runs.size() == 1) add_film_page(page, runs.front().folder(), out);
   page.provenance = provenance({.command = command_text(words), .seconds = seconds});
   for (const std::string& problem : write_report(page, out)) {
@@ -86,11 +87,9 @@ Command add_report(CLI::App& program) {
       ->type_name("PHASE");
   command->footer(
       "Writes report.html (one file, to be read and sent), film.html beside it for a single run\n"
-      "(at most 20 MB, in which its history plays without a network), report.md, plots/ (CSV, "
-      "gnuplot "
-      "script,\n"
-      "PNG and SVG of each) and pictures/. Plots need gnuplot; without it their data and scripts\n"
-      "are written.\n\n"
+      "(at most 20 MB, in which its history plays without a network), report.md, plots/ (CSV,\n"
+      "gnuplot script, PNG and SVG of each) and pictures/. Plots need gnuplot; without it their\n"
+      "data and scripts are written.\n\n"
       "Examples:\n  quicksand report out/collapse\n"
       "  quicksand report out/collapse out/strong --from push --out out/comparison");
   return {command, [options] { return report(*options); }};
