@@ -13,6 +13,7 @@ struct RunFolder {
   std::filesystem::path frames() const { return path / "frames"; }
   std::filesystem::path film() const { return path / "film.mp4"; }
   std::filesystem::path animation() const { return path / "film.png"; }
+  std::filesystem::path film_page() const { return path / "film.html"; }
   std::filesystem::path series() const { return path / "series.csv"; }
   std::filesystem::path history() const { return path / "history.qsh"; }
   std::filesystem::path critical_forces() const { return path / "critical_forces.csv"; }

@@ -7,6 +7,7 @@
 #include "app/serve/binary_message.h"
 #include "core/base/format.h"
 #include "render/base/palette.h"
+#include "render/gl/shader_texts.h"
 #include "render/layers/colouring.h"
 #include "render/layers/network.h"
 #include "render/picture/frame.h"
@@ -144,6 +145,12 @@ Json applied_json(const World& world) {
 
 }  // namespace
 
+Json shaders_json() {
+  Json shaders = Json::object();
+  for (const ShaderText& shader : shader_texts()) shaders[shader.name] = shader.text;
+  return shaders;
+}
+
 Json look_of(const Session& session) {
   const World& world = session.world();
   const View& view = session.view;
@@ -161,7 +168,7 @@ Json look_of(const Session& session) {
 }
 
 std::string frame_message(const Session& session, Json head) {
-  const View& view = session.view;
+  const View view = session.shown();
   const ColouredGrains grains = colour_grains(session.world(), view);
   BinaryMessage message;
   add_disks(message, session, grains);

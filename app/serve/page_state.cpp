@@ -7,6 +7,7 @@
 
 #include "app/base/assets.h"
 #include "app/serve/binary_message.h"
+#include "app/session/failure_rates.h"
 #include "app/session/parameters.h"
 #include "app/view/view_fields.h"
 
@@ -101,6 +102,26 @@ Json contacts_json(const World& world, int body) {
   return contacts;
 }
 
+// What the timeline shows of each sample; the names of its phases, by their numbers.
+Json add_moments(BinaryMessage& message, const std::vector<Moment>& moments) {
+  std::vector<float> times, rates;
+  std::vector<std::int32_t> phases;
+  Json names = Json::object();
+  times.reserve(moments.size());
+  phases.reserve(moments.size());
+  for (const Moment& moment : moments) {
+    times.push_back(static_cast<float>(moment.time));
+    phases.push_back(moment.phase);
+    names[std::to_string(moment.phase)] = moment.phase_name;
+  }
+  rates.reserve(moments.size());
+  for (const double rate : failure_rates(moments)) rates.push_back(static_cast<float>(rate));
+  message.add("sample_times", std::span<const float>(times));
+  message.add("failure_rates", std::span<const float>(rates));
+  message.add("sample_phases", std::span<const std::int32_t>(phases));
+  return names;
+}
+
 }  // namespace
 
 Json page_state(const Session& session) {
@@ -117,6 +138,7 @@ Json page_state(const Session& session) {
   for (const Phase& phase : session.phases()) phases.push_back(phase_name(phase));
   state["phases"] = std::move(phases);
   state["steps_per_frame"] = session.steps_per_frame;
+  state["walks"] = session.timeline() != nullptr;
   state["follow"] = session.follow_intruder;
   return state;
 }
@@ -142,7 +164,11 @@ std::string plots_message(const Session& session) {
     columns.push_back({{"name", name}, {"unit", quantity.unit}, {"help", quantity.help}});
     message.add(name.c_str(), std::span<const float>(values));
   }
-  return message.finish({{"kind", "plots"}, {"columns", std::move(columns)}});
+  Json head{{"kind", "plots"}, {"columns", std::move(columns)}};
+  if (const Timeline* timeline = session.timeline()) {
+    head["phase_names"] = add_moments(message, timeline->moments());
+  }
+  return message.finish(std::move(head));
 }
 
 Json body_state(const Session& session, int body) {

@@ -5,30 +5,25 @@
 #include "app/base/exit_code.h"
 #include "app/base/interrupt.h"
 #include "app/run_folder/run_folder.h"
+#include "app/serve/frame_message.h"
 #include "app/serve/served_session.h"
 #include "app/web/access.h"
 #include "app/web/server.h"
 #include "app/window/first_command.h"
-#include "core/base/errors.h"
 #include "core/base/whole_file.h"
 #include "render/base/external_program.h"
 #include "render/base/render_error.h"
 #include "render/draw/font.h"
-#include "render/gl/shader_texts.h"
 
 namespace quicksand {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 // Besides the files of the page: the programs that draw, which are those of the pictures, and the letters.
 PageParts all_parts() {
   PageParts parts = page_files();
-  Json shaders = Json::object();
-  for (const ShaderText& shader : shader_texts()) shaders[shader.name] = shader.text;
   parts["/shaders.json"] = {"application/json",
-                            std::make_shared<const std::string>(shaders.dump())};
+                            std::make_shared<const std::string>(shaders_json().dump())};
   for (const char* name : {"Roboto-Regular.ttf", "Roboto-Medium.ttf"}) {
     try {
       const std::vector<unsigned char> font = read_font_file(name);
@@ -70,10 +65,8 @@ void write_recording(const ServeOptions& options, ServedSession& live) {
 
 int run_serve(const ServeOptions& options) {
   const InterruptWatch watch;
-  std::error_code ignored;
-  if (fs::is_directory(options.file, ignored))
-    throw InputError(options.file, "is a folder; `quicksand window` walks through that of a run");
-  const RunFolder folder{options.out.empty() ? fs::path("out") / "serve" : options.out};
+  const RunFolder folder{options.out.empty() ? std::filesystem::path("out") / "serve"
+                                             : options.out};
   make_writable(folder);
   const std::string token =
       options.token_file.empty() ? random_token() : token_of(options.token_file);

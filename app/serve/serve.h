@@ -7,7 +7,8 @@
 namespace quicksand {
 
 struct ServeOptions {
-  std::string file;  // a scene, by name or path, or a session that is played first; empty: the demo
+  std::string
+      file;  // a scene, by name or path, a session that is played first, or the folder of a run; empty: the demo
   std::filesystem::path out;     // empty: out/serve
   std::filesystem::path record;  // receives what was done, as a session file; empty: none
   std::filesystem::path

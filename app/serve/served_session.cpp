@@ -27,6 +27,7 @@ constexpr auto kIdle = 100ms;
 constexpr auto kFramePeriod = 16ms;  // of a session that runs: as long as a screen shows a picture
 constexpr auto kPicturePeriod = 33ms;  // between two pictures while it computes
 constexpr auto kPlotsPeriod = 500ms;
+constexpr auto kLookPeriod = 500ms;  // for new samples of a run that another process computes
 constexpr const char* kRecordingFile = "recording.json";
 constexpr const char* kSeriesFile = "series.csv";
 
@@ -46,7 +47,8 @@ bool cuts_short(const Json& command) {
 
 // After which the controls of the page may look otherwise.
 bool changes_controls(const Json& command) {
-  constexpr auto kNames = std::to_array<std::string_view>({"apply", "camera", "pick", "measure"});
+  constexpr auto kNames =
+      std::to_array<std::string_view>({"apply", "camera", "pick", "measure", "show", "play"});
   return std::ranges::find(kNames, name_of(command)) == kNames.end();
 }
 
@@ -67,10 +69,20 @@ void ServedSession::begin(const Json& command) {
   interactions_.add(command);
 }
 
-Json ServedSession::recording() const { return interactions_.session(console_.session().world()); }
+Json ServedSession::recording() const {
+  const Session& session = console_.session();
+  const Timeline* timeline = session.timeline();
+  return interactions_.session(session.world(),
+                               timeline ? std::optional(timeline->shown()) : std::nullopt);
+}
+
+bool ServedSession::plays() const {
+  const Timeline* timeline = console_.session().timeline();
+  return timeline != nullptr && timeline->playing;
+}
 
 void ServedSession::take_turn() {
-  const bool runs = console_.session().running;
+  const bool runs = console_.session().running || plays();
   const bool something = !waiting_.empty();
   take_messages(runs || something ? 0ms : kIdle);
   while (!waiting_.empty()) {
@@ -78,8 +90,10 @@ void ServedSession::take_turn() {
     waiting_.pop_front();
     perform(next);
   }
+  look_for_samples();
   publish_frame();
   if (console_.session().running) compute();
+  if (plays()) play();
   publish_frame();
   publish_slow_parts();
 }
@@ -166,6 +180,34 @@ void ServedSession::compute() {
   if (left > 0ms) take_messages(std::chrono::duration_cast<std::chrono::milliseconds>(left));
 }
 
+// One frame of a run that is walked through.
+void ServedSession::play() {
+  const auto began = Clock::now();
+  Timeline& timeline = *console_.session().timeline();
+  try {
+    timeline.play_frame();
+  } catch (const InputError& error) {
+    timeline.playing = false;
+    tell(kEveryClient, {{"ok", false}, {"error", error.where() + ": " + error.what()}}, nullptr);
+  }
+  picture_is_old_ = true;
+  publish_frame();
+  const auto left = kFramePeriod - (Clock::now() - began);
+  if (left > 0ms) take_messages(std::chrono::duration_cast<std::chrono::milliseconds>(left));
+}
+
+// The run that is shown may still be computing.
+void ServedSession::look_for_samples() {
+  Timeline* timeline = console_.session().timeline();
+  if (timeline == nullptr || Clock::now() - looked_ < kLookPeriod) return;
+  looked_ = Clock::now();
+  try {
+    if (timeline->refresh()) picture_is_old_ = plots_are_old_ = true;
+  } catch (const InputError& error) {
+    tell(kEveryClient, {{"ok", false}, {"error", error.where() + ": " + error.what()}}, nullptr);
+  }
+}
+
 Json ServedSession::answer_question(const Json& question) {
   const std::string& name = question["ask"].get_ref<const std::string&>();
   const Session& session = console_.session();
@@ -208,6 +250,15 @@ Json ServedSession::moment() const {
             {"follows", session.follow_intruder},
             {"picked", session.picked ? Json(*session.picked) : Json()},
             {"pull", session.scenario().grain_law.cohesion_force.value_or(10)}};
+  if (const Timeline* timeline = session.timeline()) {
+    head["phase"] = timeline->moment().phase;
+    head["timeline"] = {{"sample", timeline->shown()},
+                        {"samples", timeline->moments().size()},
+                        {"playing", timeline->playing},
+                        {"speed", timeline->speed},
+                        {"loop", timeline->loop}};
+    return head;
+  }
   if (rate_.per_second()) head["steps_per_second"] = *rate_.per_second();
   if (rate_.left()) head["seconds_left"] = *rate_.left();
   if (protocol.last_step().seconds > 0)
@@ -232,7 +283,12 @@ void ServedSession::publish_frame() {
       tell(kEveryClient, {{"ok", false}, {"error", error.what()}}, nullptr);
     }
   } else {
-    message = frame_message(session, moment());
+    try {
+      message = frame_message(session, moment());
+    } catch (const InputError& error) {
+      // Of a run that is walked through, where a record is damaged.
+      tell(kEveryClient, {{"ok", false}, {"error", error.where() + ": " + error.what()}}, nullptr);
+    }
   }
   picture_is_old_ = false;
   last_frame_ = Clock::now();

@@ -49,6 +49,9 @@ class ServedSession {
   void perform(const Waiting& message);
   void record(const Json& command, const Json& result);
   void compute();
+  void play();
+  void look_for_samples();
+  bool plays() const;
   Json answer_question(const Json& question);
   void publish_frame();
   void publish_slow_parts();
@@ -64,7 +67,7 @@ class ServedSession {
   std::deque<Waiting> waiting_;
   bool picture_is_old_ = true, state_is_old_ = true, plots_are_old_ = true;
   bool theme_chosen_ = false;  // by a client
-  Clock::time_point last_frame_{}, last_plots_{};
+  Clock::time_point last_frame_{}, last_plots_{}, looked_{};
 };
 
 }  // namespace quicksand

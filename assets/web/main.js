@@ -4,6 +4,7 @@ import {show_actions, show_parameters, show_view} from "./controls.js";
 import {capitalised, duration, element, grouped, short} from "./numbers.js";
 import {Picture} from "./picture.js";
 import {Plots} from "./plots.js";
+import {Timeline} from "./timeline.js";
 
 const by_id = (id) => document.getElementById(id);
 const kMostMessages = 200;
@@ -38,7 +39,7 @@ const commands = {
     const text = Object.keys(values).length ? `${name} ${JSON.stringify(values, digits)}` : name;
     try {
       const result = await connection.command(name, values);
-      if (name !== "apply" && !("width" in values)) log(text);
+      if (name !== "apply" && name !== "show" && !("width" in values)) log(text);
       return result;
     } catch (error) {
       log(`${text}: ${error.message}`, true);
@@ -67,6 +68,9 @@ function show_state(message) {
   select.replaceChildren(...names.map((name) => element("option", {value: name}, name)));
   select.value = state.scene ?? "";
   if (!state.loaded) return;
+  // A run that is walked through is not computed.
+  for (const part of ["computing", "pace_row", "phases", "d_parameters", "d_actions"]) by_id(part).hidden = state.walks;
+  for (const file of ["state", "film"]) by_id("files").querySelector(`[data-file=${file}]`).hidden = state.walks;
   by_id("description").textContent = state.description;
   if (document.activeElement !== by_id("pace")) by_id("pace").value = state.steps_per_frame;
   show_parameters(by_id("parameters"), state, commands);
@@ -120,6 +124,9 @@ function show_frame(message) {
   picture.show(frame);
   show_status();
   show_phases();
+  timeline.set_moment(frame);
+  plots.set_moment(frame.timeline ? frame.time : null);
+  if (frame.timeline) return chip(frame.timeline.playing ? "playing" : "a run", frame.timeline.playing ? "running" : "");
   const over = frame.finished || frame.failed;
   chip(frame.failed ? "stopped" : frame.finished ? "finished" : frame.running ? "running" : "paused",
        frame.failed ? "failed" : frame.finished ? "finished" : frame.running ? "running" : "");
@@ -133,7 +140,7 @@ function show_frame(message) {
 function heard(message) {
   if (message.kind === "frame") show_frame(message);
   else if (message.kind === "state") show_state(message);
-  else if (message.kind === "plots") plots.show(message);
+  else if (message.kind === "plots") plots.show(message), timeline.set_run(message);
   else if (message.kind === "note") log(message.text);
   else if (message.ok === false) banner(message.error), log(message.error, true);
 }
@@ -191,9 +198,10 @@ by_id("pace").addEventListener("change", () => by_id("pace").validity.valid &&
 
 const shaders = await fetch("shaders.json").then((answer) => answer.json());
 const plots = new Plots(by_id("plots"));
+const timeline = new Timeline(by_id("timeline"), commands);
 let picture = null;
 const connection = new Connection(heard, changed);
 show_actions(by_id("actions"), commands);
 picture = new Picture(connection, shaders, commands);
 // For those who look into the page, tests among them.
-window.quicksand = {connection, picture, plots, state: () => state, frame: () => frame};
+window.quicksand = {connection, picture, plots, timeline, state: () => state, frame: () => frame};

@@ -227,8 +227,12 @@ export class Picture {
     this.redraw();
   }
 
-  run_or_pause() { this.controls.tried(this.frame.running ? "pause" : "start"); }
-  step() { this.controls.tried("run", {steps: 1}); }
+  run_or_pause() {
+    const {timeline} = this.frame;
+    if (timeline) return this.controls.tried("play", {on: !timeline.playing});
+    this.controls.tried(this.frame.running ? "pause" : "start");
+  }
+  step() { this.frame.timeline ? this.controls.tried("show", {by: 1}) : this.controls.tried("run", {steps: 1}); }
   toggle_pull() {
     this.gestures.pull_mode = !this.gestures.pull_mode;
     this.canvas.classList.toggle("pulls", this.gestures.pull_mode);

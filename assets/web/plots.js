@@ -7,7 +7,8 @@ const kRoom = {left: 46, right: 8, top: 6, bottom: 16};
 export class Plots {
   constructor(part) {
     this.part = part;
-    this.cursor = null;  // time
+    this.cursor = null;  // time that is pointed at
+    this.moment = null;  // time of a run that is walked through, where nothing is pointed at
     this.message = null;
     this.plots = kFirst.map((name, i) => this.make(name, i));
     part.append(...this.plots.map((p) => p.element));
@@ -28,7 +29,7 @@ export class Plots {
       const by = {ArrowLeft: -1, ArrowRight: 1}[e.key];
       if (!by || !this.message) return;
       e.preventDefault();
-      const last = this.message.time.length - 1, now = this.cursor === null ? last : this.nearest(this.cursor);
+      const last = this.message.time.length - 1, now = (this.cursor ?? this.moment) === null ? last : this.nearest(this.cursor ?? this.moment);
       this.set_cursor(this.message.time[Math.max(0, Math.min(last, now + by))]);
     });
     canvas.addEventListener("blur", () => this.set_cursor(null));
@@ -62,6 +63,12 @@ export class Plots {
 
   set_cursor(time) {
     this.cursor = time;
+    this.draw();
+  }
+
+  set_moment(time) {
+    if (this.moment === time) return;
+    this.moment = time;
     this.draw();
   }
 
@@ -118,11 +125,12 @@ export class Plots {
       open = Number.isFinite(v);
     });
     g.stroke();
-    const at = this.cursor === null ? values.length - 1 : this.nearest(this.cursor), unit = unit_text(column.unit);
+    const cursor = this.cursor ?? this.moment;
+    const at = cursor === null ? values.length - 1 : this.nearest(cursor), unit = unit_text(column.unit);
     const text = `${short(values[at])}${unit ? " " + unit : ""}`;
-    plot.output.textContent = this.cursor === null ? text : `${text} at ${short(times[at])}`;
+    plot.output.textContent = cursor === null ? text : `${text} at ${short(times[at])}`;
     canvas.setAttribute("aria-label", `${capitalised(plot.name)} over time, ${plot.output.textContent}`);
-    if (this.cursor === null) return;
+    if (cursor === null) return;
     g.strokeStyle = colours.accent;
     g.lineWidth = 1;
     g.beginPath();

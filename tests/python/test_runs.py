@@ -40,6 +40,20 @@ class Runs(InFolder):
         self.assertEqual(run.state.about["step"], run.summary["step"])
         self.assertIn("coordination", str(run.state.measure()))
 
+    def test_the_history_holds_the_state_of_each_sample(self):
+        run = quicksand.run(SMALL, no_frames=True, every=0.1)
+        history = run.history
+        self.assertEqual(len(history), run.series.height)
+        self.assertEqual(history.times, list(run.series["time"]))
+        self.assertEqual(history[-1].disks.height, run.state.disks.height)
+        for ours, saved in zip(history[-1].disks["position_y"], run.state.disks["position_y"]):
+            self.assertAlmostEqual(ours, saved, places=6)
+        self.assertEqual(history.at(history.times[2] + 0.01).about["step"], history[2].about["step"])
+        part = history.between(history.times[1], history.times[2])
+        self.assertEqual(part.times, history.times[1:3])
+        self.assertEqual(history.between(history.times[1], history.times[1])[0].about["step"], history[1].about["step"])
+        self.assertIn("bond", str(list(history[1].contacts)))
+
     def test_tables_know_their_units(self):
         run = quicksand.run(SMALL, no_frames=True)
         self.assertEqual(run.series.label("depth"), "depth [d]")

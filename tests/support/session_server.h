@@ -11,15 +11,17 @@
 #include "app/serve/served_session.h"
 #include "app/web/server.h"
 #include "app/web/web_socket_client.h"
+#include "app/window/first_command.h"
 #include "tests/support/temporary_folder.h"
 
 namespace quicksand::test {
 
 class SessionServer {
  public:
-  explicit SessionServer(const std::string& scene = "chain", ServerLimits limits = {})
+  // `file`: a scene, or the folder of a run.
+  explicit SessionServer(const std::string& file = "chain", ServerLimits limits = {})
       : live_({folder_.path(), false}, exchange_) {
-    live_.begin({{"command", "load"}, {"scene", scene}});
+    live_.begin(first_command(file));
     server_.emplace(
         ServerOptions{.token = kToken, .folder = folder_.path(), .limits = limits},
         PageParts{{"/", {"text/html", std::make_shared<const std::string>("the page")}}},

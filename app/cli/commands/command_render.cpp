@@ -11,6 +11,7 @@
 #include "app/options/picture_options.h"
 #include "app/run_folder/state_file.h"
 #include "app/scene/scene_file.h"
+#include "app/serve/film_page.h"
 #include "app/view/film.h"
 #include "app/view/history_view.h"
 #include "core/base/errors.h"
@@ -70,12 +71,17 @@ void render_film(const RenderArguments& options, const History& history, const M
     throw InputError("--out " + options.out.string(),
                      "holds a run, whose film would be replaced; choose another folder");
   make_writable(folder);
-  for (const fs::path& earlier : {folder.film(), folder.animation()}) fs::remove(earlier);
+  for (const fs::path& earlier : {folder.film(), folder.animation(), folder.film_page()})
+    fs::remove(earlier);
   Film film(folder, scenario, view, 0);
   for (std::size_t k = moments.first; k < moments.end; ++k)
     film.add(history.world(k), history.moments()[k].phase_name);
   if (const std::string problem = film.finish(); !problem.empty())
     throw InputError(options.out.string(), problem);
+  if (write_film_page(folder.film_page(), RunFolder{options.source}, view, moments.first,
+                      moments.end) == 0)
+    std::fprintf(stderr, "quicksand: no %s: one sample is larger than a page may be\n",
+                 folder.film_page().c_str());
 }
 
 void render_run(const RenderArguments& options, View view) {
@@ -122,8 +128,8 @@ Command add_render(CLI::App& program) {
       ->required();
   command
       ->add_option("--out", options->out,
-                   "picture to write; with --film, folder that receives frames/, film.png and "
-                   "film.mp4")
+                   "picture to write; with --film, folder that receives frames/, film.png, "
+                   "film.mp4 and film.html, a page in which the run plays")
       ->type_name("IMAGE.png|DIR")
       ->required();
   command->option_defaults()->group("Moments of a run");

@@ -9,14 +9,17 @@
 namespace quicksand {
 
 Command add_serve(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("serve", "Watch and steer a simulation in a browser.");
+  CLI::App* command = program.add_subcommand(
+      "serve", "Watch and steer a simulation, or walk through a run, in a browser.");
   const auto options = std::make_shared<ServeOptions>();
   const auto threads = std::make_shared<std::int64_t>(0);
   constexpr int kLastPort = 65535;
   command
-      ->add_option("file", options->file,
-                   "scene, by name or path, or a session that is played first; the demo if absent")
-      ->type_name("SCENE|SESSION");
+      ->add_option(
+          "file", options->file,
+          "scene, by name or path, folder of a run, which is walked through, or a session that is "
+          "played first; the demo if absent")
+      ->type_name("SCENE|RUN|SESSION");
   command->add_flag("--open", options->open, "open the browser of this machine");
   command->add_option("--port", options->port, "of the server; 0: any that is free")
       ->type_name("N")
@@ -46,7 +49,8 @@ Command add_serve(CLI::App& program) {
   command->footer(
       "Prints the address with its token, and serves until Ctrl-C.\n\n"
       "Examples:\n  quicksand serve --open\n"
-      "  quicksand serve collapse --record by_hand.json");
+      "  quicksand serve collapse --record by_hand.json\n"
+      "  quicksand serve out/collapse");
   return {command, [options, threads] {
             int code = 0;
             with_threads(thread_count(*threads), [&] { code = run_serve(*options); });

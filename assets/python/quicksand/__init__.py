@@ -12,6 +12,7 @@ from .campaigns import Campaign, campaign
 from .commands import Reply
 from .errors import (CommandFailed, Error, InputError, Interrupted, ProgramNotFound, RunFailed, SessionEnded,
                      ValidationFailed)
+from .history import History, Sample
 from .picture import Picture
 from .program import find_program
 from .runs import Run, run
@@ -20,6 +21,7 @@ from .state import State
 from .table import Table
 
 __all__ = [
-    "Campaign", "CommandFailed", "Error", "InputError", "Interrupted", "Picture", "ProgramNotFound", "Reply", "Run",
-    "RunFailed", "Session", "SessionEnded", "State", "Table", "ValidationFailed", "campaign", "find_program", "run",
+    "Campaign", "CommandFailed", "Error", "History", "InputError", "Interrupted", "Picture", "ProgramNotFound", "Reply",
+    "Run", "RunFailed", "Sample", "Session", "SessionEnded", "State", "Table", "ValidationFailed", "campaign",
+    "find_program", "run",
 ]

@@ -8,6 +8,7 @@ from functools import cached_property
 from pathlib import Path
 
 from .errors import InputError, Interrupted, RunFailed
+from .history import History
 from .picture import Picture
 from .program import call, option_words, plain, units
 from .state import State
@@ -115,6 +116,11 @@ class Run:
     def state(self) -> State:
         """The last state that was saved."""
         return State(self.folder / "state.cbor", self._program)
+
+    @cached_property
+    def history(self) -> History:
+        """The states of all samples; of a long run, `between` takes a part."""
+        return History(self.folder, self._program)
 
     @property
     def frames(self) -> list[Path]:

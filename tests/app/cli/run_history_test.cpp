@@ -68,6 +68,7 @@ TEST_F(RunHistoryTest, DrawsWhatTheRunHasDrawn) {
   const Outcome film = quicksand(with_look({"render", "run", "--film", "--out", "again"}));
   ASSERT_EQ(film.exit_code, 0) << film.err;
   EXPECT_TRUE(fs::exists(at("again/film.png")));
+  EXPECT_TRUE(fs::exists(at("again/film.html")));
   for (const char* frame : {"frames/frame_000000.png", "frames/frame_000004.png"})
     EXPECT_EQ(
         difference_of(read_png(at("again") / frame), read_png(at("run") / frame), kSameLook).pixels,

@@ -26,9 +26,9 @@ FOLDER = Path(tempfile.mkdtemp(prefix="quicksand_browser_"))
 
 
 class Server:
-    def __init__(self, *options, port=0):
+    def __init__(self, *options, port=0, shown="collapse"):
         self.process = subprocess.Popen(
-            [PROGRAM, "serve", "collapse", "--port", str(port), "--out", "out", "--token-file", "token",
+            [PROGRAM, "serve", shown, "--port", str(port), "--out", "out", "--token-file", "token",
              "--record", "by_hand.json", *options],
             stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, cwd=FOLDER)
         self.address = self.process.stdout.readline().strip()
@@ -298,8 +298,79 @@ def survives_the_server(browser, server):
     assert recorded[-1]["command"] == "expect_hash" and {"command": "run", "steps": 30} in recorded
 
 
+def walks_through_a_run(browser, server):
+    ran = subprocess.run([PROGRAM, "run", "chain", "--no-frames", "--out", "run", "--quiet"], cwd=FOLDER)
+    assert ran.returncode == 0
+    walk = Server(shown="run")
+    page = Browser()
+    try:
+        page.open(walk.address)
+        page.wait("quicksand.frame().timeline && quicksand.timeline.run", what="the timeline")
+        last = page.run("return quicksand.frame().timeline.samples") - 1
+        assert last > 2 and page.run("return Number(document.querySelector('#timeline input[type=range]').value)") == last
+        names = page.run("return [...document.querySelectorAll('#timeline button, #timeline input, #timeline select')]"
+                         ".filter((e) => !(e.textContent || e.ariaLabel || e.labels?.length)).map((e) => e.outerHTML)")
+        assert not names, f"controls without a name: {names}"
+        page.wait("document.getElementById('computing').hidden", what="no controls that compute")
+        page.run("document.querySelector('#timeline input[type=range]').focus()")
+        for kind, key in (("keyDown", "Home"), ("keyUp", "Home")):
+            page.protocol("Input.dispatchKeyEvent", {"type": kind, "key": key, "code": key, "windowsVirtualKeyCode": 36})
+        page.wait("quicksand.frame().timeline.sample === 0", what="the first sample by a key")
+        for kind in ("keyDown", "keyUp"):
+            page.protocol("Input.dispatchKeyEvent", {"type": kind, "key": "ArrowRight", "code": "ArrowRight", "windowsVirtualKeyCode": 39})
+        page.wait("quicksand.frame().timeline.sample === 1", what="a sample on by a key")
+        assert page.run("return quicksand.plots.moment === quicksand.frame().time"), "the cursor of the plots"
+        x, y, width = page.run("const r = document.querySelector('#timeline canvas').getBoundingClientRect();"
+                               "return [r.left, r.top + r.height / 2, r.width]")
+        for kind in ("mousePressed", "mouseReleased"):
+            page.mouse(kind, x + width / 2, y, button="left", buttons=1, clickCount=1)
+        page.wait(f"quicksand.frame().timeline.sample > 1 && quicksand.frame().timeline.sample < {last}", what="a place on the strip")
+        page.screenshot(FOLDER / "timeline.png")
+        page.run("[...document.querySelectorAll('#timeline button')].find((b) => b.textContent === 'Play').click()")
+        page.wait(f"quicksand.frame().timeline.sample === {last} && !quicksand.frame().timeline.playing", 60, "the end")
+        page.run("[...document.querySelectorAll('#timeline button')].at(-1).click()")
+        page.wait("!quicksand.frame().timeline && document.getElementById('timeline').hidden", what="what computes on")
+        assert page.run("return !document.getElementById('computing').hidden")
+        problems = [entry["message"] for entry in page.messages() if entry["level"] == "SEVERE"]
+        assert not problems, f"the page complained: {problems}"
+    finally:
+        page.close()
+        walk.end()
+
+
+def plays_a_film_by_itself(browser, server):
+    """One file, neither a server nor a network."""
+    ran = subprocess.run([PROGRAM, "report", "run"], cwd=FOLDER, stdout=subprocess.DEVNULL)
+    assert ran.returncode == 0 and 'href="film.html"' in (FOLDER / "run/report.html").read_text()
+    page = Browser()
+    try:
+        page.protocol("Network.enable", {})
+        page.protocol("Network.emulateNetworkConditions",
+                      {"offline": True, "latency": 0, "downloadThroughput": 0, "uploadThroughput": 0})
+        page.open(f"file://{FOLDER}/run/film.html")
+        page.wait("window.quicksand && quicksand.frame()", what="the first frame")
+        settle(page)
+        drawn = page.run("quicksand.picture.paint(); return quicksand.picture.canvas.toDataURL('image/png')")
+        rows = pixels(base64.b64decode(drawn.split(",")[1]))[2]
+        assert len({row[i:i + 3] for row in rows for i in range(0, len(row), 3)}) > 5, "an empty picture"
+        last = page.run("return quicksand.frame().timeline.samples") - 1
+        for key in ("End", "Home"):
+            page.run("document.querySelector('#timeline input[type=range]').focus()")
+            code = {"End": 35, "Home": 36}[key]
+            for kind in ("keyDown", "keyUp"):
+                page.protocol("Input.dispatchKeyEvent", {"type": kind, "key": key, "code": key, "windowsVirtualKeyCode": code})
+            page.wait(f"quicksand.frame().timeline.sample === {last if key == 'End' else 0}", what=key)
+        page.run("[...document.querySelectorAll('#timeline button')].find((b) => b.textContent === 'Play').click()")
+        page.wait(f"quicksand.frame().timeline.sample === {last} && !quicksand.frame().timeline.playing", 60, "the end")
+        problems = [entry["message"] for entry in page.messages() if entry["level"] == "SEVERE"]
+        assert not problems, f"the page complained: {problems}"
+    finally:
+        page.close()
+
+
 TESTS = [opens, chooses_a_scene, changes_a_parameter, runs_and_pauses, hovers, pulls, colours, zooms, plots, downloads,
-         looks_like_the_program, fits_a_phone, reloads_in_mid_run, two_at_once, refuses_a_wrong_token, survives_the_server]
+         looks_like_the_program, fits_a_phone, reloads_in_mid_run, two_at_once, refuses_a_wrong_token,
+         walks_through_a_run, plays_a_film_by_itself, survives_the_server]
 
 
 def main():

@@ -115,5 +115,51 @@ TEST(ServedSession, TheSeriesThatIsFetchedHasARowASample) {
   EXPECT_EQ(rows, 1 + server.stop().console().session().history().size());
 }
 
+TEST(ServedSession, WalksThroughARunWithTheSameCommandsAsTheWindow) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_program({"run", "chain", "--no-frames", "--out", "run", "--quiet"}, folder.path())
+                .exit_code,
+            0);
+  SessionServer server((folder.path() / "run").string());
+  Page page(server);
+  Json head = page.picture();
+  const auto samples = head["timeline"]["samples"].get<int>();
+  ASSERT_GT(samples, 3);
+  EXPECT_EQ(head["timeline"]["sample"], samples - 1);
+  const double end = head["time"];
+  EXPECT_EQ(page.ask({{"command", "show"}, {"sample", 1}})["result"]["sample"], 1);
+  do head = page.picture();
+  while (head["timeline"]["sample"] != 1);
+  EXPECT_LT(head["time"], end);
+  EXPECT_EQ(page.ask({{"command", "show"}, {"sample", samples}})["ok"], false);
+  EXPECT_EQ(page.ask({{"command", "start"}})["ok"], false) << "nothing computes";
+}
+
+TEST(ServedSession, PlaysARunToItsEndAndGoesOnFromThere) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_program({"run", "chain", "--no-frames", "--out", "run", "--quiet"}, folder.path())
+                .exit_code,
+            0);
+  SessionServer server((folder.path() / "run").string());
+  Page page(server), other(server);
+  const Json first = other.picture();
+  page.ask({{"command", "show"}, {"sample", 0}});
+  page.ask({{"command", "play"}, {"on", true}});
+  Json head;
+  do head = page.picture();
+  while (head["timeline"]["sample"] != first["timeline"]["sample"] ||
+         head["timeline"]["playing"] != false);
+  EXPECT_EQ(head["time"], first["time"]);
+  const std::string file = page.ask({{"ask", "recording"}})["result"]["file"];
+  EXPECT_EQ(run_program({"session", file, "--out", "replay", "--quiet"}, server.folder()).exit_code,
+            0);
+  EXPECT_EQ(page.ask({{"command", "open"}, {"run", "/"}})["ok"], false) << "no other folder";
+  const Json answer = page.ask({{"command", "go_on"}});
+  EXPECT_EQ(answer["result"]["time"], first["time"]) << "from the state of the run";
+  do head = page.picture();
+  while (head.contains("timeline"));
+  EXPECT_EQ(server.stop().console().session().timeline(), nullptr);
+}
+
 }  // namespace
 }  // namespace quicksand::test
