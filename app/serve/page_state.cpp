@@ -7,6 +7,7 @@
 
 #include "app/base/assets.h"
 #include "app/serve/binary_message.h"
+#include "app/session/disk_at.h"
 #include "app/session/failure_rates.h"
 #include "app/session/parameters.h"
 #include "app/view/view_fields.h"
@@ -72,19 +73,6 @@ Json view_json(const View& view) {
   return fields;
 }
 
-std::string name_of(const World& world, int body) {
-  if (!is_wall(body)) return std::to_string(body);
-  switch (world.wall(body).role) {
-    case WallRole::floor:
-      return "floor";
-    case WallRole::side:
-      return "side";
-    case WallRole::piston:
-      return "piston";
-  }
-  return {};
-}
-
 Json contacts_json(const World& world, int body) {
   Json contacts = Json::array();
   const double dt = world.impulse_dt;
@@ -92,7 +80,7 @@ Json contacts_json(const World& world, int body) {
     if (contact.pair.a != body && contact.pair.b != body) continue;
     const Bond* bond = world.bonds.find(contact.pair);
     contacts.push_back(
-        {{"with", name_of(world, contact.pair.a == body ? contact.pair.b : contact.pair.a)},
+        {{"with", body_name(world, contact.pair.a == body ? contact.pair.b : contact.pair.a)},
          {"normal", dt > 0 ? Json(contact.normal_force(dt)) : Json()},
          {"tangential", dt > 0 ? Json(contact.impulse.y() / dt) : Json()},
          {"bond", bond == nullptr                    ? "none"
