@@ -66,4 +66,9 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& na
   return known;
 }
 
+void refuse_name(const std::string& where, const std::string& problem, std::string_view word,
+                 const std::vector<std::string>& names) {
+  throw InputError(where, problem + suggestion(word, names), nearest_name(word, names));
+}
+
 }  // namespace quicksand

@@ -22,6 +22,10 @@ std::string nearest_name(std::string_view word, const std::vector<std::string>& 
 // `; did you mean "x"?` if a name is near, otherwise `; known: a, b, c`.
 std::string suggestion(std::string_view word, const std::vector<std::string>& names);
 
+// Refuses a word that is none of these: `problem` and a suggestion.
+[[noreturn]] void refuse_name(const std::string& where, const std::string& problem,
+                              std::string_view word, const std::vector<std::string>& names);
+
 // The one of `known` with this name. Throws InputError: `where`, `problem` and a suggestion.
 template <class Known, class Name>
 const auto& named(const Known& known, std::string_view word, Name name, const std::string& where,
@@ -29,8 +33,9 @@ const auto& named(const Known& known, std::string_view word, Name name, const st
   const auto found = std::ranges::find(known, word, name);
   if (found != std::end(known)) return *found;
   std::vector<std::string> names;
+  names.reserve(std::size(known));
   for (const auto& one : known) names.emplace_back(std::invoke(name, one));
-  throw InputError(where, problem + suggestion(word, names));
+  refuse_name(where, problem, word, names);
 }
 
 }  // namespace quicksand

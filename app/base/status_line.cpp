@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <string_view>
 
 #include "core/base/format.h"
 
@@ -15,6 +17,11 @@ constexpr double kTerminalPeriod = 0.2;  // [s]
 constexpr double kLinesPeriod = 10;      // [s]
 
 }  // namespace
+
+bool program_listens() {
+  const char* form = std::getenv("QUICKSAND_MESSAGES");
+  return form != nullptr && std::string_view(form) == "json";
+}
 
 std::string duration_text(double seconds) {
   constexpr double kMinute = 60, kHour = 3600;
@@ -29,7 +36,7 @@ std::string duration_text(double seconds) {
 
 StatusLine::Style StatusLine::style_of_stderr(bool quiet) {
   if (quiet) return Style::none;
-  return isatty(STDERR_FILENO) == 1 ? Style::terminal : Style::lines;
+  return isatty(STDERR_FILENO) == 1 || program_listens() ? Style::terminal : Style::lines;
 }
 
 bool StatusLine::due() const {

@@ -8,6 +8,10 @@
 
 namespace quicksand {
 
+// Whether a program reads standard error, by QUICKSAND_MESSAGES=json: errors are lines of JSON, and the status line is
+// written over as on a terminal.
+bool program_listens();
+
 class StatusLine {
  public:
   enum class Style : std::uint8_t { none, lines, terminal };

@@ -109,6 +109,8 @@ std::vector<Task> nscd_tasks(const Options& options);
 void report_nscd(std::span<const Row> rows, const Options& options, Section& section);
 std::vector<Task> problem_tasks(const Options& options);
 void report_problems(std::span<const Row> rows, const Options& options, Section& section);
+std::vector<Task> serve_tasks(const Options& options);
+void report_serve(std::span<const Row> rows, const Options& options, Section& section);
 std::vector<Task> peer_tasks(const Options& options);
 void report_peers(std::span<const Row> rows, const Options& options, Section& section);
 

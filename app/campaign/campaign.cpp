@@ -60,9 +60,11 @@ void describe_campaign(Fields& f, Campaign& c) {
   f.text({"$schema", "path of this schema, for editors"}, schema);
   describe_name(f, c.name);
   f.text({"description", "what the campaign is for"}, c.description);
-  f.json({"scene", "base scene: a path relative to this file, or the scene itself",
-          Presence::required},
-         kSceneShape, c.scene);
+  f.json(
+      {"scene",
+       "base scene: a path relative to this file, the name of a shipped scene, or the scene itself",
+       Presence::required},
+      kSceneShape, c.scene);
   f.json({"set", "values for all runs, by their paths in the scene, as in run --set"}, kSetShape,
          c.set);
   f.json({"grid", "lists of values, by their paths in the scene; all combinations are run"}, kGrid,
@@ -99,14 +101,14 @@ void make_self_contained(Campaign& campaign, const fs::path& file) {
   fs::path folder = here;
   std::string name = campaign.name;
   if (campaign.scene.is_string()) {
-    const fs::path path = (file.parent_path() / campaign.scene.get<std::string>());
+    const fs::path path = scene_named(campaign.scene.get<std::string>(), file.parent_path());
     name = path.stem().string();
     folder = fs::absolute(path).parent_path();
     try {
       campaign.scene = parse_json(read_scene_text(path));
     } catch (const InputError& error) {
       const std::string where = error.where().empty() ? path.string() : error.where();
-      throw InputError("scene: " + where, error.what());
+      throw InputError("scene: " + where, error.what(), error.nearest());
     }
     if (!campaign.scene.is_object()) {
       throw InputError("scene: " + path.string(),
@@ -132,7 +134,7 @@ Campaign read_campaign(const fs::path& file) {
     make_self_contained(campaign, file);
     return campaign;
   } catch (const InputError& error) {
-    throw in_file(file, error);
+    throw error.in(file.string());
   }
 }
 

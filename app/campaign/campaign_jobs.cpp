@@ -105,7 +105,7 @@ class Expansion {
       check_paths(campaign_);
       check_number_of_runs(campaign_);
     } catch (const InputError& error) {
-      throw in_file(file_, error);
+      throw error.in(file_.string());
     }
     for (const ParameterValues& point : points_of(campaign_)) add(point);
     std::vector<Job> jobs;
@@ -154,9 +154,9 @@ class Expansion {
   [[noreturn]] void refuse(const InputError& error, const ParameterValues& point,
                            const std::string& id) const {
     const std::string& where = error.where();
-    const std::string place = where.empty() ? "(" : where + " (" + origin(where) + "; ";
+    const std::string place = where.empty() ? ": (" : " (" + origin(where) + "; ";
     const std::string values = point.empty() ? std::string() : ": " + values_text(point);
-    throw InputError(file_.string() + ": " + place + "run " + id + values + ")", error.what());
+    throw error.in(file_.string(), place + "run " + id + values + ")");
   }
 
   // What the runs' parameters are at this point, also where only another point of the list names them.

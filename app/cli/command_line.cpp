@@ -12,6 +12,7 @@
 #include "app/base/exit_code.h"
 #include "app/base/nearest_name.h"
 #include "app/cli/commands.h"
+#include "app/cli/error_message.h"
 #include "core/base/errors.h"
 #include "core/base/memory.h"
 #include "core/base/whole_file.h"
@@ -20,11 +21,6 @@
 namespace quicksand {
 
 namespace {
-
-int complain(const std::string& problem, int exit_code) {
-  std::fprintf(stderr, "quicksand: %s\n", problem.c_str());
-  return exit_code;
-}
 
 std::vector<std::string> option_names(const CLI::App& app) {
   std::vector<std::string> names;
@@ -35,8 +31,8 @@ std::vector<std::string> option_names(const CLI::App& app) {
 }
 
 // The message for what the library does not understand, with the nearest name.
-std::string explain(const CLI::ParseError& error, const CLI::App& program,
-                    const std::vector<Command>& commands) {
+InputError explain(const CLI::ParseError& error, const CLI::App& program,
+                   const std::vector<Command>& commands) {
   const CLI::App* used = &program;
   std::vector<std::string> command_names;
   for (const Command& command : commands) {
@@ -48,15 +44,18 @@ std::string explain(const CLI::ParseError& error, const CLI::App& program,
   for (const std::string& word : program.remaining(true)) {
     if (word.starts_with("-")) {
       const std::string option = word.substr(0, word.find('='));
-      return option + " is no option of " + used->get_name() +
-             suggestion(option, option_names(*used)) + help;
+      const std::vector<std::string> known = option_names(*used);
+      return {"",
+              option + " is no option of " + used->get_name() + suggestion(option, known) + help,
+              nearest_name(option, known)};
     }
     if (used == &program) {
-      return "\"" + word + "\" is no command" + suggestion(word, command_names) + help;
+      return {"", "\"" + word + "\" is no command" + suggestion(word, command_names) + help,
+              nearest_name(word, command_names)};
     }
-    return "\"" + word + "\" is one argument too many for " + used->get_name() + help;
+    return {"", "\"" + word + "\" is one argument too many for " + used->get_name() + help};
   }
-  return error.what() + help;
+  return {"", error.what() + help};
 }
 
 std::vector<Command> add_commands(CLI::App& program) {
@@ -72,14 +71,16 @@ std::vector<Command> add_commands(CLI::App& program) {
       "  2    bad input; the message says where and what is possible\n"
       "  130  interrupted, with complete results\n\n"
       "Environment:\n"
-      "  QUICKSAND_ASSETS   folder of the scenes and other files that come with the program\n\n"
+      "  QUICKSAND_ASSETS         folder of the scenes and other files that come with the program\n"
+      "  QUICKSAND_MESSAGES=json  errors are lines of JSON, progress is written over: for "
+      "programs\n\n"
       "Examples:\n"
       "  quicksand run assets/scenes/collapse.json\n"
       "  quicksand run --help");
-  return {add_run(program),       add_resume(program), add_check(program),    add_render(program),
-          add_measure(program),   add_export(program), add_campaign(program), add_report(program),
-          add_reproduce(program), add_bench(program),  add_session(program),  add_window(program),
-          add_compare(program),   add_list(program)};
+  return {add_run(program),       add_resume(program),  add_check(program),    add_render(program),
+          add_measure(program),   add_export(program),  add_campaign(program), add_report(program),
+          add_reproduce(program), add_bench(program),   add_session(program),  add_window(program),
+          add_serve(program),     add_compare(program), add_list(program)};
 }
 
 constexpr const char* kPurpose = "Contact dynamics of cohesive grain packings.";
@@ -95,7 +96,7 @@ std::string command_line_problem(const std::vector<std::string>& words) {
   } catch (const CLI::Success&) {
     return {};  // --help, --version
   } catch (const CLI::ParseError& error) {
-    return explain(error, program, commands);
+    return explain(error, program, commands).what();
   }
   return {};
 }
@@ -108,7 +109,7 @@ int run_command_line(int argc, const char* const* argv) {
   } catch (const CLI::Success& request) {
     return program.exit(request);  // --help, --version
   } catch (const CLI::ParseError& error) {
-    return complain(explain(error, program, commands), kBadInput);
+    return tell_error(explain(error, program, commands));
   }
 
   try {
@@ -117,24 +118,23 @@ int run_command_line(int argc, const char* const* argv) {
     const int code = called->run();
     // What a full disk has swallowed must not pass for a result.
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-      return complain("the standard output cannot be written; is the disk full?", kRunFailed);
+      return tell_failed({"disk_full", "the standard output cannot be written; is the disk full?"});
     return code;
   } catch (const DiskFull& error) {
-    return complain(error.where() + ": " + error.what() +
-                        "; when there is room again, the same command does it or goes on",
-                    kRunFailed);
+    return tell_failed(
+        {"disk_full", error.where() + ": " + error.what() +
+                          "; when there is room again, the same command does it or goes on"});
   } catch (const InputError& error) {
-    return complain(error.where() + ": " + error.what(), kBadInput);
+    return tell_error(error);
   } catch (const RenderError& error) {
-    return complain(
-        std::string("no pictures: ") + error.what() + "; `run --no-frames` does without",
-        kBadInput);
+    return tell_error(InputError(
+        "", std::string("no pictures: ") + error.what() + "; `run --no-frames` does without"));
   } catch (const NotEnoughMemory& error) {
-    return complain(error.what(), kRunFailed);
+    return tell_failed({"memory", error.what()});
   } catch (const std::bad_alloc&) {
-    return complain("there is not enough memory for this", kRunFailed);
+    return tell_failed({"memory", "there is not enough memory for this"});
   } catch (const std::exception& error) {
-    return complain(std::string("an unexpected error: ") + error.what(), kRunFailed);
+    return tell_failed({"unexpected", std::string("an unexpected error: ") + error.what()});
   }
 }
 

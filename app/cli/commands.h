@@ -26,6 +26,7 @@ Command add_bench(CLI::App& program);
 Command add_session(CLI::App& program);
 Command add_compare(CLI::App& program);
 Command add_window(CLI::App& program);
+Command add_serve(CLI::App& program);
 Command add_list(CLI::App& program);
 
 }  // namespace quicksand

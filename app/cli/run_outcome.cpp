@@ -4,6 +4,7 @@
 
 #include "app/base/exit_code.h"
 #include "app/base/shell_text.h"
+#include "app/cli/error_message.h"
 #include "app/json/json_reader.h"
 #include "app/options/picture_options.h"
 
@@ -22,6 +23,9 @@ std::string continue_command(const RunFolder& folder, const RunOptions& options)
          (options.checkpoint_every != RunOptions{}.checkpoint_every
               ? " --checkpoint-every " + number_text(options.checkpoint_every)
               : "") +
+         (options.history_limit != RunOptions{}.history_limit
+              ? " --history " + number_text(options.history_limit)
+              : "") +
          (options.strict ? " --strict --max-overlap " + number_text(options.strict->max_overlap)
                          : "") +
          (options.frames ? picture_words(options.view) : " --no-frames");
@@ -38,42 +42,38 @@ void tell_next(const RunFolder& folder) {
     }
   std::printf("  report:               %s report %s\n", program.c_str(),
               shell_text(folder.path).c_str());
+  if (std::filesystem::exists(folder.history(), ignored))
+    std::printf("  timeline:             %s window %s\n", program.c_str(),
+                shell_text(folder.path).c_str());
   std::printf("  panel:                %s window %s\n", program.c_str(),
               shell_text(folder.scene()).c_str());
 }
 
 int tell_failure(const RunResult& result, const RunOptions& options) {
   const std::string folder = result.folder.path.string();
-  if (result.end.unwritable) {
-    std::fprintf(stderr,
-                 "quicksand: the run ended early: %s\n  what was written is in %s\n"
-                 "  when it can be written again, go on with: %s resume %s\n",
-                 result.end.failure.c_str(), folder.c_str(), program_name().c_str(),
-                 shell_text(result.folder.path).c_str());
-    return kRunFailed;
-  }
+  if (result.end.unwritable)
+    return tell_failed({"disk_full", "the run ended early: " + result.end.failure,
+                        "what was written is in " + folder +
+                            "\nwhen it can be written again, go on with: " + program_name() +
+                            " resume " + shell_text(result.folder.path)});
   const std::string command = continue_command(result.folder, options);
-  std::fprintf(stderr, "quicksand: the run failed: %s\n  results so far are in %s\n",
-               result.end.failure.c_str(), folder.c_str());
-  if (result.most_halvings < kManyHalvings)
-    std::fprintf(stderr, "  continue with: %s --set step.max_halvings=%d\n", command.c_str(),
-                 kManyHalvings);
-  else
-    std::fprintf(stderr,
-                 "  continue with a larger tolerance, here or as solver_tolerance of the phase: %s "
-                 "--set solver.tolerance=1e-4\n",
-                 command.c_str());
-  std::fprintf(stderr,
-               "  or, to take such steps as they are, with --set step.on_unconverged=continue\n");
-  return kRunFailed;
+  const std::string next =
+      result.most_halvings < kManyHalvings
+          ? "continue with: " + command +
+                " --set step.max_halvings=" + std::to_string(kManyHalvings)
+          : "continue with a larger tolerance, here or as solver_tolerance of the phase: " +
+                command + " --set solver.tolerance=1e-4";
+  return tell_failed({"run_failed", "the run failed: " + result.end.failure,
+                      "results so far are in " + folder + "\n" + next +
+                          "\nor, to take such steps as they are, with --set "
+                          "step.on_unconverged=continue"});
 }
 
 }  // namespace
 
 int tell_validation(const std::string& reasons) {
   if (reasons.empty()) return kFine;
-  std::fprintf(stderr, "quicksand: --strict: validation failed: %s\n", reasons.c_str());
-  return kRunFailed;
+  return tell_failed({"validation", "--strict: validation failed: " + reasons});
 }
 
 int tell_outcome(const RunResult& result, const RunOptions& options) {

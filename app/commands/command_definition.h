@@ -65,6 +65,7 @@ SessionCommand define(const CommandText& text, bool needs_scene = true) {
 std::vector<SessionCommand> scene_commands();
 std::vector<SessionCommand> run_commands();
 std::vector<SessionCommand> phase_commands();
+std::vector<SessionCommand> timeline_commands();
 std::vector<SessionCommand> picture_commands();
 std::vector<SessionCommand> widget_commands();
 std::vector<SessionCommand> check_commands();

@@ -15,8 +15,9 @@ namespace {
 
 std::vector<SessionCommand> make_table() {
   std::vector<SessionCommand> table;
-  for (const auto group : {scene_commands, run_commands, phase_commands, picture_commands,
-                           widget_commands, check_commands, session_commands_proper}) {
+  for (const auto group :
+       {scene_commands, run_commands, phase_commands, timeline_commands, picture_commands,
+        widget_commands, check_commands, session_commands_proper}) {
     std::ranges::copy(group(), std::back_inserter(table));
   }
   return table;
@@ -29,6 +30,7 @@ Json schema_of(const SessionCommand& command) {
   command.describe(schema);
   Json result = schema.take();
   result["properties"]["command"] = {{"const", command.name}, {"description", command.help}};
+  result["examples"] = {Json::parse(command.example)};
   return result;
 }
 

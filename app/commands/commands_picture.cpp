@@ -47,7 +47,8 @@ struct CameraCommand {
   int fit = 0;
   std::optional<bool> follow;
   std::optional<double> zoom;
-  std::optional<Vec2> at, low, high;
+  std::optional<Vec2> at;
+  std::optional<WorldRect> window;
 
   void describe(Fields& f) {
     constexpr std::string_view kFits[] = {"as_before", "box", "content"};
@@ -60,13 +61,7 @@ struct CameraCommand {
     f.number({"zoom", "above 1: nearer"}, between(1e-3, 1e3, "1"), zoom);
     f.vector({"at", "place that stays where it is while zooming, [x, y]; the middle if absent"},
              between(-kFar, kFar, "d"), at);
-    f.vector({"low", "lower left corner of the window that is shown, [x, y]"},
-             between(-kFar, kFar, "d"), low);
-    f.vector({"high", "its upper right corner, [x, y]"}, between(-kFar, kFar, "d"), high);
-    if (!f.reading()) return;
-    if (low.has_value() != high.has_value()) f.refuse("low", "and high go together");
-    if (low && !((high->x() > low->x()) && (high->y() > low->y())))
-      f.refuse("high", "must lie above and to the right of low");
+    describe_window(f, window);
   }
 
   Json perform(Console& console, const std::string&) {
@@ -77,21 +72,20 @@ struct CameraCommand {
       view.window.reset();
       session.follow_intruder = false;
     }
-    if (low) view.window = WorldRect{*low, *high};
+    if (window) view.window = window;
     if (follow) session.follow_intruder = *follow;
     if (zoom) {
-      const WorldRect window = view_window(session.world(), session.shown());
-      const Vec2 fixed = at.value_or((window.low + window.high) / 2);
+      const WorldRect shown = view_window(session.world(), session.shown());
+      const Vec2 fixed = at.value_or((shown.low + shown.high) / 2);
       constexpr double kNearest = 1e-3, kFarthest = 1e7;  // [d]
-      const Vec2 size = window.size() / *zoom;
+      const Vec2 size = shown.size() / *zoom;
       if (size.minCoeff() >= kNearest && size.maxCoeff() <= kFarthest)
         view.window =
-            widened({fixed + (window.low - fixed) / *zoom, fixed + (window.high - fixed) / *zoom},
+            widened({fixed + (shown.low - fixed) / *zoom, fixed + (shown.high - fixed) / *zoom},
                     view, session.world().box);
     }
-    const WorldRect window = view_window(session.world(), session.shown());
-    return {{"low", {window.low.x(), window.low.y()}},
-            {"high", {window.high.x(), window.high.y()}}};
+    const WorldRect shown = view_window(session.world(), session.shown());
+    return {{"low", {shown.low.x(), shown.low.y()}}, {"high", {shown.high.x(), shown.high.y()}}};
   }
 };
 

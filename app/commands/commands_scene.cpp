@@ -1,5 +1,4 @@
 // Commands about the scene: load, set, reset, save, restore.
-#include "app/base/assets.h"
 #include "app/commands/command_definition.h"
 #include "app/scene/scene_file.h"
 #include "app/scene/scene_override.h"
@@ -54,9 +53,7 @@ struct Load {
       validate(result);
       return result;
     }
-    const std::string name = scene.get<std::string>();
-    const bool is_name = name.find_first_of("/.") == std::string::npos;
-    SceneRequest request{is_name ? shipped_scene(name) : console.beside(name), {}, {}};
+    SceneRequest request{console.scene(scene.get<std::string>()), {}, {}};
     for (const auto& [path, value] : set.items())
       request.overrides.push_back(path + "=" + value.dump());
     if (seed >= 0) request.seed = static_cast<std::uint64_t>(seed);

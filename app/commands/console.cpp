@@ -5,6 +5,7 @@
 
 #include "app/commands/command_table.h"
 #include "app/commands/session_file.h"
+#include "app/scene/scene_file.h"
 #include "core/base/errors.h"
 
 namespace quicksand {
@@ -64,6 +65,8 @@ fs::path Console::input(const std::string& name) const {
 // An absolute name stays what it is.
 fs::path Console::beside(const std::string& name) const { return folders_.base / name; }
 
+fs::path Console::scene(const std::string& name) const { return scene_named(name, folders_.base); }
+
 Image Console::draw_view(int width, int height) {
   if (!renderer_) renderer_ = std::make_unique<Renderer>();
   View view = session_.shown();
@@ -94,6 +97,8 @@ void Console::carry_out(const std::vector<Json>& commands) {
     if (given) given(command);
   }
   panel().set_recording(recording != nullptr);
+  if (Timeline* timeline = session_.timeline(); timeline && timeline->playing)
+    timeline->play_frame();
   if (!session_.running || !session_.loaded()) return;
   const std::int64_t first = session_.world().step;
   RunUntil frame;

@@ -43,6 +43,8 @@ class Console {
   std::filesystem::path input(const std::string& name) const;
   // A file beside the command file, or in the present folder if there is none.
   std::filesystem::path beside(const std::string& name) const;
+  // A scene beside the command file, or a shipped one by its name.
+  std::filesystem::path scene(const std::string& name) const;
 
   // The panel, made when it is first asked for. Throws RenderError if there is no font.
   Gui& panel();

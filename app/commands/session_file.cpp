@@ -80,7 +80,7 @@ SessionFile read_session_file(const std::filesystem::path& path) {
     const std::string where = in_commands ? file.where(present) : path.string();
     const std::string& inside = error.where();
     throw InputError(inside.empty() || inside == path.string() ? where : where + ": " + inside,
-                     error.what());
+                     error.what(), error.nearest());
   }
   if (file.name.empty()) file.name = path.stem().string();
   return file;

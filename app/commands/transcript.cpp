@@ -25,6 +25,9 @@ Answer answer_to(Console& console, const Json& command, const std::string& place
     answer.malformed = true;
     answer.where = error.where();
     answer.problem = error.what();
+    answer.nearest = error.nearest();
+    answer.file = error.file();
+    if (!answer.file.empty()) answer.path = error.path();
   } catch (const CommandFailure& error) {
     answer.problem = error.what();
   } catch (const RenderError& error) {
@@ -45,6 +48,9 @@ Json to_json(const Answer& answer, const Console& console) {
   } else {
     json["error"] = answer.problem;
     if (!answer.where.empty()) json["where"] = answer.where;
+    if (!answer.file.empty()) json["file"] = answer.file;
+    if (!answer.path.empty()) json["path"] = answer.path;
+    if (!answer.nearest.empty()) json["nearest"] = answer.nearest;
   }
   if (console.session().loaded()) {
     const World& world = console.session().world();

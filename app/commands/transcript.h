@@ -19,8 +19,9 @@ struct Answer {
   bool ok = false;
   bool malformed = false;  // InputError
   Json result;             // an object if ok
-  std::string where, problem;
-  double seconds = 0;  // that it took
+  std::string where, problem, nearest;
+  std::string file, path;  // of a problem inside a file that the command names
+  double seconds = 0;      // that it took
 };
 
 // Performs the command; every error becomes an answer.

@@ -1,9 +1,8 @@
-// The paper's experiments, each as the runs that it needs and the section of the report that it fills.
+// The paper's experiments, each as the runs that it needs and the section of the report that it fills; the list of
+// them is in app/studies/figures.h.
 #pragma once
 
 #include <memory>
-#include <span>
-#include <string_view>
 
 #include "app/paper/paper_jobs.h"
 #include "app/paper/paper_results.h"
@@ -30,14 +29,6 @@ class PaperExperiment {
   int all_ = 0;  // realizations that there should be
 };
 
-struct PaperFigure {
-  std::string_view name;   // the word of the command line
-  std::string_view title;  // of its section
-  std::unique_ptr<PaperExperiment> (*make)();
-};
-// In the order of the report.
-std::span<const PaperFigure> paper_figures();
-
 std::unique_ptr<PaperExperiment> make_samples_experiment();
 std::unique_ptr<PaperExperiment> make_penetration_experiment();
 std::unique_ptr<PaperExperiment> make_pull_out_experiment();
@@ -48,9 +39,6 @@ std::unique_ptr<PaperExperiment> make_field_experiment();
 std::unique_ptr<PaperExperiment> make_density_experiment();
 std::unique_ptr<PaperExperiment> make_drag_experiment();
 std::unique_ptr<PaperExperiment> make_velocity_experiment();
-std::unique_ptr<PaperExperiment> make_break_rule_experiment();
-std::unique_ptr<PaperExperiment> make_choices_experiment();
-std::unique_ptr<PaperExperiment> make_nscd_setting_experiment();
 
 // Draws the last state of the first run of the group that finished, in the colours of this program and in two, for
 // whether any bond of a grain is broken; nothing if there is none, or no system that can draw.

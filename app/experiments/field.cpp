@@ -12,7 +12,7 @@ namespace quicksand {
 
 namespace {
 
-constexpr double kCentimetre = 100, kKilopascal = 1e-3;
+constexpr double kCentimetre = 100;
 
 class FieldExperiment : public PaperExperiment {
  public:
@@ -25,7 +25,7 @@ class FieldExperiment : public PaperExperiment {
               Findings& findings) const override {
     const SiScale si = si_scale(physical_);
     const double depth = si.length * kCentimetre;
-    const double stress = si.force / (si.length * si.length) * kKilopascal;
+    const double stress = si.force / (si.length * si.length) * kKilopascals;
     const PaperStrength loose = paper_strength(results, runs_.loose),
                         compact = paper_strength(results, runs_.compact);
     section.add(Paragraph{

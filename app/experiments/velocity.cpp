@@ -70,10 +70,9 @@ class Velocity : public PaperExperiment {
     const double cohesion = *push_.grain_law.cohesion_force;
     const SiScale si = si_scale(*push_.physical);
     const double area = std::get<PushPhase>(push_.phases[0].kind).diameter * si.length * si.length;
-    constexpr double kKilopascal = 1e-3;
     std::vector<double> forces = results.critical_forces(thresholds_), pressures;
     for (double& force : forces) {
-      pressures.push_back(force * si.force / area * kKilopascal);
+      pressures.push_back(force * si.force / area * kKilopascals);
       force /= cohesion;
     }
     note(findings, "penetration.threshold_force",

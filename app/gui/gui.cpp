@@ -20,6 +20,7 @@ using namespace gui;
 
 constexpr float kColumn = 320;  // width of the panel [px at scale 1]
 constexpr float kStatus = 30;   // height of the line along the bottom
+constexpr float kStrip = 84;    // of the timeline above it
 constexpr double kText = 12;    // size of the text in the picture of the packing
 
 constexpr ImGuiWindowFlags kPart =
@@ -85,11 +86,15 @@ void Gui::Impl::show_column(PanelFrame& frame, float bottom) {
   ImGui::SetNextWindowSize({widgets.px(kColumn), bottom});
   ImGui::Begin("column", nullptr, kPart & ~ImGuiWindowFlags_NoScrollbar);
   show_scene(frame);
+  const bool computed_before = frame.session.timeline() != nullptr;
+  if (computed_before) show_timeline(frame);
   {
     const Widgets::Disabled disabled(widgets, !frame.session.loaded());
-    show_controls(frame);
-    show_parameters(frame);
-    show_actions(frame);
+    if (!computed_before) {
+      show_controls(frame);
+      show_parameters(frame);
+      show_actions(frame);
+    }
     show_view_controls(frame);
     show_plots(frame);
     show_inspection(frame);
@@ -107,6 +112,13 @@ bool Gui::Impl::pressed(const GuiInput& input, Key key) const {
 void Gui::Impl::take_keys(PanelFrame& frame, const GuiInput& input, bool list_open) {
   if (takes_text) return;
   const Session& session = frame.session;
+  if (const Timeline* timeline = session.timeline()) {
+    if (pressed(input, Key::space)) frame.command("play", {{"on", !timeline->playing}});
+    if (pressed(input, Key::left)) frame.command("show", {{"by", -1}});
+    if (pressed(input, Key::right)) frame.command("show", {{"by", 1}});
+    if (!list_open && pressed(input, Key::escape)) notes.error.clear();
+    return;
+  }
   const bool can_run = session.loaded() && !session.finished() && !session.failed();
   if (can_run && pressed(input, Key::space)) frame.command(session.running ? "pause" : "start");
   if (!list_open && pressed(input, Key::escape)) notes.error.clear();
@@ -119,8 +131,10 @@ void Gui::Impl::lay_out(PanelFrame& frame, const GuiInput& input) {
   const float status_top = std::max(0.0F, io.DisplaySize.y - widgets.px(kStatus));
   const float left = std::round(widgets.px(kColumn));
   const float line = std::max(1.0F, std::round(widgets.px(1)));  // between the parts
+  const float strip =
+      frame.session.timeline() != nullptr ? std::min(status_top, widgets.px(kStrip)) : 0.0F;
   view_rect = {left + line, 0, std::max(0.0, width - static_cast<double>(left + line)),
-               std::floor(static_cast<double>(status_top))};
+               std::floor(static_cast<double>(status_top - strip))};
   prepare_view(frame.session);  // may throw, so it comes before the frame begins
 
   give_input(input, io);
@@ -132,11 +146,21 @@ void Gui::Impl::lay_out(PanelFrame& frame, const GuiInput& input) {
 
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
   ImGui::SetNextWindowPos({left + line, 0});
-  ImGui::SetNextWindowSize({static_cast<float>(view_rect.width), status_top});
+  ImGui::SetNextWindowSize(
+      {static_cast<float>(view_rect.width), static_cast<float>(view_rect.height)});
   ImGui::Begin("view", nullptr, kPart | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
   show_view(frame, picture, grip, view_rect);
   ImGui::End();
+
+  if (strip > 0) {
+    const PixelRect place{view_rect.x, view_rect.height, view_rect.width, strip};
+    ImGui::SetNextWindowPos({static_cast<float>(place.x), static_cast<float>(place.y)});
+    ImGui::SetNextWindowSize({static_cast<float>(place.width), strip});
+    ImGui::Begin("timeline", nullptr, kPart | ImGuiWindowFlags_NoScrollWithMouse);
+    show_timeline_strip(frame, place);
+    ImGui::End();
+  }
 
   ImGui::GetBackgroundDrawList()->AddRectFilled({left, 0}, {left + line, status_top},
                                                 widgets.colours().line);

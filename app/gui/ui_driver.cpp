@@ -101,7 +101,7 @@ const Widget& UiDriver::shown(const std::string& path) {
   if (widget != nullptr) return *widget;
   std::vector<std::string> known;
   for (const Widget& one : gui_.widgets()) known.push_back(one.path);
-  throw InputError(path, "there is no such widget" + suggestion(path, known));
+  refuse_name(path, "there is no such widget", path, known);
 }
 
 void UiDriver::scroll_to(const std::string& path) {
@@ -271,8 +271,8 @@ std::vector<Json> UiDriver::press(Key key) {
 std::vector<Json> UiDriver::press(std::string_view key) {
   const auto* const found = std::ranges::find(kKeys, key);
   if (found == kKeys.end()) {
-    throw InputError("key", "there is no key \"" + std::string(key) + "\"" +
-                                suggestion(key, {kKeys.begin(), kKeys.end()}));
+    refuse_name("key", "there is no key \"" + std::string(key) + "\"", key,
+                {kKeys.begin(), kKeys.end()});
   }
   return press(static_cast<Key>(found - kKeys.begin()));
 }

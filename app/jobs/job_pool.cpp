@@ -38,6 +38,8 @@ JobOutcome compute(const Job& job, bool anew, bool frames, RunPlace& place) {
     RunOptions options;
     options.out = job.folder.path;
     options.frames = frames;
+    // Hundreds of runs are looked at by their numbers.
+    if (!frames) options.history_limit = 0;
     options.quiet = true;
     options.lock = false;
     options.watch = [&](const Protocol& protocol) { place.note(protocol); };

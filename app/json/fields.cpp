@@ -56,8 +56,8 @@ Json written(const std::optional<T>& value, const Limits& limits) {
 }
 
 [[noreturn]] void refuse_value(const Json& value, const std::string& where,
-                               const std::string& expected) {
-  throw InputError(where, "is " + described(value) + ", must be " + expected);
+                               const std::string& expected, std::string nearest = {}) {
+  throw InputError(where, "is " + described(value) + ", must be " + expected, std::move(nearest));
 }
 
 }  // namespace
@@ -204,7 +204,8 @@ void Fields::word(const Field& field, std::span<const std::string_view> words, i
     for (const std::string& known : names) choices += (choices.empty() ? "" : ", ") + known;
     const std::string near = nearest_name(name, names);
     refuse_value(given, where,
-                 "one of " + choices + (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
+                 "one of " + choices + (near.empty() ? "" : "; did you mean \"" + near + "\"?"),
+                 near);
   };
   leaf(field, {read, [&] { return names[static_cast<std::size_t>(value)]; },
                [&] {

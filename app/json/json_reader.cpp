@@ -17,8 +17,8 @@ JsonReader::JsonReader(const Json& value, std::string path, std::string whole)
 void JsonReader::refuse_unknown_keys() const {
   for (const auto& [key, value] : object_->items()) {
     if (std::ranges::find(known_, key) == known_.end()) {
-      throw InputError(place(key), "is not a key of " + (path_.empty() ? whole_ : "this object") +
-                                       suggestion(key, known_));
+      refuse_name(place(key), "is not a key of " + (path_.empty() ? whole_ : "this object"), key,
+                  known_);
     }
   }
 }
@@ -32,8 +32,10 @@ const Json* JsonReader::find(const Field& field) {
     std::vector<std::string> given;
     for (const auto& [key, value] : object_->items()) given.push_back(key);
     const std::string near = nearest_name(field.name, given);
-    throw InputError(place(field.name), "is missing; it is required: " + std::string(field.help) +
-                                            (near.empty() ? "" : " (you wrote \"" + near + "\")"));
+    throw InputError(place(field.name),
+                     "is missing; it is required: " + std::string(field.help) +
+                         (near.empty() ? "" : " (you wrote \"" + near + "\")"),
+                     near.empty() ? near : std::string(field.name));
   }
   return nullptr;
 }

@@ -136,19 +136,15 @@ Json read_json(const std::filesystem::path& file) {
   try {
     return parse_json(text);
   } catch (const InputError& error) {
-    throw in_file(file, error);
+    throw error.in(file.string());
   }
-}
-
-InputError in_file(const std::filesystem::path& file, const InputError& error) {
-  if (error.where() == file.string()) return error;
-  return {file.string() + (error.where().empty() ? "" : ": " + error.where()), error.what()};
 }
 
 std::string read_text(const std::filesystem::path& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) throw InputError(path.string(), "there is no such file");
+  if (!std::filesystem::exists(status))
+    throw InputError("", "there is no such file").in(path.string());
   if (std::filesystem::is_directory(status)) {
     throw InputError(path.string(), "is a folder, not a file");
   }

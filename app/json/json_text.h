@@ -28,9 +28,6 @@ Json parse_json(std::string_view text);
 // That of a file. Throws InputError whose `where` is the file.
 Json read_json(const std::filesystem::path& file);
 
-// The error of something inside a file: `where` begins with the file.
-InputError in_file(const std::filesystem::path& file, const InputError& error);
-
 // Contents of a file of at most kMaxBytes. Throws InputError if there is none or it is no file.
 std::string read_text(const std::filesystem::path& path);
 

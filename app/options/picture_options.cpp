@@ -54,6 +54,13 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   command.add_option("--size", options.size, "of the picture in pixels")
       ->type_name("WxH")
       ->capture_default_str();
+  command
+      .add_option("--window", options.window,
+                  "lower left and upper right corner of the part that is shown [d]; the box if "
+                  "absent")
+      ->type_name("X,Y,X,Y")
+      ->delimiter(',')
+      ->expected(4);
   for (const ViewFlag& flag : view_flags())
     if (flag.field.of_runs)
       command.add_flag(option_of(flag.field), options.view.*flag.value,
@@ -75,6 +82,11 @@ std::string picture_words(const View& view) {
     if (word.index(view) != word.index(usual))
       text += " " + option_of(word.field) + " " + std::string(word.word(view));
   if (size_text(view) != size_text(usual)) text += " --size " + size_text(view);
+  if (view.window) {
+    const auto& [low, high] = *view.window;
+    const std::string numbers = Json{low.x(), low.y(), high.x(), high.y()}.dump();
+    text += " --window " + numbers.substr(1, numbers.size() - 2);
+  }
   for (const ViewFlag& flag : view_flags())
     if (flag.field.of_runs && view.*flag.value) text += " " + option_of(flag.field);
   for (const ViewNumber& number : view_numbers())
@@ -100,6 +112,8 @@ View view_from(const PictureOptions& options) {
     word.choose(view, static_cast<int>(&found - word.words.data()));
   }
   read_size(options.size, view.width, view.height);
+  if (const std::vector<double>& w = options.window; !w.empty())
+    view.window = WorldRect{{w[0], w[1]}, {w[2], w[3]}};
   check(view);
   return view;
 }

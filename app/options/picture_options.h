@@ -13,6 +13,7 @@ struct PictureOptions {
   View view;                       // its flags and numbers
   std::vector<std::string> words;  // one a word of the view, in their order
   std::string size;
+  std::vector<double> window;  // x and y of its corners, or empty
   PictureOptions();
 };
 
@@ -24,7 +25,7 @@ std::string picture_words(const View& view);
 // Reads "1280x720". Throws InputError if it is not of that form or cannot be drawn.
 void read_size(const std::string& text, int& width, int& height);
 
-// Throws InputError if a name, the size or the range of the colours is not valid.
+// Throws InputError if a name, the size, the window or the range of the colours is not valid.
 View view_from(const PictureOptions& options);
 
 }  // namespace quicksand

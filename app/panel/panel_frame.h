@@ -55,6 +55,9 @@ struct PanelFrame {
 
 void show_scene(PanelFrame& frame);
 void show_controls(PanelFrame& frame);
+// Of a run that is shown: its controls, and the strip of its samples, phases and failing bonds.
+void show_timeline(PanelFrame& frame);
+void show_timeline_strip(PanelFrame& frame, const PixelRect& rect);
 void show_parameters(PanelFrame& frame);
 void show_actions(PanelFrame& frame);
 void show_view_controls(PanelFrame& frame);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/panel/panel_frame.h"
+#include "app/session/disk_at.h"
 #include "render/base/nice_numbers.h"
 
 namespace quicksand::gui {
@@ -13,19 +14,6 @@ constexpr double kFirstStiffness = 10;  // where there is no cohesion [F_g/d]
 
 std::string pair_text(double x, double y) {
   return "(" + short_number(x) + ", " + short_number(y) + ")";
-}
-
-std::string body_text(const World& world, int body) {
-  if (!is_wall(body)) return std::to_string(body);
-  switch (world.wall(body).role) {
-    case WallRole::floor:
-      return "floor";
-    case WallRole::side:
-      return "side";
-    case WallRole::piston:
-      return "piston";
-  }
-  return {};
 }
 
 void cell(const std::string& text, bool right) {
@@ -53,7 +41,7 @@ void show_contacts(const PanelFrame& frame, int body) {
     const int other = a == body ? b : a;
     const double dt = world.impulse_dt;
     const bool loaded = dt > 0;
-    cell(body_text(world, other), false);
+    cell(body_name(world, other), false);
     cell(loaded ? short_number(contact.normal_force(dt)) : "–", true);
     cell(loaded ? short_number(contact.impulse.y() / dt) : "–", true);
     const Bond* bond = world.bonds.find(contact.pair);

@@ -74,7 +74,9 @@ void take_mouse(PanelFrame& frame, const ViewPicture& picture, Grip& grip, const
   }
   if (active && grip.body >= 0) {
     const double least = frame.widgets.px(kLeastDrag);
-    grip.pulls = grip.pulls || (pixel - grip.start).norm() > least;
+    // What was computed is not pulled at.
+    const bool far = (pixel - grip.start).norm() > least && frame.session.timeline() == nullptr;
+    grip.pulls = grip.pulls || far;
     if (grip.pulls) pull(frame, grip, picture.camera_at(grip.start), pixel);
   }
   if (ImGui::IsItemDeactivated()) {

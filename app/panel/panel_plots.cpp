@@ -10,9 +10,11 @@ namespace {
 
 using Reading = std::function<std::optional<double>(const Row&)>;
 
-Curve curve_of(const std::vector<Row>& history, const Reading& reading) {
+Curve curve_of(const Session& session, const Reading& reading) {
   Curve curve;
-  for (const Row& row : history) {
+  if (!session.loaded()) return curve;
+  if (session.timeline() != nullptr) curve.cursor = session.world().time;
+  for (const Row& row : session.history()) {
     if (const std::optional<double> value = reading(row)) {
       curve.x.push_back(row.sample.time);
       curve.y.push_back(*value);
@@ -29,21 +31,19 @@ void show_plots(PanelFrame& frame) {
   ImGui::PushFont(w.fonts().small);
   w.caption("Over time [√(d/g)], with the last value.");
   ImGui::PopFont();
-  static const std::vector<Row> empty;
   const bool loaded = frame.session.loaded();
-  const std::vector<Row>& history = loaded ? frame.session.history() : empty;
   const char* none = loaded ? "no samples yet" : "no scene";
 
-  Curve bonds = curve_of(history, [](const Row& r) { return r.sample.active_bond_fraction; });
+  Curve bonds = curve_of(frame.session, [](const Row& r) { return r.sample.active_bond_fraction; });
   bonds.nothing = loaded ? "no contacts yet" : none;
   w.plot("active bonds", "Active bonds / contacts", bonds);
 
   Curve coordination = curve_of(
-      history, [](const Row& r) -> std::optional<double> { return r.sample.coordination; });
+      frame.session, [](const Row& r) -> std::optional<double> { return r.sample.coordination; });
   coordination.nothing = none;
   w.plot("coordination", "Coordination number", coordination);
 
-  Curve depth = curve_of(history, [](const Row& r) -> std::optional<double> {
+  Curve depth = curve_of(frame.session, [](const Row& r) -> std::optional<double> {
     if (!r.sample.has_intruder) return std::nullopt;
     return r.sample.depth;
   });
@@ -51,7 +51,7 @@ void show_plots(PanelFrame& frame) {
   depth.nothing = loaded ? "no intruder" : none;
   w.plot("depth", "Intruder depth", depth);
 
-  Curve resistance = curve_of(history, [](const Row& r) -> std::optional<double> {
+  Curve resistance = curve_of(frame.session, [](const Row& r) -> std::optional<double> {
     if (!r.sample.has_intruder) return std::nullopt;
     return r.sample.resistance;
   });
@@ -59,7 +59,7 @@ void show_plots(PanelFrame& frame) {
   resistance.nothing = depth.nothing;
   w.plot("resistance", "Resistance to the intruder", resistance);
 
-  Curve residual = curve_of(history, [](const Row& r) -> std::optional<double> {
+  Curve residual = curve_of(frame.session, [](const Row& r) -> std::optional<double> {
     if (r.residual <= 0) return std::nullopt;
     return r.residual;
   });

@@ -180,10 +180,10 @@ RunGroup PaperJobs::pulls(const RunGroup& pushes, double first_force_over_cohesi
 }
 
 template <class Plan>
-RunGroup PaperJobs::by(const NscdSetting& setting, Plan plan) {
+RunGroup PaperJobs::by(const NscdSetting& setting, std::size_t realizations, Plan plan) {
   const PaperScale usual = scale_;
   make_nscd(scale_, setting);
-  scale_.realizations = 1;
+  scale_.realizations = static_cast<int>(realizations);
   RunGroup group = plan();
   scale_ = usual;
   return group;
@@ -191,17 +191,18 @@ RunGroup PaperJobs::by(const NscdSetting& setting, Plan plan) {
 
 RunGroup PaperJobs::samples_by(const NscdSetting& setting, std::uint64_t seed,
                                const std::string& tag) {
-  return by(setting, [&] { return samples(tag, {}, {{"seed", seed}}); });
+  return by(setting, 1, [&] { return samples(tag, {}, {{"seed", seed}}); });
 }
 
 RunGroup PaperJobs::pushes_by(const NscdSetting& setting, const RunGroup& samples,
                               double force_over_cohesion, const std::string& tag) {
-  return by(setting, [&] { return pushes(samples, force_over_cohesion, tag); });
+  return by(setting, samples.runs.size(),
+            [&] { return pushes(samples, force_over_cohesion, tag); });
 }
 
 RunGroup PaperJobs::pistons_by(const NscdSetting& setting, const RunGroup& samples,
                                const std::string& tag, const PistonLoad& load) {
-  return by(setting, [&] { return pistons(samples, tag, load); });
+  return by(setting, samples.runs.size(), [&] { return pistons(samples, tag, load); });
 }
 
 RunGroup PaperJobs::pistons(const RunGroup& samples) {

@@ -112,7 +112,7 @@ class PaperJobs {
   RunGroup pistons(const RunGroup& samples, const std::string& tag, const PistonLoad& load);
   // With the load of the scale's method.
   RunGroup pistons(const RunGroup& samples);
-  // One realization, with another setting of NSCD than the scale's, of this seed; `tag` as above.
+  // By NSCD with another setting than the scale's, of this seed alone or of all these specimens; `tag` as above.
   RunGroup samples_by(const NscdSetting& setting, std::uint64_t seed, const std::string& tag);
   RunGroup pushes_by(const NscdSetting& setting, const RunGroup& samples,
                      double force_over_cohesion, const std::string& tag);
@@ -122,9 +122,9 @@ class PaperJobs {
   RunGroup shears(const RunGroup& states, double top, double first_force);
 
  private:
-  // One realization of what `plan` plans, with this setting.
+  // What `plan` plans, with this setting.
   template <class Plan>
-  RunGroup by(const NscdSetting& setting, Plan plan);
+  RunGroup by(const NscdSetting& setting, std::size_t realizations, Plan plan);
   RunGroup add(const std::string& scene, const std::string& name, const RunGroup* after,
                ParameterValues laws, const ParameterValues& set);
 

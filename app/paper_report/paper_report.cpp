@@ -69,12 +69,17 @@ void add_lead(Report& report, const PaperReport& made, const std::vector<MethodF
                method.findings.contains(target.id);
       });
     });
+  if (targets.targets.empty()) {
+    report.lead.emplace_back(Paragraph{"None of the " + std::to_string(all) +
+                                       " numbers of the paper is measured by this part of the "
+                                       "programme."});
+    return;
+  }
   counts += ". These are of the " + std::to_string(all) + " numbers of the paper";
   if (targets.targets.size() < all)
     counts += "; the table has the " + std::to_string(targets.targets.size()) +
               " that this part of the programme measures";
   report.lead.emplace_back(Paragraph{counts + "."});
-  if (targets.targets.empty()) return;
   report.lead.emplace_back(
       comparison_table(targets, methods, read_evidence(shipped_evidence()), made.folder));
 }

@@ -9,12 +9,12 @@ namespace quicksand {
 
 namespace {
 
-// It sets the failure criteria of exact steps side by side.
-constexpr std::string_view kOfCriteria = "break_rule";
+// They set the failure criteria of exact steps, and these steps and the paper's, side by side.
+constexpr std::string_view kOfCriteria = "break_rule", kOfMethods = "map";
 
 // What is left out unless it is asked for: what one method is about, or none of them needs.
 bool is_by_default(std::string_view name, std::string_view method, bool studies) {
-  if (name == "nscd_setting") return false;
+  if (name == "nscd_setting" || name == kOfMethods) return false;
   return (studies && method == kExactMethod) || (name != kOfCriteria && name != "choices");
 }
 
@@ -24,8 +24,8 @@ bool is_figure_of(const std::string& name, std::string_view method) {
   std::vector<std::string> names;
   for (const PaperFigure& figure : paper_figures()) names.emplace_back(figure.name);
   if (std::ranges::find(names, name) == names.end())
-    throw InputError("figure \"" + name + "\"", "is not known" + suggestion(name, names));
-  if (method == kNscdMethod) return name != kOfCriteria;
+    refuse_name("figure \"" + name + "\"", "is not known", name, names);
+  if (method == kNscdMethod) return name != kOfCriteria && name != kOfMethods;
   return name != "nscd_setting";
 }
 
@@ -35,8 +35,9 @@ Programme plan_programme(const std::string& method, const PaperScale& scale,
     if (!is_figure_of(name, method))
       throw InputError("--method " + method,
                        method == kNscdMethod
-                           ? "has one failure criterion; figure break_rule compares those of exact "
-                             "steps"
+                           ? "leaves out figure " + name + ", which needs --method exact: it " +
+                                 (name == kOfMethods ? "pushes the same specimens by both methods"
+                                                     : "compares failure criteria of exact steps")
                            : "has no setting of NSCD; figure nscd_setting needs --method nscd");
   Programme programme{.method = method, .jobs = PaperJobs(scale, out), .figures = {}};
   for (const PaperFigure& figure : paper_figures()) {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "app/experiments/experiments.h"
 #include "app/paper/paper_jobs.h"
+#include "app/studies/figures.h"
 
 namespace quicksand {
 

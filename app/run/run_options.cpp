@@ -19,6 +19,9 @@ void describe(Fields& f, RunOptions& options) {
   f.number({"every", "time between samples, instead of the scene's"},
            above(0, kLongestSampleTime, "sqrt(d/g)"), options.every);
   f.flag({"frames", "whether pictures are drawn"}, options.frames);
+  f.number({"history",
+            "size of history.qsh from which on every second sample is dropped; 0: no history"},
+           between(0, kLargestHistory, "MB"), options.history_limit);
   f.number({"checkpoint_every", "wall time between checkpoints"},
            between(0, kLongestCheckpointTime, "s"), options.checkpoint_every);
   f.optional_object({"strict", "bounds of the validation"}, options.strict, describe_strict);
@@ -38,7 +41,7 @@ RunOptions read_options(const std::filesystem::path& file) {
   try {
     read_fields(read_json(file), "the options of a run", [&](Fields& f) { describe(f, options); });
   } catch (const InputError& error) {
-    throw in_file(file, error);
+    throw error.in(file.string());
   }
   return options;
 }

@@ -17,6 +17,8 @@ struct RunOptions {
   std::optional<double> every;                          // time between samples [sqrt(d/g)]
   std::optional<std::filesystem::path> continued_from;  // state.cbor
   bool frames = true;
+  double history_limit =
+      256;  // size of history.qsh from which on it is thinned out [MB]; 0: none is written
   bool quiet = false;
   bool keep_earlier = false;     // of another run in the folder; true: refuses it
   bool lock = true;              // the folder; false: the caller has it locked
@@ -30,6 +32,7 @@ struct RunOptions {
 // The longest times between samples [sqrt(d/g)] and between checkpoints [s] that may be asked for.
 constexpr double kLongestSampleTime = 1e12;
 constexpr double kLongestCheckpointTime = 1e6;
+constexpr double kLargestHistory = 1e6;  // [MB]
 
 // Writes and reads what is kept; `out`, `continued_from`, `quiet`, `keep_earlier`, `lock` and `watch` belong to the call.
 // Throw InputError.

@@ -6,6 +6,7 @@
 
 #include "app/base/interrupt.h"
 #include "app/base/shell_text.h"
+#include "app/history/history_writer.h"
 #include "app/json/json_reader.h"
 #include "app/run/continuation.h"
 #include "app/run/progress_line.h"
@@ -30,6 +31,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
+
+constexpr double kMegabyte = 1e6;  // [bytes]
 
 double seconds_since(Clock::time_point moment) {
   return std::chrono::duration<double>(Clock::now() - moment).count();
@@ -59,6 +62,9 @@ class Run {
       sampled_run_.protocol().take_push_force();
     }
     if (earlier) sampled_run_.go_on(earlier->samples);
+    if (options.history_limit > 0)
+      history_.emplace(folder.history(), series_.rows(),
+                       static_cast<std::int64_t>(options.history_limit * kMegabyte));
     if (options.frames) film_.emplace(folder, scenario, options.view, series_.rows());
   }
 
@@ -66,6 +72,7 @@ class Run {
   void write_state() {
     const WorkClock::Span span(&clock(), Work::writing);
     series_.secure();
+    if (history_) history_->secure();
     if (film_) {
       const WorkClock::Span until_there(&clock(), Work::waiting);
       film_->secure();
@@ -146,6 +153,8 @@ class Run {
   void record(const Row& row, const World& world) {
     {
       const WorkClock::Span span(&clock(), Work::writing);
+      // First the state, then the row: what the series says of, the history has.
+      if (history_) history_->add(world, series_.rows(), sampled_run_.phase_index(), row.phase);
       series_.add(row);
     }
     if (!film_) return;
@@ -203,6 +212,7 @@ class Run {
   std::int64_t first_step_;     // of the run
   std::int64_t began_at_step_;  // of this part of it
   Series series_;
+  std::optional<HistoryWriter> history_;
   std::optional<Film> film_;
   SampledRun sampled_run_;
   std::vector<std::string> moving_bases_;  // a sentence for each search that begins in motion

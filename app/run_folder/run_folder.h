@@ -13,7 +13,9 @@ struct RunFolder {
   std::filesystem::path frames() const { return path / "frames"; }
   std::filesystem::path film() const { return path / "film.mp4"; }
   std::filesystem::path animation() const { return path / "film.png"; }
+  std::filesystem::path film_page() const { return path / "film.html"; }
   std::filesystem::path series() const { return path / "series.csv"; }
+  std::filesystem::path history() const { return path / "history.qsh"; }
   std::filesystem::path critical_forces() const { return path / "critical_forces.csv"; }
   std::filesystem::path adiabatic() const { return path / "adiabatic.csv"; }
   std::filesystem::path summary() const { return path / "summary.json"; }
@@ -32,7 +34,7 @@ void make_writable(const RunFolder& folder);
 void forget_end(const RunFolder& folder);
 
 // Removes the files of an earlier run that this run may not write again: its films, summary, state,
-// tables of searches, report and frames. Other files are left alone.
+// history, tables of searches, report and frames. Other files are left alone.
 void remove_earlier_results(const RunFolder& folder);
 
 }  // namespace quicksand

@@ -95,26 +95,40 @@ std::vector<double> values_of(const RunResults& run, const TimeHistory& history,
   return values;
 }
 
+// From the sample `first` on.
+std::vector<double> from_sample(std::vector<double> values, std::size_t first) {
+  values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(first));
+  return values;
+}
+
+// Counted from the sample `first`, or as they are if that is the beginning of all.
+std::vector<double> times(const RunResults& run, std::size_t first, bool counted) {
+  std::vector<double> time = from_sample(run.column("time"), first);
+  const double zero = counted && !time.empty() ? time.front() : 0;
+  for (double& t : time) t -= zero;
+  return time;
+}
+
 // Samples at which a search has gone back to its stored state.
-std::vector<std::size_t> returns_to_base(const RunResults& run) {
+std::vector<std::size_t> returns_to_base(const RunResults& run, std::size_t first) {
   std::vector<std::size_t> samples;
   const std::vector<double>& trial = run.column("trial");
-  for (std::size_t i = 1; i < trial.size(); ++i)
-    if (std::isfinite(trial[i - 1]) && trial[i] != trial[i - 1]) samples.push_back(i);
+  for (std::size_t i = first + 1; i < trial.size(); ++i)
+    if (std::isfinite(trial[i - 1]) && trial[i] != trial[i - 1]) samples.push_back(i - first);
   return samples;
 }
 
-// Where a phase begins that is not the first.
-std::vector<Reference> phase_guides(const RunResults& run) {
+// Where phases begin after the sample `first`; that at the beginning of all is before the first phase.
+std::vector<Reference> phase_guides(const RunResults& run, std::size_t first,
+                                    const std::vector<double>& time) {
   std::vector<Reference> guides;
   const std::vector<std::string>& phases = run.phases();
-  const std::vector<double>& time = run.column("time");
-  for (std::size_t i = 2; i < phases.size(); ++i) {
+  for (std::size_t i = first + 2; i < phases.size(); ++i) {
     // The sample at the start of a phase belongs to the one before.
     if (phases[i] == phases[i - 1] || phases[i - 1] == "start") continue;
     guides.push_back({.name = phases[i],
-                      .low = time[i - 1],
-                      .high = time[i - 1],
+                      .low = time[i - 1 - first],
+                      .high = time[i - 1 - first],
                       .of_x = true,
                       .role = Reference::Role::guide});
   }
@@ -191,9 +205,16 @@ std::optional<Plot> plot_of_drive(const DrivePlot& described, std::span<const Ru
 
 }  // namespace
 
-std::vector<Figure> run_figures(std::span<const RunResults> runs) {
+std::vector<Figure> run_figures(std::span<const RunResults> runs, const std::string& from) {
   const std::vector<std::string> names = run_names(runs);
   const bool single = runs.size() == 1;
+  std::vector<std::size_t> begins(runs.size(), 0);
+  std::vector<std::vector<double>> time;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    if (!from.empty()) begins[r] = runs[r].begin_of(from);
+    time.push_back(times(runs[r], begins[r], !from.empty()));
+  }
+  const std::string since = from.empty() ? "time" : "time since " + from + " began";
   std::vector<Figure> figures;
   const auto add = [&](const TimePlot& described, std::span<const TimeHistory> histories) {
     // Without its main history a plot says nothing: there is no intruder.
@@ -204,7 +225,7 @@ std::vector<Figure> run_figures(std::span<const RunResults> runs) {
     const bool first = &histories.front() == described.histories.data();
     Plot plot{.name = first ? described.name : histories.front().quantity,
               .title = described.title,
-              .x = {.label = "time", .unit = "sqrt(d/g)"},
+              .x = {.label = since, .unit = "sqrt(d/g)"},
               .y = {.label = single ? described.label : histories.front().name,
                     .unit = described.unit,
                     .low = described.low,
@@ -214,13 +235,14 @@ std::vector<Figure> run_figures(std::span<const RunResults> runs) {
     for (std::size_t r = 0; r < runs.size(); ++r)
       for (const TimeHistory& history : histories)
         if (has_values(runs[r], history.quantity))
-          plot.curves.push_back({.name = single ? history.name : names[r],
-                                 .kind = described.kind,
-                                 .x = runs[r].column("time"),
-                                 .y = values_of(runs[r], history, described.per_step),
-                                 .begins = returns_to_base(runs[r])});
-    if (single) plot.references = phase_guides(runs.front());
-    std::string caption = std::string(described.title) + " over time";
+          plot.curves.push_back(
+              {.name = single ? history.name : names[r],
+               .kind = described.kind,
+               .x = time[r],
+               .y = from_sample(values_of(runs[r], history, described.per_step), begins[r]),
+               .begins = returns_to_base(runs[r], begins[r])});
+    if (single) plot.references = phase_guides(runs.front(), begins.front(), time.front());
+    std::string caption = std::string(described.title) + " over " + since;
     if (!single && described.histories.size() > 1)
       caption += std::string(": ") + histories.front().name;
     figures.push_back({std::move(plot), caption + "."});

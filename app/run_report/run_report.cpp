@@ -304,13 +304,16 @@ std::vector<std::string> run_warnings(const RunResults& run) {
   return warnings;
 }
 
-Report run_report(std::span<const RunResults> runs) {
+Report run_report(std::span<const RunResults> runs, const std::string& from) {
   const std::vector<std::string> names = run_names(runs);
   Report report;
   std::string all;
   for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-  report.title = runs.size() == 1 ? "Run " + all : "Runs " + all;
+  const bool recorded = std::ranges::any_of(runs, &RunResults::recorded);
+  const std::string what = recorded ? "Recording" : "Run";
+  report.title = what + (runs.size() == 1 ? " " : "s ") + all;
   for (const RunResults& run : runs) {
+    if (run.recorded()) continue;
     const std::string description = run.scene().value("description", "");
     if (!description.empty() &&
         std::ranges::find(report.intro, description) == report.intro.end()) {
@@ -324,7 +327,11 @@ Report run_report(std::span<const RunResults> runs) {
       result.add(Remark{Remark::Kind::warning, (runs.size() > 1 ? names[i] + ": " : "") + warning});
     }
   }
-  if (result.blocks.empty()) {
+  if (recorded) {
+    result.add(Remark{Remark::Kind::note,
+                      "Recorded in a session, whose file says what was done. Values are those of "
+                      "the last sample."});
+  } else if (result.blocks.empty()) {
     result.add(Remark{Remark::Kind::note, "Ended as its scene says; every step converged."});
   }
   for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -338,7 +345,7 @@ Report run_report(std::span<const RunResults> runs) {
   report.sections.push_back(std::move(result));
 
   Section history{.title = "Time histories"};
-  for (Figure& figure : run_figures(runs)) history.add(std::move(figure));
+  for (Figure& figure : run_figures(runs, from)) history.add(std::move(figure));
   report.sections.push_back(std::move(history));
 
   Section pictures{.title = "Pictures"};
@@ -348,6 +355,7 @@ Report run_report(std::span<const RunResults> runs) {
   }
   if (!pictures.blocks.empty()) report.sections.push_back(std::move(pictures));
 
+  if (recorded) return report;
   report.sections.push_back({.title = "Model", .blocks = modelled(runs, names)});
   Section computing_section{.title = "Computing", .blocks = {computing(runs, names)}};
   if (auto table = work_split(runs, names)) computing_section.add(std::move(*table));

@@ -1,4 +1,4 @@
-// The report of finished runs: what was modelled, final values, histories over time, pictures, and what
+// The report of finished runs and of recordings: what was modelled, final values, histories over time, pictures, and what
 // a reader must be warned of. Several runs stand side by side, with what differs between them.
 #pragma once
 
@@ -15,11 +15,12 @@ namespace quicksand {
 // Short names of runs: those of their folders, or whole paths where these are equal.
 std::vector<std::string> run_names(std::span<const RunResults> runs);
 
-// Without provenance, which the caller knows.
-Report run_report(std::span<const RunResults> runs);
+// Without provenance, which the caller knows. `from`: the phase that time histories begin with, which is their time 0;
+// empty: all phases. Throws InputError if a run does not have it.
+Report run_report(std::span<const RunResults> runs, const std::string& from = {});
 
 // Its plots: each quantity over time, all runs in one, with the phases of a single run.
-std::vector<Figure> run_figures(std::span<const RunResults> runs);
+std::vector<Figure> run_figures(std::span<const RunResults> runs, const std::string& from = {});
 
 // What its searches found: tables of critical forces and of adiabatic deposits, where there are any.
 std::vector<Block> found_by_searches(std::span<const RunResults> runs,

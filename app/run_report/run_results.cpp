@@ -1,7 +1,9 @@
 #include "app/run_report/run_results.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <sstream>
 
 #include "app/base/nearest_name.h"
@@ -46,14 +48,22 @@ RunResults::RunResults(const fs::path& folder) : folder_{folder} {
     throw InputError(folder.string(), "is a file; give the folder of a run");
   }
   if (!fs::exists(folder_.series(), error)) {
-    throw InputError(folder.string(), "is not the folder of a run: it has no series.csv");
+    throw InputError(folder.string(),
+                     "is not the folder of a run or a recording: it has no series.csv");
   }
-  if (!fs::exists(folder_.summary(), error)) {
+  const bool of_run = fs::exists(folder_.scene(), error);
+  if (of_run && !fs::exists(folder_.summary(), error)) {
     throw InputError(folder.string(), "holds a run that has not ended: it has no summary.json");
   }
-  scene_ = read_json(folder_.scene());
-  summary_ = read_json(folder_.summary());
   read_series();
+  if (of_run) {
+    scene_ = read_json(folder_.scene());
+    summary_ = read_json(folder_.summary());
+    return;
+  }
+  summary_ = Json::object();
+  for (const auto& [name, values] : columns_)
+    if (!values.empty()) summary_[name] = std::isnan(values.back()) ? Json() : Json(values.back());
 }
 
 void RunResults::read_series() {
@@ -99,6 +109,15 @@ const std::vector<double>& RunResults::column(const std::string& name) const {
   return named(columns_, name, &decltype(columns_)::value_type::first, folder_.series().string(),
                "has no column of numbers \"" + name + "\"")
       .second;
+}
+
+std::size_t RunResults::begin_of(const std::string& phase) const {
+  // Each sample names the phase that it ends in, the first one none.
+  std::vector<std::string> names(phases_.begin() + (phases_.empty() ? 0 : 1), phases_.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  named(names, phase, std::identity(), folder_.path.string(), "has no phase \"" + phase + "\"");
+  return static_cast<std::size_t>(std::find(phases_.begin() + 1, phases_.end(), phase) -
+                                  phases_.begin() - 1);
 }
 
 std::vector<fs::path> RunResults::frames() const {

@@ -1,4 +1,5 @@
-// What a run left in its folder, read back: final values by quantity, columns of its series, frames.
+// What a run, or a recording of a session, left in its folder, read back: final values by quantity, columns of its
+// series, frames.
 #pragma once
 
 #include <filesystem>
@@ -16,12 +17,14 @@ namespace quicksand {
 
 class RunResults {
  public:
-  // Throws InputError if the folder is missing, is no run's, or holds a run that has not ended.
+  // Throws InputError if the folder is missing, holds neither a run nor a recording, or a run that has
+  // not ended.
   explicit RunResults(const std::filesystem::path& folder);
 
   const RunFolder& folder() const { return folder_; }
-  const Json& scene() const { return scene_; }  // as resolved
-  const Json& summary() const { return summary_; }
+  const Json& scene() const { return scene_; }      // as resolved; null of a recording
+  const Json& summary() const { return summary_; }  // of a recording: the last values of its series
+  bool recorded() const { return scene_.is_null(); }
 
   // A number of summary.json; absent where the run has no such value (an intruder's, without one).
   // Throws InputError with the nearest name if it has no such key, or it is not a number.
@@ -33,6 +36,9 @@ class RunResults {
 
   // Name of the phase of each row (n).
   const std::vector<std::string>& phases() const { return phases_; }
+
+  // The sample at which a phase of this name first begins. Throws InputError with the nearest name.
+  std::size_t begin_of(const std::string& phase) const;
 
   // The pictures, in order of their numbers; empty for a run without.
   std::vector<std::filesystem::path> frames() const;

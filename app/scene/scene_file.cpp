@@ -21,16 +21,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where an error is: the file, the place inside, and how the user can have put it there.
-std::string place_of(const InputError& error, const fs::path& file, const Json& json,
-                     const std::vector<Override>& changes) {
+// The error inside the file, and how the user can have put it there.
+InputError placed(const InputError& error, const fs::path& file, const Json& json,
+                  const std::vector<Override>& changes) {
   const std::string& where = error.where();
-  if (where.starts_with("--")) return where;
-  std::string place = file.string() + (where.empty() ? "" : ": " + where);
+  if (where.starts_with("--")) return error;
+  std::string note;
   for (const Override& change : changes) {
     if (!where.empty() && (where == change.path || where.starts_with(change.path + ".") ||
                            where.starts_with(change.path + "["))) {
-      place += " (from --set)";
+      note += " (from --set)";
       break;
     }
   }
@@ -38,9 +38,9 @@ std::string place_of(const InputError& error, const fs::path& file, const Json& 
   if (where.starts_with("bodies[") && where.find('.') == std::string::npos &&
       bodies != json.end() && bodies->is_array() &&
       std::ranges::any_of(*bodies, [](const Json& body) { return body.contains("repeat"); })) {
-    place += " (counting repeated bodies)";
+    note += " (counting repeated bodies)";
   }
-  return place;
+  return error.in(file.string(), note);
 }
 
 void require_same_box(const Scenario& scenario, const World& state) {
@@ -106,16 +106,25 @@ void require_memory(const Scenario& scenario, int present) {
 
 }  // namespace
 
+fs::path scene_named(const std::string& word, const fs::path& folder) {
+  const bool is_name = word.find_first_of("/.") == std::string::npos;
+  std::error_code error;
+  return is_name && !fs::is_regular_file(folder / word, error) ? shipped_scene(word)
+                                                               : folder / word;
+}
+
 std::string read_scene_text(const fs::path& file) {
   if (std::error_code error; fs::exists(file, error)) return read_text(file);
   std::vector<std::string> names;
   for (const fs::path& scene : shipped_scenes()) names.push_back(scene.stem().string());
   const std::string near = nearest_name(file.stem().string(), names);
   throw InputError(
-      file.string(),
+      "",
       "there is no such file" +
           (near.empty() ? std::string("; `quicksand list scenes` shows what is shipped")
-                        : "; did you mean " + shipped_scene(near).string() + "?"));
+                        : "; did you mean " + shipped_scene(near).string() + "?"),
+      near)
+      .in(file.string());
 }
 
 Scenario read_scene(const SceneRequest& request) {
@@ -140,7 +149,7 @@ Scenario read_scene(const SceneRequest& request) {
     validate(scenario);
     return scenario;
   } catch (const InputError& error) {
-    throw InputError(place_of(error, request.file, json, changes), error.what());
+    throw placed(error, request.file, json, changes);
   }
 }
 

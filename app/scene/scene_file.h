@@ -22,6 +22,10 @@ struct SceneRequest {
 // Throws InputError whose `where` names the file and the place inside it.
 Scenario read_scene(const SceneRequest& request);
 
+// The file that a word means: a path in this folder, or a shipped scene by its name, which has neither slash nor dot.
+std::filesystem::path scene_named(const std::string& word,
+                                  const std::filesystem::path& folder = {});
+
 // The text of a scene file. Throws InputError, with the nearest shipped scene, if there is none.
 std::string read_scene_text(const std::filesystem::path& file);
 

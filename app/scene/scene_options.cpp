@@ -3,7 +3,12 @@
 namespace quicksand {
 
 void add_scene_options(CLI::App& command, SceneRequest& request) {
-  command.add_option("scene", request.file, "scene file")->type_name("SCENE.json")->required();
+  command
+      .add_option_function<std::string>(
+          "scene", [&request](const std::string& word) { request.file = scene_named(word); },
+          "path of a scene, or the name of a shipped one")
+      ->type_name("SCENE")
+      ->required();
   command.option_defaults()->group("Scene");
   command
       .add_option("--set", request.overrides,

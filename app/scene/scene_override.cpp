@@ -162,8 +162,7 @@ std::string set_value(Json& scene, const std::string& path, Json value, const st
       if (parts[i + 1].append)
         (*place)[part.name] = Json::array();
       else
-        throw InputError(where, "there is no list \"" + part.name + "\"" +
-                                    suggestion(part.name, keys_of(*place)));
+        refuse_name(where, "there is no list \"" + part.name + "\"", part.name, keys_of(*place));
     }
     if (last && value.is_null()) {
       place->erase(part.name);

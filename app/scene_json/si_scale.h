@@ -21,6 +21,8 @@ struct SiScale {
 
 SiScale si_scale(const PhysicalScale& physical);
 
+constexpr double kKilopascals = 1e-3;  // in a pascal [kPa/Pa]
+
 // A value with the prefix that keeps it between 1 and 1000: `12.3 um`. `unit` without prefix; a mass
 // is given in g.
 std::string with_prefix(double value, const std::string& unit);

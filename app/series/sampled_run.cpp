@@ -9,7 +9,8 @@ SampledRun::SampledRun(const Scenario& scenario, Checkpoint start, std::optional
                        Sink sink)
     : protocol_(scenario, std::move(start.world), start.protocol),
       every_(every),
-      sink_(std::move(sink)) {}
+      sink_(std::move(sink)),
+      phase_index_(protocol_.state().phase) {}
 
 void SampledRun::go_on(const SamplesSoFar& samples) {
   samples_ = samples;
@@ -33,6 +34,7 @@ Progress SampledRun::advance() {
     times_of_ = before.phase;
   }
   samples_.phase = phase_name();
+  phase_index_ = before.phase;
   const Progress progress = protocol_.advance();
   if (world().step != step_before) count(before);
   if (times_.due(world().time) || progress == Progress::phase_ended) sample();

@@ -49,6 +49,8 @@ class SampledRun {
   Protocol& protocol() { return protocol_; }
   const World& world() const { return protocol_.world(); }
   std::string phase_name() const;  // of the present phase; "end" after the last
+  // Index of the phase that the last step belongs to.
+  int phase_index() const { return phase_index_; }
   // The last sample taken.
   const Row& last() const { return samples_.last; }
 
@@ -61,6 +63,7 @@ class SampledRun {
   SampleTimes times_{0, 1, 0};
   int times_of_ = -1;  // phase that `times_` belongs to
   SamplesSoFar samples_;
+  int phase_index_;
 };
 
 }  // namespace quicksand

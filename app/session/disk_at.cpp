@@ -11,4 +11,17 @@ int disk_at(const World& world, const Vec2& place) {
   return -1;
 }
 
+std::string body_name(const World& world, int body) {
+  if (!is_wall(body)) return std::to_string(body);
+  switch (world.wall(body).role) {
+    case WallRole::floor:
+      return "floor";
+    case WallRole::side:
+      return "side";
+    case WallRole::piston:
+      return "piston";
+  }
+  return {};
+}
+
 }  // namespace quicksand

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "app/run/continuation.h"
@@ -10,6 +11,7 @@
 #include "app/scene/scene_override.h"
 #include "app/scene_json/scenario_json.h"
 #include "app/view/film.h"
+#include "core/base/errors.h"
 #include "core/scene/validate.h"
 #include "render/base/camera.h"
 
@@ -55,6 +57,7 @@ std::string_view word_of(RunStop stop) {
 }
 
 void Session::start(const Scenario& scenario, Checkpoint checkpoint) {
+  timeline_.reset();
   history_.clear();
   stride_ = 1;
   samples_ = 0;
@@ -87,20 +90,56 @@ void Session::load(const Scenario& scenario) {
   start(scenario_, std::move(checkpoint));
 }
 
+void Session::open(const std::filesystem::path& folder) {
+  const RunFolder run{folder};
+  auto timeline = std::make_unique<Timeline>(run, kMostSamples);
+  load(read_scene({run.scene(), {}, {}}));
+  timeline_ = std::move(timeline);
+}
+
+void Session::go_on() {
+  const RunFolder& run = timeline_->folder();
+  const double shown = timeline_->moment().time, first = timeline_->moments().front().time;
+  std::error_code ignored;
+  if (std::filesystem::exists(run.state(), ignored)) {
+    StateFile state = read_state(run.state());
+    if (std::abs(state.checkpoint.world.time - shown) <= shown - first) {
+      scenario_ = state.scenario;
+      start(scenario_, std::move(state.checkpoint));
+      return;
+    }
+  }
+  reset();
+}
+
+void Session::require_computing() const {
+  if (timeline_)
+    throw InputError(timeline_->folder().path.string(),
+                     "is shown as it was computed; go_on computes on from it");
+}
+
 void Session::reset() {
   Checkpoint checkpoint;
   checkpoint.world = start_world(scenario_);
   start(scenario_, std::move(checkpoint));
 }
 
+// Besides what the user has chosen: units, and words of the legend.
+void Session::take_scene_into_view() {
+  const View of_scene = view_of(scenario_, view);
+  view.physical = of_scene.physical;
+  view.method = of_scene.method;
+  view.expects_intruder = of_scene.expects_intruder;
+}
+
 bool Session::set(const std::string& path, const Json& value) {
+  require_computing();
   Json json = to_json(scenario_);
   set_value(json, path, value, path);
   Scenario changed = scenario_from_json(json);
   validate(changed);
   scenario_ = std::move(changed);
-  view.physical = scenario_.physical;
-  view.method = view_of(scenario_, view).method;
+  take_scene_into_view();
   if (!holds_at_once(path)) return false;
   const bool too_late = is_set_up(path, protocol());
   Scenario now = scenario_;
@@ -113,12 +152,16 @@ bool Session::set(const std::string& path, const Json& value) {
 }
 
 void Session::begin_phase(const Phase& phase) {
+  require_computing();
   sampled_run_->protocol().begin_phase(phase);
   by_hand_ = true;
   failed_ = false;
 }
 
-void Session::apply(int body, const Vec2& force) { sampled_run_->protocol().apply(body, force); }
+void Session::apply(int body, const Vec2& force) {
+  require_computing();
+  sampled_run_->protocol().apply(body, force);
+}
 
 void Session::sample_every(std::optional<double> every) {
   every_ = every;
@@ -126,6 +169,7 @@ void Session::sample_every(std::optional<double> every) {
 }
 
 RunStop Session::run(const RunUntil& until) {
+  require_computing();
   const std::int64_t first_step = world().step;
   const double first_time = world().time;
   const int first_phase = protocol().state().phase;
@@ -144,19 +188,19 @@ RunStop Session::run(const RunUntil& until) {
 }
 
 void Session::save(const std::filesystem::path& file) const {
+  require_computing();
   write_checkpoint(file, {world(), protocol().state(), to_text(protocol().scenario())});
 }
 
 void Session::restore(const std::filesystem::path& file) {
   StateFile state = read_state(file);
   scenario_ = state.scenario;
-  view.physical = scenario_.physical;
-  view.method = view_of(scenario_, view).method;
+  take_scene_into_view();
   start(scenario_, std::move(state.checkpoint));
 }
 
 View Session::shown() const {
-  View shown = view;
+  View shown = timeline_ ? timeline_->with_fixed_scales(view) : view;
   const int intruder = follow_intruder ? world().intruder() : -1;
   if (intruder < 0) return shown;
   const WorldRect window = view_window(world(), view);
@@ -168,7 +212,7 @@ View Session::shown() const {
 }
 
 Row Session::measure_now() const {
-  Row row = sampled_run_->last();
+  Row row = timeline_ ? Row{} : sampled_run_->last();
   row.sample = measure(world());
   row.phase = phase_name();
   return row;

@@ -13,6 +13,7 @@
 
 #include "app/json/json_text.h"
 #include "app/series/sampled_run.h"
+#include "app/session/timeline.h"
 #include "render/base/view.h"
 
 namespace quicksand {
@@ -63,20 +64,32 @@ class Session {
   void save(const std::filesystem::path& file) const;
   void restore(const std::filesystem::path& file);
 
+  // Shows a run that was computed before, or that another process computes, instead of computing. Throws InputError if
+  // the folder holds none with a history; the session is then as before.
+  void open(const std::filesystem::path& folder);
+  // The run that is shown; null where the session computes.
+  Timeline* timeline() { return timeline_.get(); }
+  const Timeline* timeline() const { return timeline_.get(); }
+  // Computes on from the checkpoint of the shown run that is nearest to the shown moment: its state.cbor, or its
+  // beginning. Throws InputError.
+  void go_on();
+
   // The scene with all its changes: what the next reset starts.
   const Scenario& scenario() const { return scenario_; }
   // The following must not be called unless loaded().
-  const World& world() const { return sampled_run_->world(); }
+  const World& world() const { return timeline_ ? timeline_->world() : sampled_run_->world(); }
   const Protocol& protocol() const { return sampled_run_->protocol(); }
   // Phases of the present run: those of the scene, and those begun by hand.
   const std::vector<Phase>& phases() const { return protocol().scenario().phases; }
   // Of the present one; "end" after the last.
-  std::string phase_name() const { return sampled_run_->phase_name(); }
+  std::string phase_name() const {
+    return timeline_ ? timeline_->moment().phase_name : sampled_run_->phase_name();
+  }
   bool failed() const { return failed_; }
   bool finished() const { return protocol().phase() == nullptr; }
   // Samples since the start, for plots: at most kMostSamples, evenly thinned when there are more.
   static constexpr std::size_t kMostSamples = 1000;
-  const std::vector<Row>& history() const { return history_; }
+  const std::vector<Row>& history() const { return timeline_ ? timeline_->rows() : history_; }
   // The quantities of this moment.
   Row measure_now() const;
   // Time between samples from now on; that of the scene if absent [sqrt(d/g)].
@@ -85,24 +98,27 @@ class Session {
   SampledRun::Sink on_sample;
 
   View view;  // of the packing, its size that of a picture without panel
-  bool follow_intruder = false;
-  // The view with its window: around the intruder if that is followed.
+  // The view with its window, around the intruder if that is followed, and with the scales of a run that is shown.
   View shown() const;
   std::optional<int> picked;  // body that is inspected
-  bool running = false;       // whether each frame of a panel computes steps_per_frame
+  bool follow_intruder = false;
+  bool running = false;  // whether each frame of a panel computes steps_per_frame
   std::int64_t steps_per_frame = 1;
 
  private:
   void start(const Scenario& scenario, Checkpoint checkpoint);
   void remember(const Row& row);
+  void require_computing() const;
+  void take_scene_into_view();
 
   Scenario scenario_;
   std::unique_ptr<SampledRun> sampled_run_;
+  std::unique_ptr<Timeline> timeline_;
   std::vector<Row> history_;
   std::size_t stride_ = 1;  // every which sample is kept in the history
   std::size_t samples_ = 0;
-  bool by_hand_ = false;         // whether phases were begun by hand
   std::optional<double> every_;  // between samples, if not as the scene says
+  bool by_hand_ = false;         // whether phases were begun by hand
   bool failed_ = false;
 };
 

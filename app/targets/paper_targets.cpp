@@ -95,7 +95,7 @@ PaperTargets read_targets(const std::filesystem::path& file) {
     }
     return read;
   } catch (const InputError& error) {
-    throw in_file(file, error);
+    throw error.in(file.string());
   }
 }
 

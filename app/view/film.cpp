@@ -1,5 +1,6 @@
 #include "app/view/film.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -13,6 +14,12 @@ namespace quicksand {
 View view_of(const Scenario& scenario, View view) {
   view.fit = scenario.box.width > 0 && scenario.box.height > 0 ? Fit::box : Fit::content;
   view.physical = scenario.physical;
+  view.expects_intruder =
+      std::ranges::any_of(
+          scenario.phases,
+          [](const Phase& phase) { return std::holds_alternative<PushPhase>(phase.kind); }) ||
+      std::ranges::any_of(scenario.disks,
+                          [](const Disk& disk) { return disk.role == Role::intruder; });
   view.method =
       scenario.step.nscd ? "NSCD, " + std::to_string(scenario.step.nscd->sweeps) + " sweeps" : "";
   return view;

@@ -91,7 +91,25 @@ void describe_size(Fields& f, int& width, int& height) {
   height = static_cast<int>(h);
 }
 
+void describe_window(Fields& f, std::optional<WorldRect>& window) {
+  const Limits limits = between(-kFarthestWindow, kFarthestWindow, "d");
+  std::optional<Vec2> low, high;
+  if (window) low = window->low, high = window->high;
+  f.vector({"low", "lower left corner of the window that is shown, [x, y]"}, limits, low);
+  f.vector({"high", "its upper right corner, [x, y]"}, limits, high);
+  if (!f.reading()) return;
+  if (low.has_value() != high.has_value()) f.refuse("low", "and high go together");
+  window.reset();
+  if (!low) return;
+  window = WorldRect{*low, *high};
+  if (!(window->size().minCoeff() > 0)) f.refuse("high", "must lie above and to the right of low");
+}
+
 void describe_view(Fields& f, View& view) { describe_fields(f, view, true); }
-void describe_view_of_run(Fields& f, View& view) { describe_fields(f, view, false); }
+
+void describe_view_of_run(Fields& f, View& view) {
+  describe_fields(f, view, false);
+  describe_window(f, view.window);
+}
 
 }  // namespace quicksand

@@ -2,6 +2,7 @@
 // the panel follow from it.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -45,8 +46,10 @@ struct ViewWord {
 std::span<const ViewWord> view_words();
 
 void describe_size(Fields& f, int& width, int& height);
+// The part of the world that is shown: its corners "low" and "high", both or neither.
+void describe_window(Fields& f, std::optional<WorldRect>& window);
 void describe_view(Fields& f, View& view);
-// What runs keep.
+// What runs keep, the window included.
 void describe_view_of_run(Fields& f, View& view);
 
 }  // namespace quicksand

@@ -120,6 +120,10 @@ void Widgets::plot(const std::string& name, const std::string& title, const Curv
   list->PushClipRect(low, high, true);
   const ImU32 colour = ImGui::GetColorU32(look_->curve);
   list->AddPolyline(places.data(), static_cast<int>(places.size()), colour, 0, px(1.5F));
+  if (curve.cursor) {
+    const float place = std::round(place_x(*curve.cursor));
+    list->AddLine({place, low.y}, {place, high.y}, ImGui::GetColorU32(look_->accent), px(1.5F));
+  }
   list->PopClipRect();
   list->AddCircleFilled(places.back(), px(3), colour);
 }

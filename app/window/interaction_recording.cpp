@@ -10,7 +10,8 @@ namespace quicksand {
 
 namespace {
 
-constexpr auto kOfTheWindow = std::to_array<std::string_view>({"start", "pause", "pace", "quit"});
+constexpr auto kOfTheWindow =
+    std::to_array<std::string_view>({"start", "pause", "pace", "play", "quit"});
 
 std::string_view name_of(const Json& command) {
   return command["command"].get_ref<const std::string&>();
@@ -40,8 +41,9 @@ void InteractionRecording::add_steps(std::int64_t steps) {
   }
 }
 
-Json InteractionRecording::session(const World& world) const {
+Json InteractionRecording::session(const World& world, std::optional<std::size_t> shown) const {
   Json commands = commands_;
+  if (shown) commands.push_back({{"command", "show"}, {"sample", *shown}});
   commands.push_back({{"command", "expect_hash"}, {"hash", text_of_hash(world_hash(world))}});
   return {{"description", "Recorded by hand in a window."}, {"commands", std::move(commands)}};
 }

@@ -1,8 +1,9 @@
 // What was done by hand, as a session file that replays to the same world.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "app/json/json_text.h"
@@ -19,8 +20,9 @@ class InteractionRecording {
   void add_steps(std::int64_t steps);
 
   bool empty() const { return commands_.empty(); }
-  // The session file; its last command expects the hash of this world.
-  Json session(const World& world) const;
+  // The session file; its last command expects the hash of this world. `shown`: the sample of a run where playing has
+  // led to.
+  Json session(const World& world, std::optional<std::size_t> shown = {}) const;
 
  private:
   std::vector<Json> commands_;

@@ -4,16 +4,16 @@
 #include <cstdio>
 #include <optional>
 
-#include "app/base/assets.h"
 #include "app/base/exit_code.h"
 #include "app/base/interrupt.h"
 #include "app/commands/command_table.h"
 #include "app/commands/console.h"
 #include "app/commands/session_file.h"
 #include "app/run_folder/run_folder.h"
-#include "app/scene/scene_file.h"
 #include "app/window/display.h"
+#include "app/window/first_command.h"
 #include "app/window/interaction_recording.h"
+#include "app/window/step_rate.h"
 #include "core/base/errors.h"
 #include "core/base/whole_file.h"
 
@@ -23,34 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-
-// How fast it goes, over the last second: steps, and the share of the present phase.
-class Rate {
- public:
-  void add(std::int64_t steps, const Protocol& protocol) {
-    steps_ += steps;
-    const double seconds = std::chrono::duration<double>(Clock::now() - since_).count();
-    if (seconds < 1) return;
-    const double done = protocol.phase() != nullptr ? protocol.phase_progress() : 1;
-    const double progress = protocol.state().phase == phase_ ? done - done_ : 0;
-    per_second_ = steps_ > 0 ? std::optional(static_cast<double>(steps_) / seconds) : std::nullopt;
-    left_ =
-        steps_ > 0 && progress > 0 ? std::optional((1 - done) / progress * seconds) : std::nullopt;
-    steps_ = 0;
-    since_ = Clock::now();
-    done_ = done;
-    phase_ = protocol.state().phase;
-  }
-  std::optional<double> per_second() const { return per_second_; }
-  std::optional<double> left() const { return left_; }  // of the phase [s]
-
- private:
-  Clock::time_point since_ = Clock::now();
-  std::int64_t steps_ = 0;
-  double done_ = 0;  // share of the phase at the beginning of this second
-  int phase_ = -1;
-  std::optional<double> per_second_, left_;
-};
 
 class Window {
  public:
@@ -73,10 +45,9 @@ class Window {
     GuiInput input;
     int lively = kLively;  // frames until the picture rests
     while (!console_.quit && !watch_.interrupted()) {
-      const bool busy = lively > 0 || console_.session().running;
-      if (!display->poll(input, busy ? 1 : kIdle)) break;
-      if (display->something_happened()) lively = kLively;
-      if (lively > 0 || console_.session().running) {
+      if (!display->poll(input, lively > 0 || moves() ? 1 : kIdle)) break;
+      if (display->something_happened() || run_has_grown()) lively = kLively;
+      if (lively > 0 || moves()) {
         show(*display, input);
         --lively;
         if (Clock::now() - interactions_written_ > kRecordingPeriod) write_interactions();
@@ -87,28 +58,39 @@ class Window {
   }
 
  private:
+  // Whether the picture changes by itself.
+  bool moves() {
+    const Timeline* timeline = console_.session().timeline();
+    return console_.session().running || (timeline != nullptr && timeline->playing);
+  }
+
+  // Looks now and then whether the run that is shown, which may still be computing, has new samples.
+  bool run_has_grown() {
+    Timeline* timeline = console_.session().timeline();
+    if (timeline == nullptr || Clock::now() - looked_ < kLookPeriod) return false;
+    looked_ = Clock::now();
+    try {
+      return timeline->refresh();
+    } catch (const InputError& error) {
+      console_.panel().show_error(error.where() + ": " + error.what());
+      return true;
+    }
+  }
+
+  static constexpr std::chrono::milliseconds kLookPeriod{500};
   static constexpr const char* kHint =
       "Press space to run and to pause. Drag a grain to pull at it, turn the wheel to zoom.";
+  static constexpr const char* kRunHint =
+      "Press space to play and to pause, the arrows to go by one sample. Drag along the timeline.";
   static constexpr int kLively = 4;
   static constexpr int kIdle = 100;  // [ms]
   static constexpr std::chrono::seconds kRecordingPeriod{2};
 
-  // What the command line names: it becomes the first command, or the first commands.
   void begin() {
-    do_first();
+    do_now(first_command(options_.file));
     // A recording shows what a session does, nothing for the hand.
-    if (!console_.recording) console_.panel().show_hint(kHint);
-  }
-
-  void do_first() {
-    if (options_.file.empty()) return do_now({{"command", "load"}, {"scene", kDemoScene}});
-    const bool is_file = options_.file.find_first_of("/.") != std::string::npos;
-    if (is_file && parse_json(read_scene_text(options_.file)).contains("commands")) {
-      do_now({{"command", "include"}, {"file", fs::absolute(options_.file).string()}});
-      return;
-    }
-    do_now({{"command", "load"},
-            {"scene", is_file ? fs::absolute(options_.file).string() : options_.file}});
+    if (console_.recording) return;
+    console_.panel().show_hint(console_.session().timeline() != nullptr ? kRunHint : kHint);
   }
 
   void do_now(const Json& command) {
@@ -127,7 +109,10 @@ class Window {
   // Now and then: a screen that goes away must not take what was done with it.
   void write_interactions() {
     if (options_.record.empty() || interactions_.empty() || !console_.session().loaded()) return;
-    write_whole(options_.record, interactions_.session(console_.session().world()).dump(2) + "\n");
+    const Session& session = console_.session();
+    const Timeline* timeline = session.timeline();
+    const auto shown = timeline ? std::optional(timeline->shown()) : std::nullopt;
+    write_whole(options_.record, interactions_.session(session.world(), shown).dump(2) + "\n");
     interactions_written_ = Clock::now();
   }
 
@@ -145,7 +130,8 @@ class Window {
   Console console_;
   InteractionRecording interactions_;
   Clock::time_point interactions_written_ = Clock::now();
-  Rate rate_;
+  Clock::time_point looked_ = Clock::now();  // for new samples of a run
+  StepRate rate_;
 };
 
 }  // namespace

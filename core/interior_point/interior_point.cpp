@@ -60,7 +60,6 @@ struct InteriorPoint::Path {
   double least_product = 0;  // no smaller one is aimed at
   double most_proximal = 0;  // beyond a fold
   double best = 0;           // least distance from acceptance
-  double tried = kInfinity;  // distance at which a few sweeps were last tried
   int settling = 0;          // iterations since acceptance
   Jam jam = {};
 
@@ -184,8 +183,7 @@ bool InteriorPoint::rescue(Path& path) {
   const SolveReport& report = path.report;
   const double distance = path.settings.distance(report.residual);
   if (have_settled(report, path.settings) && report.factorisations >= T::kLongPath &&
-      distance < std::min(T::kNear, T::kNearer * path.tried)) {
-    path.tried = distance;
+      distance < T::kNear) {
     relaxed_.impulse = path.state.impulse;
     if (try_relaxation(path, T::kFewSweeps)) return true;
   }

@@ -17,6 +17,18 @@ constexpr Colour hex(std::uint32_t rgb) {
           static_cast<std::uint8_t>(rgb), 255};
 }
 
+// Of white 1, by the weights of red, green and blue in sRGB.
+constexpr double brightness(Colour c) { return (0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b) / 255; }
+
+// The one of two that stands out more on a ground.
+constexpr Colour clearer_on(Colour ground, Colour one, Colour other) {
+  const auto apart = [&](Colour c) {
+    const double d = brightness(c) - brightness(ground);
+    return d < 0 ? -d : d;
+  };
+  return apart(one) >= apart(other) ? one : other;
+}
+
 inline Colour with_alpha(Colour c, double alpha) {
   c.a = static_cast<std::uint8_t>(std::lround(alpha * 255));
   return c;

@@ -71,6 +71,9 @@ struct View {
   double colour_low = 0;
   double colour_high = 0;
   double force_scale = 0;  // force of a line 0.4 d wide [F_g]; 0: from the data
+  // Whether an intruder comes sooner or later: the legend then has its words from the beginning, and nothing in it moves
+  // when it comes.
+  bool expects_intruder = false;
   // The time-stepping scheme, where pictures must name it; empty: the exact one.
   std::string method = {};
   // Adds SI units to the scale bar and the time.
@@ -84,5 +87,7 @@ struct View {
 // Sizes that can be drawn [px].
 constexpr int kSmallestPicture = 64;
 constexpr int kLargestPicture = 8192;
+// How far from the origin the corners of a window may lie [d].
+constexpr double kFarthestWindow = 1e7;
 
 }  // namespace quicksand

@@ -21,7 +21,7 @@ void add_numbers(Legend& key, const KeyContent& content, double widest, bool all
   key.add(std::move(captions));
   Legend::Group numbers{.title = {}, .words = {}, .line_each = true};
   for (const Reading& reading : content.readings) {
-    if (reading.text.empty() && !all) continue;
+    if (reading.text.empty() && !all && !content.view.expects_intruder) continue;
     const double reserved =
         std::max(content.font.width(reading.longest), content.font.width(reading.text));
     numbers.words.push_back(text_word(content.font, reading.text, reserved, ink));
@@ -42,7 +42,7 @@ void add_colours(Legend& key, const KeyContent& content, bool all) {
   if (content.colours.no_value) {
     group.words.push_back(swatch_word(content.font, content.view.theme, *content.colours.no_value));
   }
-  if (all || content.world.intruder() >= 0) {
+  if (all || content.view.expects_intruder || content.world.intruder() >= 0) {
     group.words.push_back(
         swatch_word(content.font, content.view.theme, {colours.intruder, "intruder"}));
   }

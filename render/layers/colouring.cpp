@@ -24,14 +24,10 @@ ColouredGrains by_count(const std::vector<int>& count, std::span<const Colour> c
   return grains;
 }
 
-ColouredGrains by_value(const World& world, const View& view, const std::vector<double>& values,
-                        std::string title) {
-  std::vector<double> of_grains;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (world.disks.role[i] == Role::grain) of_grains.push_back(values[i]);
-  }
+ColouredGrains by_value(const World& world, const View& view, std::string title) {
+  const std::vector<double> values = coloured_values(world, view.colouring);
   const Range range = view.colour_high > 0 ? Range{view.colour_low, view.colour_high}
-                                           : range_of(std::move(of_grains));
+                                           : range_of(of_grains(world, values));
   ColouredGrains grains;
   grains.scale = {.title = std::move(title),
                   .swatches = {},
@@ -83,6 +79,24 @@ std::vector<double> speeds(const World& world) {
 
 }  // namespace
 
+std::vector<double> coloured_values(const World& world, Colouring colouring) {
+  switch (colouring) {
+    case Colouring::speed:
+      return speeds(world);
+    case Colouring::pressure:
+      return contact_pressure(world);
+    default:
+      return {};
+  }
+}
+
+std::vector<double> of_grains(const World& world, const std::vector<double>& values) {
+  std::vector<double> grains;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (world.disks.role[i] == Role::grain) grains.push_back(values[i]);
+  return grains;
+}
+
 Range range_of(std::vector<double> values) {
   if (values.empty()) return {0, 1};
   const auto high = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) * 98 / 100);
@@ -105,10 +119,9 @@ ColouredGrains colour_grains(const World& world, const View& view) {
     case Colouring::broken_bonds:
       return by_broken_bonds(world, view);
     case Colouring::speed:
-      return by_value(world, view, speeds(world),
-                      "Speed " + italic("v") + " / √(" + italic("gd") + ")");
+      return by_value(world, view, "Speed " + italic("v") + " / √(" + italic("gd") + ")");
     case Colouring::pressure:
-      return by_value(world, view, contact_pressure(world),
+      return by_value(world, view,
                       "Contact pressure " + italic("p") + " / (" + italic("F") + subscript("g") +
                           "/" + italic("d") + ")");
   }

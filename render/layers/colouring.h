@@ -34,6 +34,11 @@ struct ColouredGrains {
 
 ColouredGrains colour_grains(const World& world, const View& view);
 
+// What a colouring by a value shows of each disk (nd) [its unit]; nothing for the others.
+std::vector<double> coloured_values(const World& world, Colouring colouring);
+// Of values of all disks those of the grains.
+std::vector<double> of_grains(const World& world, const std::vector<double>& values);
+
 // From zero to the nice number above the 98th of a hundred, so that a few fast grains do not make
 // all others look alike; to 1 if all are zero.
 Range range_of(std::vector<double> values);

@@ -61,8 +61,7 @@ double bar_width(double pixels_per_diameter) {
   return std::clamp(0.2 * pixels_per_diameter, 1.3, 8.0);
 }
 
-double force_scale(const World& world, const View& view) {
-  if (view.force_scale > 0) return view.force_scale;
+double usual_force(const World& world) {
   std::vector<double> forces;
   if (world.impulse_dt > 0) {
     for (const Contact& contact : world.contacts) {
@@ -70,10 +69,16 @@ double force_scale(const World& world, const View& view) {
       if (force > 0 && std::isfinite(force)) forces.push_back(force);
     }
   }
-  if (forces.empty()) return 1;
+  if (forces.empty()) return 0;
   const auto high = forces.begin() + static_cast<std::ptrdiff_t>((forces.size() - 1) * 99 / 100);
   std::nth_element(forces.begin(), high, forces.end());
   return nice_above(*high);
+}
+
+double force_scale(const World& world, const View& view) {
+  if (view.force_scale > 0) return view.force_scale;
+  const double usual = usual_force(world);
+  return usual > 0 ? usual : 1;
 }
 
 void draw_bonds(DrawList& list, const World& world, const View& view, const Panel& panel) {

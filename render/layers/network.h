@@ -11,8 +11,9 @@ namespace quicksand {
 constexpr double kStillClose = 0.3;
 constexpr double kReferenceWidth = 0.4;  // width of a line of the reference force [d]
 
-// Force that a line of the reference width stands for: as the view says, or the nice number above
-// the 99th of a hundred [F_g].
+// The nice number above the 99th of a hundred normal forces; 0 where there are none [F_g].
+double usual_force(const World& world);
+// Force that a line of the reference width stands for: as the view says, or the usual one [F_g].
 double force_scale(const World& world, const View& view);
 
 void draw_bonds(DrawList& list, const World& world, const View& view, const Panel& panel);

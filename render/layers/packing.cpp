@@ -18,7 +18,7 @@ double outline_width(double radius) {
   return radius < kSmallestOutlined ? 0 : std::clamp(0.13 * radius, 0.5, 1.6);
 }
 
-// The applied force on an intruder, as an arrow inside it.
+// The applied force on a disk, as an arrow inside it.
 void draw_applied_force(DrawList& list, const Vec2& centre, double radius, const Vec3& force,
                         Colour colour) {
   if (radius < 7 || force.head<2>().norm() == 0) return;
@@ -79,6 +79,10 @@ void draw_disks(DrawList& list, const World& world, const View& view, const Colo
   const Palette& colours = palette(view.theme);
   const double paling = view.forces ? network_paling(view.theme) : 0;
   const Colour outline = with_alpha(colours.outline, colours.outline.a / 255.0 * (1 - paling));
+  const auto fill = [&](std::size_t k) {
+    return world.disks.role[k] == Role::intruder ? colours.intruder
+                                                 : mix(grains.fill[k], colours.background, paling);
+  };
   const auto visit = [&](auto&& draw) {
     for (int i = 0; i < world.disks.size(); ++i) {
       if (world.shapes.find(i)) continue;  // see shapes.h
@@ -94,18 +98,16 @@ void draw_disks(DrawList& list, const World& world, const View& view, const Colo
   };
   visit([&](std::size_t k, const Vec2& pixel, double radius) {
     if (world.disks.role[k] == Role::intruder) {
-      list.disk(pixel, radius, colours.intruder, std::clamp(0.1 * radius, 1.0, 3.0),
+      list.disk(pixel, radius, fill(k), std::clamp(0.1 * radius, 1.0, 3.0),
                 colours.intruder_outline);
     } else {
-      list.disk(pixel, radius, mix(grains.fill[k], colours.background, paling),
-                outline_width(radius), outline);
+      list.disk(pixel, radius, fill(k), outline_width(radius), outline);
     }
   });
   visit([&](std::size_t k, const Vec2& pixel, double radius) {
     const bool intruder = world.disks.role[k] == Role::intruder;
-    if (intruder) {
-      draw_applied_force(list, pixel, radius, world.disks.applied[k], colours.background);
-    }
+    draw_applied_force(list, pixel, radius, world.disks.applied[k],
+                       clearer_on(fill(k), colours.ink, colours.background));
     if (view.orientation && radius >= kSmallestMarked) {
       draw_orientation(list, pixel, radius, intruder ? 0.68 : 0.3, world.disks.angle[k],
                        intruder ? colours.background : with_alpha(colours.ink, 0.75));

@@ -132,8 +132,14 @@ void check(const View& view) {
                                  std::to_string(kLargestPicture));
   }
   const auto positive = [](double x) { return x > 0 && std::isfinite(x); };
-  if (view.window && !(positive(view.window->size().x()) && positive(view.window->size().y()))) {
-    throw InputError("window", "the window of a picture must have a positive width and height");
+  if (view.window) {
+    const auto& [low, high] = *view.window;
+    const bool near = low.cwiseAbs().maxCoeff() <= kFarthestWindow &&
+                      high.cwiseAbs().maxCoeff() <= kFarthestWindow;
+    if (!(near && positive(view.window->size().minCoeff())))
+      throw InputError("window",
+                       "must have corners within 1e7 d of the origin, the second above "
+                       "and to the right of the first");
   }
   const bool from_data = view.colour_low == 0 && view.colour_high == 0;
   if (!from_data && !(view.colour_low >= 0 && positive(view.colour_high - view.colour_low))) {

@@ -184,6 +184,8 @@ TEST(Includes, PictureLibrariesStayInRenderAndItsTests) {
               {"render/", "app/bench/problems/", "tests/render/film/animation_test.cpp"});
 }
 
+TEST(Includes, ThePackingOfHistoriesStaysThere) { expect_only({"zstd"}, {"app/history/"}); }
+
 TEST(Includes, OfOwnFilesAreWrittenFromTheRoot) {
   for (const Include& include : includes()) {
     EXPECT_EQ(include.header.find(".."), std::string::npos) << include.file;

@@ -34,6 +34,14 @@ if grep -q '^help2man:FILEPATH=/' "$build/CMakeCache.txt"; then
 fi
 test -s prefix/share/bash-completion/completions/quicksand
 
+if [ -x /usr/bin/python3 ]; then
+  echo "the Python module finds the program beside itself"
+  found=$(env -u QUICKSAND PATH=/usr/bin:/bin PYTHONPATH=prefix/share/quicksand/assets/python /usr/bin/python3 -B -c \
+    'import quicksand; print(quicksand.run("chain", no_frames=True, out="chain") and quicksand.find_program())')
+  echo "  $found"
+  [ "$(realpath "$found")" = "$(realpath prefix/bin/quicksand)" ]
+fi
+
 echo "a program links the installed library"
 cmake -S "$here/example" -B example -G Ninja -DCMAKE_PREFIX_PATH="$work/prefix" >configure.log ||
   { cat configure.log; exit 1; }

@@ -11,7 +11,7 @@ answer_help "$@"
 seconds=${1:-600}
 expect_number SECONDS "$seconds"
 [ $# -gt 0 ] && shift
-all=(scene campaign session line options checkpoint)
+all=(scene campaign session line message options checkpoint history)
 readers=("$@")
 [ ${#readers[@]} -gt 0 ] || readers=("${all[@]}")
 for reader in "${readers[@]}"; do

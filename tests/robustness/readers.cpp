@@ -8,9 +8,12 @@
 #include "app/campaign/campaign.h"
 #include "app/commands/command_table.h"
 #include "app/commands/session_file.h"
+#include "app/history/snapshot.h"
 #include "app/run/run_options.h"
 #include "app/run/run_position.h"
 #include "app/scene_json/scenario_json.h"
+#include "app/serve/client_message.h"
+#include "core/base/errors.h"
 #include "core/checkpoint/checkpoint.h"
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
@@ -60,6 +63,10 @@ std::vector<std::string> command_examples() {
   return lines;
 }
 
+void write(const fs::path& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary | std::ios::trunc) << text;
+}
+
 constexpr std::size_t kSealSize = 9;
 
 std::string unsealed(const std::string& bytes) { return bytes.substr(0, bytes.size() - kSealSize); }
@@ -98,13 +105,28 @@ std::vector<std::string> checkpoints(const fs::path& file) {
           unsealed(contents(kSource / "tests/golden/mid_way.cbor"))};
 }
 
+// Of the states of these checkpoints: a history says by checksums whether its bytes are whole, and only then reads them.
+std::vector<std::string> snapshots(const fs::path& file) {
+  std::vector<std::string> texts;
+  for (const std::string& bytes : checkpoints(file)) {
+    write(file, sealed(bytes));
+    const Bytes snapshot = snapshot_of(read_checkpoint(file).world);
+    texts.emplace_back(snapshot.begin(), snapshot.end());
+  }
+  return texts;
+}
+
+void read_snapshot_of(const std::string& text) {
+  try {
+    world_from_snapshot({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  } catch (const std::runtime_error& problem) {
+    throw InputError("history.qsh", problem.what());
+  }
+}
+
 std::string default_options(const fs::path& file) {
   write_options(file, {});
   return contents(file);
-}
-
-void write(const fs::path& file, const std::string& text) {
-  std::ofstream(file, std::ios::binary | std::ios::trunc) << text;
 }
 
 void read_scene_of(const std::string& text) {
@@ -120,6 +142,25 @@ void read_scene_of(const std::string& text) {
 void read_line_of(const std::string& text) {
   const Json command = parse_json(text);
   command_of(command, "line").check(command, "line");
+}
+
+// What a browser sends.
+std::vector<std::string> messages() {
+  return {R"({"ask": "body", "at": [1.5, -2], "id": 3})",
+          R"({"ask": "recording", "id": 5})",
+          R"({"command": "load", "scene": "chain", "set": {"box.width": 9}, "id": 4})",
+          R"({"command": "set", "path": "phases[1].force", "value": 1e3})",
+          R"({"command": "camera", "low": [0, 0.5], "high": [20, 12]})",
+          R"({"command": "push", "diameter": 3, "density": 0.5, "force": 1e4, "max_time": 20})",
+          R"({"command": "apply", "body": 12, "force": [100, -0.25], "id": 6})",
+          R"({"command": "save", "file": "film/state.cbor"})"};
+}
+
+void read_message_of(const std::string& text) {
+  Json id;
+  const ClientMessage message = read_message(text, id);
+  if (message.command.is_null() == message.question.is_null())
+    throw std::logic_error("a message is a command or a question");
 }
 
 void read_campaign_of(const std::string& text, const fs::path& file) {
@@ -146,6 +187,7 @@ std::vector<Reader> readers(const fs::path& folder) {
              read_session_file(json);
            }},
           {"line", command_examples(), read_line_of},
+          {"message", messages(), read_message_of},
           {"options",
            {default_options(json)},
            [=](const std::string& text) {
@@ -153,7 +195,8 @@ std::vector<Reader> readers(const fs::path& folder) {
              read_options(json);
            }},
           {"checkpoint", checkpoints(cbor),
-           [=](const std::string& text) { read_checkpoint_of(text, cbor); }}};
+           [=](const std::string& text) { read_checkpoint_of(text, cbor); }},
+          {"history", snapshots(cbor), read_snapshot_of}};
 }
 
 }  // namespace quicksand::test

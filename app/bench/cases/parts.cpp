@@ -32,6 +32,9 @@ std::span<const Part> parts() {
       Part{"problems", "Recorded problems",
            "contact problems that runs have met, solved again: median, worst, errors",
            problem_tasks, report_problems, false},
+      Part{"serve", "A run in a browser",
+           "what clients of `serve` cost a run, and how soon they see what they ask for",
+           serve_tasks, report_serve, false},
       Part{"peers", "Other programs", "the same scenes in Box2D, Yade and Siconos, where installed",
            peer_tasks, report_peers, false}};
   return all;

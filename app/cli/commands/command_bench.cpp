@@ -47,8 +47,7 @@ std::vector<Planned> planned(const Request& request) {
   for (const Case& one : cases()) known.push_back(one.name);
   for (const std::string& name : request.names)
     if (std::ranges::find(known, name) == known.end())
-      throw InputError("\"" + name + "\"",
-                       "is neither a part nor a goal" + suggestion(name, known));
+      refuse_name("\"" + name + "\"", "is neither a part nor a goal", name, known);
   const auto named = [&](std::string_view name) {
     return std::ranges::find(request.names, name) != request.names.end();
   };
@@ -235,9 +234,9 @@ Command add_bench(CLI::App& program) {
   std::string names;
   for (const Part& part : parts()) names += (names.empty() ? "" : ", ") + std::string(part.name);
   command
-      ->add_option(
-          "parts", request->names,
-          "all but peers if none is given; one or more of: " + names + "; or a case of goals")
+      ->add_option("parts", request->names,
+                   "all but problems, serve and peers if none is given; one or more of: " + names +
+                       "; or a case of goals")
       ->type_name("PART");
   command->add_option("--out", request->options.out, "folder of results and states [out/bench]")
       ->type_name("DIR");

@@ -6,6 +6,8 @@
 #include "app/cli/commands.h"
 #include "app/scene/scene_options.h"
 #include "app/scene/scene_report.h"
+#include "app/scene_json/scenario_json.h"
+#include "core/scene/scenario.h"
 
 namespace quicksand {
 
@@ -13,12 +15,16 @@ Command add_check(CLI::App& program) {
   CLI::App* command =
       program.add_subcommand("check", "Validate a scene and print what will be modelled.");
   const auto request = std::make_shared<SceneRequest>();
+  const auto as_json = std::make_shared<bool>(false);
   add_scene_options(*command, *request);
+  command->add_flag("--json", *as_json,
+                    "print the scene with every default explicit, as a run leaves it");
   command->footer(
       "Examples:\n  quicksand check assets/scenes/collapse.json\n"
       "  quicksand check assets/scenes/paper_intruder.json --set contact.friction=0.6");
-  return {command, [request] {
-            std::fputs(scene_report(read_scene(*request)).c_str(), stdout);
+  return {command, [request, as_json] {
+            const Scenario scenario = read_scene(*request);
+            std::fputs((*as_json ? to_text(scenario) : scene_report(scenario)).c_str(), stdout);
             return kFine;
           }};
 }

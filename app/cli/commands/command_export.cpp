@@ -1,30 +1,64 @@
-// quicksand export: writes checkpoints in formats that other programs read.
+// quicksand export: writes checkpoints and histories in formats that other programs read.
 #include <cstdio>
 #include <memory>
 
 #include "app/base/exit_code.h"
 #include "app/cli/commands.h"
 #include "app/export/exporter.h"
+#include "app/options/moment_options.h"
 #include "app/run_folder/state_file.h"
+#include "app/view/history_view.h"
 #include "core/base/errors.h"
 
 namespace quicksand {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 struct ExportArguments {
-  std::vector<std::filesystem::path> states;
+  std::vector<fs::path> sources;  // checkpoints, folders of runs
   std::string format;
-  std::filesystem::path out;
+  fs::path out;
+  MomentOptions moments;
 };
 
-int export_states(const ExportArguments& options) {
+// A checkpoint, or the moments of a run: read one by one, so that only one is in memory.
+struct Source {
+  fs::path state;
+  std::optional<History> history = {};
+  Moments moments{0, 1};
+
+  World world(std::size_t k) const {
+    return history ? history->world(k) : read_state(state).checkpoint.world;
+  }
+};
+
+std::vector<Source> sources_of(const ExportArguments& options) {
+  std::vector<Source> sources;
   std::error_code ignored;
-  for (const auto& state : options.states)
-    if (std::filesystem::equivalent(state, options.out, ignored))
-      throw InputError("--out " + options.out.string(), "is the state that is read");
-  Exporter exporter(export_format(options.format), options.out, options.states.size());
-  for (const auto& state : options.states) exporter.add(read_state(state).checkpoint.world);
+  for (const auto& path : options.sources) {
+    if (fs::equivalent(path, options.out, ignored))
+      throw InputError("--out " + options.out.string(), "is what is read");
+    Source& source = sources.emplace_back(Source{path});
+    if (fs::is_directory(path, ignored)) {
+      source.history.emplace(history_of(RunFolder{path}));
+      source.moments = moments_between(*source.history, options.moments);
+    } else if (options.moments.given()) {
+      throw InputError(path.string(), "is one state; --from and --to need the folder of a run");
+    }
+  }
+  return sources;
+}
+
+int export_states(const ExportArguments& options) {
+  const std::vector<Source> sources = sources_of(options);
+  std::size_t states = 0;
+  for (const Source& source : sources) states += source.moments.size();
+  Exporter exporter(export_format(options.format), options.out, states);
+  for (const Source& source : sources)
+    for (std::size_t k = source.moments.first; k < source.moments.end; ++k)
+      exporter.add(source.world(k));
   exporter.finish();
   std::printf("%s\n", options.out.c_str());
   return kFine;
@@ -44,8 +78,11 @@ Command add_export(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "export", "Write states in formats of ParaView, OVITO, spreadsheets and NumPy.");
   const auto options = std::make_shared<ExportArguments>();
-  command->add_option("states", options->states, "checkpoints of runs, in the order of their times")
-      ->type_name("STATE.cbor")
+  command
+      ->add_option(
+          "states", options->sources,
+          "folders of runs, for all their samples, or checkpoints; in the order of their times")
+      ->type_name("DIR|STATE.cbor")
       ->required();
   command->add_option("--format", options->format, "vtk, xyz, csv or npy")
       ->type_name("FORMAT")
@@ -53,15 +90,20 @@ Command add_export(CLI::App& program) {
   command->add_option("--out", options->out, "folder, or for xyz the file, that receives them")
       ->type_name("PATH")
       ->required();
+  add_moment_options(*command, options->moments);
   command->footer(
-      "Formats, all with every digit or bit:\n" + words() +
+      "Formats:\n" + words() +
       "A folder receives disks, contacts and walls, a file each, and states.csv, a row a state.\n"
       "Several states are numbered (disks_0000.csv), and VTK's have collections over time\n"
       "(disks.pvd). `quicksand list columns` says what is in them, and in which units. Without a\n"
       "step before the state, forces are zero. Lines between the centres of contacts go the\n"
-      "nearest way, through periodic sides where that is shorter.\n\n"
+      "nearest way, through periodic sides where that is shorter. Checkpoints are written with "
+      "every\n"
+      "digit or bit; the samples of a run (history.qsh) hold places to 1e-7 d, and angles, "
+      "velocities\n"
+      "and forces to seven digits.\n\n"
       "Examples:\n"
-      "  quicksand export out/collapse/state.cbor --format vtk --out out/collapse/vtk\n"
+      "  quicksand export out/collapse --from 2 --to 4 --format vtk --out out/collapse/series\n"
       "  quicksand export out/collapse/state.cbor --format xyz --out collapse.xyz");
   return {command, [options] { return export_states(*options); }};
 }

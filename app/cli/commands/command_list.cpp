@@ -70,6 +70,25 @@ void list_columns(const CLI::App&) {
   list(state_table());
 }
 
+Json about(std::string_view unit, std::string_view help) {
+  return {{"unit", unit}, {"help", help}};
+}
+
+// {"series": {"depth": {"unit": "d", "help": "..."}, ...}, "disks": {...}, ...}: the columns of all CSV files.
+Json units() {
+  Json all;
+  for (const Quantity& known : quantities())
+    all["series"][std::string(known.name)] = about(known.unit, known.help);
+  const auto add = [&all](const DataTable& table) {
+    for (const DataColumn& column : table.columns)
+      for (int i = 0; i < column.size; ++i)
+        all[std::string(table.name)][component_name(column, i)] = about(column.unit, column.help);
+  };
+  for (const DataTable& table : tables()) add(table);
+  add(state_table());
+  return all;
+}
+
 template <auto make>
 void list_text(const CLI::App&) {
   std::fputs(make().c_str(), stdout);
@@ -128,6 +147,7 @@ constexpr auto kListings = std::to_array<Listing>(
      {"colours", "what grains can be coloured by", list_colours},
      {"quantities", "columns of series.csv, which sessions can ask for", list_quantities},
      {"columns", "columns of exported tables", list_columns},
+     {"units", "units of both, as JSON", list_json<units>},
      {"commands", "commands of sessions, with their arguments", list_text<commands_text>},
      {"schema", "JSON schema of scenes", list_json<scene_schema>},
      {"campaign_schema", "JSON schema of campaigns", list_json<campaign_schema>},

@@ -1,11 +1,16 @@
 // quicksand report: a readable page about finished runs.
 #include <cstdio>
+#include <limits>
 #include <memory>
+#include <optional>
 
 #include "app/base/exit_code.h"
 #include "app/cli/commands.h"
 #include "app/report/provenance.h"
+#include "app/run_folder/run_folder.h"
 #include "app/run_report/run_report.h"
+#include "app/serve/film_page.h"
+#include "core/base/errors.h"
 
 namespace quicksand {
 
@@ -14,16 +19,36 @@ namespace {
 struct ReportArguments {
   std::vector<std::filesystem::path> folders;
   std::filesystem::path out;
+  std::string from;
 };
+
+// A page beside the report in which the run plays, where it has a history; the report links to it.
+void add_film_page(Report& page, const RunFolder& run, const std::filesystem::path& out) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(run.history(), ignored)) return;
+  const RunFolder folder{out};
+  try {
+    make_writable(folder);
+    constexpr auto kEnd = std::numeric_limits<std::size_t>::max();
+    if (write_film_page(folder.film_page(), run, View{}, 0, kEnd) == 0) return;
+  } catch (const InputError& error) {
+    std::fprintf(stderr, "quicksand: %s: %s\n", error.where().c_str(), error.what());
+    return;
+  }
+  const std::string name = folder.film_page().filename().string();
+  Cell cell{.text = "The run, to be walked through in a browser:", .links = {{name, name}}};
+  page.lead.emplace_back(Table{.columns = {{.title = "Timeline"}}, .rows = {{std::move(cell)}}});
+}
 
 int report(const ReportArguments& options) {
   std::vector<RunResults> runs;
   std::vector<std::string> words{"quicksand", "report"};
-  double seconds = 0;
+  std::optional<double> seconds;
   for (const std::filesystem::path& folder : options.folders) {
     runs.emplace_back(folder);
     words.push_back(folder.string());
-    seconds += runs.back().final_value("wall_seconds").value_or(0);
+    if (!runs.back().recorded())
+      seconds = seconds.value_or(0) + runs.back().final_value("wall_seconds").value_or(0);
   }
   std::filesystem::path out = options.out;
   if (out.empty()) {
@@ -31,7 +56,9 @@ int report(const ReportArguments& options) {
   } else {
     words.insert(words.end(), {"--out", out.string()});
   }
-  Report page = run_report(runs);
+  if (!options.from.empty()) words.insert(words.end(), {"--from", options.from});
+  Report page = run_report(runs, options.from);
+  if (runs.size() == 1) add_film_page(page, runs.front().folder(), out);
   page.provenance = provenance({.command = command_text(words), .seconds = seconds});
   for (const std::string& problem : write_report(page, out)) {
     std::fprintf(stderr, "quicksand: %s\n", problem.c_str());
@@ -46,18 +73,25 @@ Command add_report(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "report", "Write a page about a finished run, or about several side by side.");
   const auto options = std::make_shared<ReportArguments>();
-  command->add_option("runs", options->folders, "folders of runs")->type_name("DIR")->required();
+  command->add_option("runs", options->folders, "folders of runs, or of recordings of sessions")
+      ->type_name("DIR")
+      ->required();
   command
       ->add_option("--out", options->out,
                    "folder of the report [that of a single run; out/report for several]")
       ->type_name("DIR");
+  command
+      ->add_option("--from", options->from,
+                   "name of the phase that time histories begin with, which is their time 0; so "
+                   "runs compare whose earlier phases took different times")
+      ->type_name("PHASE");
   command->footer(
-      "Writes report.html (one file, to be read and sent), report.md, plots/ (CSV, gnuplot "
-      "script,\n"
-      "PNG and SVG of each) and pictures/. Plots need gnuplot; without it their data and scripts\n"
-      "are written.\n\n"
+      "Writes report.html (one file, to be read and sent), film.html beside it for a single run\n"
+      "(at most 20 MB, in which its history plays without a network), report.md, plots/ (CSV,\n"
+      "gnuplot script, PNG and SVG of each) and pictures/. Plots need gnuplot; without it their\n"
+      "data and scripts are written.\n\n"
       "Examples:\n  quicksand report out/collapse\n"
-      "  quicksand report out/collapse out/strong --out out/comparison");
+      "  quicksand report out/collapse out/strong --from push --out out/comparison");
   return {command, [options] { return report(*options); }};
 }
 

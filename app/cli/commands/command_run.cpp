@@ -68,15 +68,22 @@ Command add_run(CLI::App& program) {
       ->type_name("SECONDS")
       ->check(in_range(between(0, kLongestCheckpointTime, "s")))
       ->capture_default_str();
+  command
+      ->add_option("--history", options->run.history_limit,
+                   "size of history.qsh [MB] from which on every second sample is dropped; 0: none")
+      ->type_name("MB")
+      ->check(in_range(between(0, kLargestHistory, "MB")))
+      ->capture_default_str();
   command->add_flag("--no-frames", options->no_frames, "compute without pictures");
   add_strict_options(*command, options->strict);
   add_picture_options(*command, options->picture);
   command->footer(
       "DIR receives scene.json, run.json, frames/, film.png (animated, for a browser), film.mp4 "
       "(with\n"
-      "ffmpeg), series.csv, summary.json and state.cbor. Ctrl-C ends a run after the present step "
-      "with\n"
-      "complete results; `quicksand resume DIR` goes on, after a kill or a power cut, too.\n\n"
+      "ffmpeg), series.csv, history.qsh (the states of all samples, for `render` and `export`),\n"
+      "summary.json and state.cbor. Ctrl-C ends a run after the present step with complete "
+      "results;\n"
+      "`quicksand resume DIR` goes on, after a kill or a power cut, too.\n\n"
       "Examples:\n"
       "  quicksand run assets/scenes/collapse.json\n"
       "  quicksand run assets/scenes/collapse.json --out out/strong --set "

@@ -13,10 +13,12 @@ Command add_window(CLI::App& program) {
   const auto options = std::make_shared<WindowOptions>();
   const auto size = std::make_shared<std::string>("1280x720");
   command
-      ->add_option("file", options->file,
-                   "scene, by name or path, or a session that is played before the window opens; "
-                   "the demo if absent")
-      ->type_name("SCENE|SESSION");
+      ->add_option(
+          "file", options->file,
+          "scene, by name or path, the folder of a run that is walked through, finished or "
+          "still computing, or a session that is played before the window opens; the demo "
+          "if absent")
+      ->type_name("SCENE|DIR|SESSION");
   command
       ->add_option("--record", options->record,
                    "write what was done by hand as a session file that replays to the same state")
@@ -31,7 +33,8 @@ Command add_window(CLI::App& program) {
       ->type_name("WxH")
       ->capture_default_str();
   command->footer(
-      "Examples:\n  quicksand window\n"
+      "Examples:\n"
+      "  quicksand window out/collapse\n"
       "  quicksand window collapse --record by_hand.json");
   return {command, [options, size] {
             read_size(*size, options->width, options->height);

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "app/experiments/experiments.h"
 #include "app/paper/findings_file.h"
 #include "app/scene_json/scenario_json.h"
+#include "app/studies/figures.h"
 #include "core/base/errors.h"
 #include "core/bodies/contact_law.h"
 #include "core/scene/scenario.h"

@@ -15,6 +15,7 @@ TEST(RunOptions, ReadBackAsTheyWereWritten) {
   options.every = 0.1;
   options.frames = false;
   options.checkpoint_every = 7.5;
+  options.history_limit = 12.5;
   options.strict = StrictBounds{1e-4};
   options.view.width = 320;
   options.view.theme = Theme::dark;
@@ -27,6 +28,7 @@ TEST(RunOptions, ReadBackAsTheyWereWritten) {
   EXPECT_EQ(read.every, options.every);
   EXPECT_EQ(read.frames, options.frames);
   EXPECT_EQ(read.checkpoint_every, options.checkpoint_every);
+  EXPECT_EQ(read.history_limit, options.history_limit);
   ASSERT_TRUE(read.strict);
   EXPECT_EQ(read.strict->max_overlap, 1e-4);
   EXPECT_EQ(read.view, options.view);

@@ -82,6 +82,44 @@ TEST_F(RunReportTest, OfSeveralRunsShowsThemSideBySideWithWhatDiffers) {
   EXPECT_NE(csv.find("\"hard\""), std::string::npos);
 }
 
+TEST_F(RunReportTest, TimeHistoriesBeginWithAPhase) {
+  const Outcome outcome = report({"soft", "--from", "push", "--out", "pushed"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const RunResults run(at("soft"));
+  const std::size_t begin = run.begin_of("push");
+  EXPECT_EQ(run.phases()[begin], "deposit");
+  EXPECT_EQ(run.phases()[begin + 1], "push");
+  const auto figures = run_figures(std::array{run}, "push");
+  const Curve& curve = figures.front().plot.curves.front();
+  ASSERT_EQ(curve.x.size(), run.phases().size() - begin);
+  EXPECT_EQ(curve.x.front(), 0);
+  EXPECT_NEAR(curve.x.back(), 0.3, 1e-9);
+  EXPECT_EQ(curve.y.back(), run.column("active_bond_fraction").back());
+  EXPECT_TRUE(figures.front().plot.references.empty()) << "no other phase begins";
+  const Outcome wrong = report({"soft", "--from", "pusch"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.err.find("did you mean \"push\"?"), std::string::npos) << wrong.err;
+}
+
+TEST_F(RunReportTest, OfARecordingHasHistoriesAndPictures) {
+  folder_.write("recorded.json", R"({"commands": [
+    {"command": "load", "scene": "small.json"},
+    {"command": "record", "on": true, "folder": "film", "every": 0.05},
+    {"command": "run"},
+    {"command": "record", "on": false}]})");
+  const Outcome session =
+      run_program({"session", "recorded.json", "--out", "played", "--quiet"}, folder_.path());
+  ASSERT_EQ(session.exit_code, 0) << session.err << session.out;
+  const Outcome outcome = report({"played/film"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string markdown = file("played/film/report.md");
+  EXPECT_NE(markdown.find("Recorded in a session"), std::string::npos);
+  EXPECT_NE(markdown.find("pictures/"), std::string::npos);
+  EXPECT_TRUE(fs::exists(at("played/film/plots/bonds.csv")));
+  EXPECT_EQ(RunResults(at("played/film")).final_value("remaining_bond_fraction"),
+            RunResults(at("soft")).final_value("remaining_bond_fraction"));
+}
+
 TEST_F(RunReportTest, FoldersThatHoldNoFinishedRunAreRefused) {
   fs::create_directory(at("empty"));
   fs::copy(at("soft"), at("running"));

@@ -24,26 +24,47 @@ View unusual() {
   return view;
 }
 
-TEST(ViewFields, ComeBackFromJson) {
-  View view = unusual(), read;
+// Through JSON and back.
+View passed_on(View view, void (*describe)(Fields&, View&)) {
   JsonWriter writer;
-  describe_view(writer, view);
+  describe(writer, view);
   const Json json = writer.take();
   JsonReader reader(json, "", "a view");
-  describe_view(reader, read);
-  EXPECT_EQ(read, view);
+  View read;
+  describe(reader, read);
+  return read;
 }
+
+TEST(ViewFields, ComeBackFromJson) { EXPECT_EQ(passed_on(unusual(), describe_view), unusual()); }
 
 TEST(ViewFields, OfARunComeBackFromTheWordsOfItsOptions) {
   View view;
   for (const ViewWord& word : view_words()) word.choose(view, 1);
   view.width = 640, view.bonds = view.forces = true;
   view.colour_low = 0.1, view.colour_high = 1e3, view.force_scale = 2.5e4;
+  view.window = WorldRect{{-1.5, 0}, {20, 12.25}};
   CLI::App app;
   PictureOptions options;
   add_picture_options(app, options);
   app.parse("quicksand" + picture_words(view), true);
   EXPECT_EQ(view_from(options), view);
+}
+
+TEST(ViewFields, OfARunHoldTheWindow) {
+  const View view{.window = WorldRect{{-1.5, 0}, {20, 12.25}}};
+  EXPECT_EQ(passed_on(view, describe_view_of_run), view);
+}
+
+TEST(ViewFields, AWindowWithoutAnInsideIsRefused) {
+  PictureOptions options;
+  options.window = {0, 0, 0, 10};
+  EXPECT_THROW(view_from(options), InputError);
+  View view;
+  for (const char* text : {R"({"low": [0, 0]})", R"({"low": [3, 0], "high": [0, 9]})"}) {
+    const Json json = Json::parse(text);
+    JsonReader reader(json, "", "a view");
+    EXPECT_THROW(describe_window(reader, view.window), InputError) << text;
+  }
 }
 
 TEST(ViewFields, OfColoursThatEndBelowTheirBeginningAreRefused) {

@@ -52,6 +52,37 @@ TEST(Frame, BondAcrossAPeriodicSideIsDrawnAtBothSides) {
             compose(world, without, font()).list.segments().size() + 2);
 }
 
+TEST(Frame, TheLegendDoesNotMoveWhenAnIntruderComesThatIsExpected) {
+  constexpr double kBar = 9 * 12;  // length at this size of text [px]
+  const Colour first = sequential_map(Theme::light, 0.5 / kBar);
+  const auto bar = [&](const World& world, const View& view) {
+    const Frame frame = compose(world, view, font());
+    const auto at = std::ranges::find(frame.list.segments(), first, &SegmentShape::colour);
+    EXPECT_NE(at, frame.list.segments().end());
+    return std::pair(at->x0, at->y0);
+  };
+  for (const bool wide : {true, false}) {
+    View view{.width = wide ? 700 : 300, .height = wide ? 350 : 500, .colouring = Colouring::speed};
+    const auto with = bar(worlds::arch_with_intruder(), view);
+    if (wide) {
+      EXPECT_NE(bar(worlds::arch(), view), with);
+    }
+    view.expects_intruder = true;
+    EXPECT_EQ(bar(worlds::arch(), view), with);
+  }
+}
+
+TEST(Frame, AForceOnAGrainIsAnArrowInIt) {
+  World world = worlds::arch();
+  const View view{.width = 400, .height = 300, .legend = false, .numbers = false};
+  const auto lines = [&] { return compose(world, view, font()).list.segments().size(); };
+  const std::size_t without = lines();
+  world.disks.applied[3] = Vec3(0, -5, 0);
+  EXPECT_EQ(lines(), without + 3);
+  world.disks.applied[3] = Vec3(0, 0, 5);
+  EXPECT_EQ(lines(), without) << "a torque has no direction in the plane";
+}
+
 TEST(Frame, OnlyBrokenBondsThatAreStillCloseAreMarked) {
   World world = worlds::arch();
   const Colour broken = palette(Theme::light).broken;

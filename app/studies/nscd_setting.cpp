@@ -6,9 +6,9 @@
 // intervals, each over a scale: 0.01 of both numbers of the structure, 0.05 of both shares. All other numbers are then predictions.
 #include <cmath>
 
-#include "app/experiments/experiments.h"
 #include "app/json/json_reader.h"
 #include "app/plot/typeset_number.h"
+#include "app/studies/figures.h"
 
 namespace quicksand {
 

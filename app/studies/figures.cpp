@@ -1,4 +1,4 @@
-#include "app/experiments/experiments.h"
+#include "app/studies/figures.h"
 
 namespace quicksand {
 
@@ -17,6 +17,7 @@ std::span<const PaperFigure> paper_figures() {
       {"break_rule", "Failure criterion, time step and density: what they do to the push",
        make_break_rule_experiment},
       {"choices", "Free choices of the model, and what they do", make_choices_experiment},
+      {"map", "From the paper's method to exact steps", make_method_map_experiment},
       {"nscd_setting", "The setting of standard nonsmooth contact dynamics, by a rule",
        make_nscd_setting_experiment}};
   return kFigures;

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/experiments/experiments.h"
 #include "app/json/json_reader.h"
 #include "app/plot/typeset_number.h"
+#include "app/studies/figures.h"
 
 namespace quicksand {
 

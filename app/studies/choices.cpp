@@ -1,8 +1,8 @@
 // The model's free choices, and what they do to the numbers of the push, the pull-out and the piston.
-#include "app/experiments/experiments.h"
 #include "app/json/json_reader.h"
 #include "app/paper/outcome_table.h"
 #include "app/plot/typeset_number.h"
+#include "app/studies/figures.h"
 #include "core/bodies/contact_law.h"
 
 namespace quicksand {

@@ -1,0 +1,61 @@
+// quicksand serve: the session in a browser, by hand.
+#include <memory>
+
+#include "app/cli/commands.h"
+#include "app/options/threads_option.h"
+#include "app/serve/serve.h"
+#include "core/base/parallel.h"
+
+namespace quicksand {
+
+Command add_serve(CLI::App& program) {
+  CLI::App* command = program.add_subcommand(
+      "serve", "Watch and steer a simulation, or walk through a run, in a browser.");
+  const auto options = std::make_shared<ServeOptions>();
+  const auto threads = std::make_shared<std::int64_t>(0);
+  constexpr int kLastPort = 65535;
+  command
+      ->add_option(
+          "file", options->file,
+          "scene, by name or path, folder of a run, which is walked through, or a session that is "
+          "played first; the demo if absent")
+      ->type_name("SCENE|RUN|SESSION");
+  command->add_flag("--open", options->open, "open the browser of this machine");
+  command->add_option("--port", options->port, "of the server; 0: any that is free")
+      ->type_name("N")
+      ->check(CLI::Range(0, kLastPort).description(""))
+      ->capture_default_str();
+  command
+      ->add_option("--listen", options->address,
+                   "address to listen at; another than the default lets other machines connect")
+      ->type_name("ADDRESS")
+      ->capture_default_str();
+  command
+      ->add_option("--host", options->host,
+                   "name by which browsers call this machine, where it is not the address")
+      ->type_name("NAME");
+  command
+      ->add_option("--token-file", options->token_file,
+                   "keep the token in this file, so that the address stays the same")
+      ->type_name("FILE");
+  command->add_flag("--pixels", options->pixels, "send pictures, for browsers without WebGL 2");
+  command
+      ->add_option("--record", options->record,
+                   "write what was done by hand as a session file that replays to the same state")
+      ->type_name("FILE.json");
+  command->add_option("--out", options->out, "folder of the files that can be fetched [out/serve]")
+      ->type_name("DIR");
+  add_threads_option(*command, *threads, kThreadsOfOneRun);
+  command->footer(
+      "Prints the address with its token, and serves until Ctrl-C.\n\n"
+      "Examples:\n  quicksand serve --open\n"
+      "  quicksand serve collapse --record by_hand.json\n"
+      "  quicksand serve out/collapse");
+  return {command, [options, threads] {
+            int code = 0;
+            with_threads(thread_count(*threads), [&] { code = run_serve(*options); });
+            return code;
+          }};
+}
+
+}  // namespace quicksand

@@ -1,0 +1,158 @@
+#include "app/history/history.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "core/base/errors.h"
+#include "core/base/memory.h"
+
+namespace quicksand {
+
+namespace {
+
+// As many bytes as are there, up to the size of the buffer.
+std::size_t read_at(int file, std::uint64_t offset, std::span<std::uint8_t> bytes) {
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    const ssize_t got =
+        pread(file, bytes.data() + done, bytes.size() - done, static_cast<off_t>(offset + done));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) break;
+    done += static_cast<std::size_t>(got);
+  }
+  return done;
+}
+
+std::uint64_t size_of(int file) {
+  struct stat status {};
+  return fstat(file, &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
+}
+
+}  // namespace
+
+History::History(std::filesystem::path path) : path_(std::move(path)) {
+  open();
+  try {
+    scan();
+  } catch (...) {
+    close(file_);
+    throw;
+  }
+}
+
+History::~History() {
+  if (file_ >= 0) close(file_);
+}
+
+History::History(History&& other) noexcept
+    : path_(std::move(other.path_)),
+      file_(std::exchange(other.file_, -1)),
+      stride_(other.stride_),
+      end_(other.end_),
+      places_(std::move(other.places_)),
+      moments_(std::move(other.moments_)) {}
+
+void History::fail(std::uint64_t offset, const std::string& problem) const {
+  throw InputError(path_.string(), "byte " + std::to_string(offset) + ": " + problem);
+}
+
+void History::open() {
+  const int file = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) throw InputError(path_.string(), "cannot be read: " + std::string(strerror(errno)));
+  if (file_ >= 0) close(file_);
+  file_ = file;
+  end_ = 0;
+  places_.clear();
+  moments_.clear();
+}
+
+void History::scan() {
+  const std::uint64_t size = size_of(file_);
+  if (end_ == 0) {
+    std::array<std::uint8_t, kFileHeadSize> head{};
+    if (read_at(file_, 0, head) < head.size())
+      throw InputError(path_.string(), "is no history of a run: it is too short");
+    try {
+      stride_ = stride_from(head);
+    } catch (const std::runtime_error& problem) {
+      throw InputError(path_.string(), problem.what());
+    }
+    end_ = kFileHeadSize;
+  }
+  std::array<std::uint8_t, kRecordHeadSize> bytes{};
+  while (size - end_ >= kRecordHeadSize && read_at(file_, end_, bytes) == bytes.size()) {
+    const auto head = head_from(bytes);
+    if (!head) fail(end_, "here no record begins; the file is damaged");
+    const Moment& moment = head->moment;
+    if (!moments_.empty() &&
+        !(moment.row > moments_.back().row && moment.time >= moments_.back().time))
+      fail(end_, "the record is not later than the one before it");
+    if (head->packed > size - end_ - kRecordHeadSize) break;
+    places_.push_back({end_, *head});
+    moments_.push_back(moment);
+    end_ += kRecordHeadSize + head->packed;
+  }
+}
+
+// Whether the file at this path is no longer what was read of it: a resumed run cuts it short, a long one puts another
+// in its place.
+bool History::replaced() const {
+  struct stat now {
+  }, then{};
+  if (stat(path_.c_str(), &now) != 0 || fstat(file_, &then) != 0) return true;
+  if (now.st_ino != then.st_ino || now.st_dev != then.st_dev) return true;
+  if (size_of(file_) < end_) return true;
+  if (places_.empty()) return false;
+  std::array<std::uint8_t, kRecordHeadSize> bytes{};
+  return read_at(file_, places_.back().offset, bytes) < bytes.size() ||
+         head_from(bytes) != places_.back().head;
+}
+
+bool History::refresh() {
+  const bool anew = replaced();
+  const std::size_t before = moments_.size();
+  if (anew) open();
+  scan();
+  return anew || moments_.size() != before;
+}
+
+std::size_t History::nearest(double time) const {
+  const auto later = std::ranges::upper_bound(moments_, time, {}, &Moment::time);
+  const auto at = static_cast<std::size_t>(later - moments_.begin());
+  if (later == moments_.end()) return at - 1;
+  const double after = later->time;
+  if (at > 0 && time - moments_[at - 1].time <= after - time) return at - 1;
+  const auto end = std::ranges::upper_bound(moments_, after, {}, &Moment::time);
+  return static_cast<std::size_t>(end - moments_.begin()) - 1;
+}
+
+World History::world(std::size_t k) const {
+  const Place& place = places_[k];
+  const std::uint64_t start = place.offset + kRecordHeadSize;
+  // The head may be of another file since, but never asks for more than there is.
+  const std::uint64_t size = size_of(file_);
+  if (start > size || place.head.packed > size - start)
+    fail(place.offset, "the record is no longer there; the run was resumed meanwhile");
+  Bytes bytes(place.head.packed);
+  if (read_at(file_, start, bytes) < bytes.size()) fail(place.offset, "cannot be read");
+  try {
+    return world_from_record(place.head, bytes);
+  } catch (const NotEnoughMemory& problem) {
+    throw NotEnoughMemory(path_.string() + ": " + problem.what());
+  } catch (const std::bad_alloc&) {
+    throw NotEnoughMemory(path_.string() + ": there is not enough memory to read it");
+  } catch (const std::runtime_error& problem) {
+    fail(place.offset, std::string("the record is damaged: ") + problem.what());
+  }
+}
+
+}  // namespace quicksand

@@ -1,0 +1,55 @@
+// The states that a run passed through, as history.qsh keeps them: opened, listed by moments, read one by one.
+// The run may still be computing, in another process.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "app/history/record.h"
+#include "core/world/world.h"
+
+namespace quicksand {
+
+class History {
+ public:
+  // Throws InputError, with the file and the place in it, if it is missing, damaged or of another version.
+  explicit History(std::filesystem::path path);
+  ~History();
+  History(const History&) = delete;
+  History& operator=(const History&) = delete;
+  History(History&& other) noexcept;
+  History& operator=(History&&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  // Of the records, in their order; times never decrease. A record that is not yet written to its end is left out.
+  const std::vector<Moment>& moments() const { return moments_; }
+  // Takes over what the run has added or thinned out since; true if something changed. Throws InputError.
+  bool refresh();
+  // The moment nearest to a time; of equal times the last, after all that happened then. There must be one.
+  std::size_t nearest(double time) const;
+  // Throws InputError if the record is damaged, NotEnoughMemory if there is too little to read it.
+  World world(std::size_t k) const;
+  // Every so many samples of the run have a record.
+  std::int64_t stride() const { return stride_; }
+
+ private:
+  struct Place {
+    std::uint64_t offset;  // of the record's head
+    RecordHead head;
+  };
+  void open();
+  void scan();
+  bool replaced() const;
+  [[noreturn]] void fail(std::uint64_t offset, const std::string& problem) const;
+
+  std::filesystem::path path_;
+  int file_ = -1;
+  std::int64_t stride_ = 1;
+  std::uint64_t end_ = 0;  // of the last whole record
+  std::vector<Place> places_;
+  std::vector<Moment> moments_;
+};
+
+}  // namespace quicksand

@@ -1,0 +1,16 @@
+// series.csv read back, as far as plots show it.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+#include "app/series/quantities.h"
+
+namespace quicksand {
+
+// Rows with time, step, phase and the plotted quantities, evenly thinned to at most `most`. A row without end is left
+// out, as a run that still computes has one; so are columns that the file lacks. Empty if there is no such file.
+std::vector<Row> read_series(const std::filesystem::path& file, std::size_t most);
+
+}  // namespace quicksand

@@ -1,0 +1,319 @@
+#include "app/serve/served_session.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "app/commands/transcript.h"
+#include "app/json/json_reader.h"
+#include "app/series/series.h"
+#include "app/serve/binary_message.h"
+#include "app/serve/client_message.h"
+#include "app/serve/frame_message.h"
+#include "app/serve/page_state.h"
+#include "app/session/disk_at.h"
+#include "core/base/errors.h"
+#include "core/base/whole_file.h"
+#include "render/base/render_error.h"
+#include "render/image/png.h"
+
+namespace quicksand {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kIdle = 100ms;
+constexpr auto kFramePeriod = 16ms;  // of a session that runs: as long as a screen shows a picture
+constexpr auto kPicturePeriod = 33ms;  // between two pictures while it computes
+constexpr auto kPlotsPeriod = 500ms;
+constexpr auto kLookPeriod = 500ms;  // for new samples of a run that another process computes
+constexpr const char* kRecordingFile = "recording.json";
+constexpr const char* kSeriesFile = "series.csv";
+
+std::string text_of(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string_view name_of(const Json& command) {
+  return command["command"].get_ref<const std::string&>();
+}
+
+// Those that end a run under way; others wait for its end.
+bool cuts_short(const Json& command) {
+  constexpr auto kNames = std::to_array<std::string_view>({"pause", "load", "reset", "restore"});
+  return std::ranges::find(kNames, name_of(command)) != kNames.end();
+}
+
+// After which the controls of the page may look otherwise.
+bool changes_controls(const Json& command) {
+  constexpr auto kNames =
+      std::to_array<std::string_view>({"apply", "camera", "pick", "measure", "show", "play"});
+  return std::ranges::find(kNames, name_of(command)) == kNames.end();
+}
+
+}  // namespace
+
+ServedSession::ServedSession(const ServedOptions& options, Exchange& exchange)
+    : options_(options),
+      exchange_(exchange),
+      console_({options.folder, std::filesystem::current_path()}) {
+  console_.session().stop_asked = [this](const Session& session) { return listen(session); };
+  console_.print = [this](const std::string& text) {
+    tell(kEveryClient, {{"kind", "note"}, {"text", text}}, nullptr);
+  };
+}
+
+void ServedSession::begin(const Json& command) {
+  console_.perform(command, "command line");
+  interactions_.add(command);
+}
+
+Json ServedSession::recording() const {
+  const Session& session = console_.session();
+  const Timeline* timeline = session.timeline();
+  return interactions_.session(session.world(),
+                               timeline ? std::optional(timeline->shown()) : std::nullopt);
+}
+
+bool ServedSession::plays() const {
+  const Timeline* timeline = console_.session().timeline();
+  return timeline != nullptr && timeline->playing;
+}
+
+void ServedSession::take_turn() {
+  const bool runs = console_.session().running || plays();
+  const bool something = !waiting_.empty();
+  take_messages(runs || something ? 0ms : kIdle);
+  while (!waiting_.empty()) {
+    const Waiting next = std::move(waiting_.front());
+    waiting_.pop_front();
+    perform(next);
+  }
+  look_for_samples();
+  publish_frame();
+  if (console_.session().running) compute();
+  if (plays()) play();
+  publish_frame();
+  publish_slow_parts();
+}
+
+// After each step: what can be answered at once is, and what cannot ends the computing.
+bool ServedSession::listen(const Session& session) {
+  picture_is_old_ = plots_are_old_ = true;
+  if (exchange_.something_waits()) take_messages(0ms);
+  if (Clock::now() - last_frame_ >= kPicturePeriod) publish_frame();
+  if (interrupted && interrupted()) return true;
+  if (session.running) return !waiting_.empty();
+  return std::ranges::any_of(waiting_, cuts_short, &Waiting::command);
+}
+
+void ServedSession::take_messages(std::chrono::milliseconds wait) {
+  for (const ClientText& message : exchange_.take(wait, picture_is_old_)) hear(message);
+}
+
+void ServedSession::hear(const ClientText& text) {
+  Json id;
+  try {
+    ClientMessage message = read_message(text.text, id);
+    if (message.question.is_null()) {
+      if (std::ranges::count(waiting_, text.client, &Waiting::client) >= Exchange::kMostOfOneClient)
+        throw InputError("message",
+                         "comes while too many commands of this page wait; pause, or try again");
+      waiting_.push_back({text.client, std::move(message.command), id});
+      return;
+    }
+    tell(text.client, {{"ok", true}, {"result", answer_question(message.question)}}, id);
+  } catch (const InputError& error) {
+    tell(text.client, {{"ok", false}, {"where", error.where()}, {"error", error.what()}}, id);
+  }
+}
+
+void ServedSession::perform(const Waiting& message) {
+  const bool loaded = console_.session().loaded();
+  const std::int64_t first = loaded ? console_.session().world().step : 0;
+  const Answer answer = answer_to(console_, message.command, "command");
+  if (answer.ok) record(message.command, answer.result);
+  theme_chosen_ = theme_chosen_ || message.command.contains("theme");
+  if (!answer.ok && name_of(message.command) == "run" && loaded)
+    interactions_.add_steps(console_.session().world().step - first);
+  picture_is_old_ = true;
+  if (changes_controls(message.command)) state_is_old_ = plots_are_old_ = true;
+  Json json = to_json(answer, console_);
+  json["command"] = message.command;
+  tell(message.client, std::move(json), message.id);
+}
+
+// A run that was cut short replays as the steps that it made.
+void ServedSession::record(const Json& command, const Json& result) {
+  if (result.value("ended_by", "") == word_of(RunStop::cut_short)) {
+    interactions_.add_steps(result["steps"].get<std::int64_t>());
+  } else {
+    interactions_.add(command);
+  }
+}
+
+// One frame of a session that runs: so many steps, and at least as long as a picture stands.
+void ServedSession::compute() {
+  Session& session = console_.session();
+  const auto began = Clock::now();
+  const std::int64_t first = session.world().step;
+  RunUntil frame;
+  frame.steps = session.steps_per_frame;
+  const RunStop stop = session.run(frame);
+  const std::int64_t steps = session.world().step - first;
+  interactions_.add_steps(steps);
+  rate_.add(steps, session.protocol());
+  if (session.finished() || session.failed()) {
+    session.running = false;
+    state_is_old_ = true;
+  }
+  if (session.failed())
+    tell(kEveryClient,
+         {{"ok", false}, {"error", "the simulation stopped: " + session.protocol().failure()}},
+         nullptr);
+  picture_is_old_ = plots_are_old_ = true;
+  if (stop != RunStop::steps) return;
+  publish_frame();
+  // The wait for messages is the rest of the frame.
+  const auto left = kFramePeriod - (Clock::now() - began);
+  if (left > 0ms) take_messages(std::chrono::duration_cast<std::chrono::milliseconds>(left));
+}
+
+// One frame of a run that is walked through.
+void ServedSession::play() {
+  const auto began = Clock::now();
+  Timeline& timeline = *console_.session().timeline();
+  try {
+    timeline.play_frame();
+  } catch (const InputError& error) {
+    timeline.playing = false;
+    tell(kEveryClient, {{"ok", false}, {"error", error.where() + ": " + error.what()}}, nullptr);
+  }
+  picture_is_old_ = true;
+  publish_frame();
+  const auto left = kFramePeriod - (Clock::now() - began);
+  if (left > 0ms) take_messages(std::chrono::duration_cast<std::chrono::milliseconds>(left));
+}
+
+// The run that is shown may still be computing.
+void ServedSession::look_for_samples() {
+  Timeline* timeline = console_.session().timeline();
+  if (timeline == nullptr || Clock::now() - looked_ < kLookPeriod) return;
+  looked_ = Clock::now();
+  try {
+    if (timeline->refresh()) picture_is_old_ = plots_are_old_ = true;
+  } catch (const InputError& error) {
+    tell(kEveryClient, {{"ok", false}, {"error", error.where() + ": " + error.what()}}, nullptr);
+  }
+}
+
+Json ServedSession::answer_question(const Json& question) {
+  const std::string& name = question["ask"].get_ref<const std::string&>();
+  const Session& session = console_.session();
+  if (!session.loaded()) throw InputError("ask", "there is no scene");
+  if (name == "body") {
+    const Json at = question.value("at", Json());
+    if (!at.is_array() || at.size() != 2 || !at[0].is_number() || !at[1].is_number())
+      throw InputError("at", "must be a place [x, y]");
+    const int body = disk_at(session.world(), {at[0].get<double>(), at[1].get<double>()});
+    return body < 0 ? Json{{"body", nullptr}} : body_state(session, body);
+  }
+  if (name == "recording") {
+    write_whole(console_.output(kRecordingFile, "ask"), recording().dump(2) + "\n");
+    return {{"file", kRecordingFile}};
+  }
+  if (name == "series") {
+    Series series(console_.output(kSeriesFile, "ask"));
+    for (const Row& row : session.history()) series.add(row);
+    return {{"file", kSeriesFile}};
+  }
+  throw InputError("ask", "must be body, recording or series");
+}
+
+Json ServedSession::moment() const {
+  const Session& session = console_.session();
+  const World& world = session.world();
+  const Protocol& protocol = session.protocol();
+  Json head{{"kind", "frame"},
+            {"step", world.step},
+            {"time", world.time},
+            {"bodies", world.disks.size()},
+            {"scene", session.scenario().name},
+            {"phase", protocol.state().phase},
+            {"phase_name", session.phase_name()},
+            {"progress", session.finished() ? 1 : protocol.phase_progress()},
+            {"running", session.running},
+            {"finished", session.finished()},
+            {"failed", session.failed()},
+            {"recording", console_.recording != nullptr},
+            {"follows", session.follow_intruder},
+            {"picked", session.picked ? Json(*session.picked) : Json()},
+            {"pull", session.scenario().grain_law.cohesion_force.value_or(10)}};
+  if (const Timeline* timeline = session.timeline()) {
+    head["phase"] = timeline->moment().phase;
+    head["timeline"] = {{"sample", timeline->shown()},
+                        {"samples", timeline->moments().size()},
+                        {"playing", timeline->playing},
+                        {"speed", timeline->speed},
+                        {"loop", timeline->loop}};
+    return head;
+  }
+  if (rate_.per_second()) head["steps_per_second"] = *rate_.per_second();
+  if (rate_.left()) head["seconds_left"] = *rate_.left();
+  if (protocol.last_step().seconds > 0)
+    head["residual"] = protocol.last_step().solve.residual.natural;
+  head["unconverged"] = protocol.state().unconverged_steps;
+  return head;
+}
+
+void ServedSession::publish_frame() {
+  if (!console_.session().loaded() || !picture_is_old_ || !exchange_.frame_wanted()) return;
+  const Session& session = console_.session();
+  std::string message;
+  if (options_.pixels) {
+    try {
+      const Image image = console_.draw_view(session.view.width, session.view.height);
+      Json head = moment();
+      head.update(look_of(session));
+      BinaryMessage binary;
+      binary.add("png", std::span<const std::uint8_t>(encode_png(image)));
+      message = binary.finish(std::move(head));
+    } catch (const RenderError& error) {
+      tell(kEveryClient, {{"ok", false}, {"error", error.what()}}, nullptr);
+    }
+  } else {
+    try {
+      message = frame_message(session, moment());
+    } catch (const InputError& error) {
+      // Of a run that is walked through, where a record is damaged.
+      tell(kEveryClient, {{"ok", false}, {"error", error.where() + ": " + error.what()}}, nullptr);
+    }
+  }
+  picture_is_old_ = false;
+  last_frame_ = Clock::now();
+  if (!message.empty()) exchange_.publish(Newest::frame, std::move(message));
+}
+
+Json ServedSession::state() const {
+  Json state = page_state(console_.session());
+  state["theme_chosen"] = theme_chosen_;
+  return state;
+}
+
+void ServedSession::publish_slow_parts() {
+  const Session& session = console_.session();
+  if (state_is_old_) exchange_.publish(Newest::state, text_of(state()));
+  state_is_old_ = false;
+  if (!session.loaded() || !plots_are_old_ || Clock::now() - last_plots_ < kPlotsPeriod) return;
+  exchange_.publish(Newest::plots, plots_message(session));
+  plots_are_old_ = false;
+  last_plots_ = Clock::now();
+}
+
+void ServedSession::tell(ClientId client, Json answer, const Json& id) {
+  if (!id.is_null()) answer["id"] = id;
+  exchange_.answer(client, text_of(answer));
+}
+
+}  // namespace quicksand

@@ -1,0 +1,73 @@
+// The side that computes: takes what clients say, performs it between two steps, computes while the session runs, and
+// leaves pictures, states and plots for those who serve. Everything in here belongs to one thread.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "app/commands/console.h"
+#include "app/web/exchange.h"
+#include "app/window/interaction_recording.h"
+#include "app/window/step_rate.h"
+
+namespace quicksand {
+
+struct ServedOptions {
+  std::filesystem::path folder;  // receives every file
+  bool pixels = false;           // pictures are PNG, drawn here
+};
+
+class ServedSession {
+ public:
+  ServedSession(const ServedOptions& options, Exchange& exchange);
+
+  // A command of the user who started the program. Throws InputError, CommandFailure.
+  void begin(const Json& command);
+  // What there is to do now: messages, a slice of steps, what is to be published. Waits a little if there is nothing.
+  void take_turn();
+  // Cuts computing short. May be empty.
+  std::function<bool()> interrupted;
+
+  // What was done so far, as a session that replays to the same world. A scene must be loaded.
+  Json recording() const;
+  Console& console() { return console_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  struct Waiting {
+    ClientId client = kEveryClient;
+    Json command, id;
+  };
+
+  bool listen(const Session& session);
+  void take_messages(std::chrono::milliseconds wait);
+  void hear(const ClientText& text);
+  void perform(const Waiting& message);
+  void record(const Json& command, const Json& result);
+  void compute();
+  void play();
+  void look_for_samples();
+  bool plays() const;
+  Json answer_question(const Json& question);
+  void publish_frame();
+  void publish_slow_parts();
+  Json state() const;
+  Json moment() const;
+  void tell(ClientId client, Json answer, const Json& id);
+
+  ServedOptions options_;
+  Exchange& exchange_;
+  Console console_;
+  InteractionRecording interactions_;
+  StepRate rate_;
+  std::deque<Waiting> waiting_;
+  bool picture_is_old_ = true, state_is_old_ = true, plots_are_old_ = true;
+  bool theme_chosen_ = false;  // by a client
+  Clock::time_point last_frame_{}, last_plots_{}, looked_{};
+};
+
+}  // namespace quicksand

@@ -1,0 +1,56 @@
+#include "app/session/timeline.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/series/read_series.h"
+#include "app/view/history_view.h"
+#include "core/base/errors.h"
+
+namespace quicksand {
+
+Timeline::Timeline(RunFolder folder, std::size_t most_rows)
+    : folder_(std::move(folder)), most_rows_(most_rows), history_(history_of(folder_)) {
+  show(moments().size() - 1);
+  rows_ = read_series(folder_.series(), most_rows_);
+}
+
+void Timeline::show(std::size_t k) {
+  world_ = history_.world(k);
+  shown_ = k;
+}
+
+bool Timeline::refresh() {
+  const bool at_end = shown_ + 1 == moments().size();
+  const double time = moment().time;
+  if (!history_.refresh()) return false;
+  if (moments().empty())
+    throw InputError(history_.path().string(), "has no sample any more; the run has begun again");
+  rows_ = read_series(folder_.series(), most_rows_);
+  // Records may have been thinned out.
+  for (auto& [key, scales] : scales_) scales.added = std::min(scales.added, moments().size());
+  show(at_end ? moments().size() - 1 : nearest(time));
+  return true;
+}
+
+View Timeline::with_fixed_scales(const View& view) {
+  const CommonScales fresh(view);
+  if (!fresh.needed()) return view;
+  Scales& scales = scales_.try_emplace({view.colouring, view.forces}, Scales{fresh}).first->second;
+  for (; scales.added < moments().size(); ++scales.added)
+    scales.common.add(history_.world(scales.added));
+  return scales.common.fixed(view);
+}
+
+void Timeline::play_frame() {
+  on_the_way_ += speed;
+  const double whole = std::floor(on_the_way_);
+  on_the_way_ -= whole;
+  if (whole == 0) return;
+  const std::size_t last = moments().size() - 1;
+  const auto samples = static_cast<std::size_t>(whole);
+  if (shown_ == last) return loop ? show(0) : void(playing = false);
+  show(std::min(last, shown_ + samples));
+}
+
+}  // namespace quicksand

@@ -1,0 +1,26 @@
+#include "app/view/history_view.h"
+
+#include "core/base/errors.h"
+#include "render/layers/common_scales.h"
+
+namespace quicksand {
+
+History history_of(const RunFolder& folder) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(folder.history(), ignored))
+    throw InputError(folder.path.string(), "has no " + folder.history().filename().string() +
+                                               ": it holds no run, or one with --history 0");
+  History history(folder.history());
+  if (history.moments().empty())
+    throw InputError(folder.history().string(), "has no sample yet; the run has just begun");
+  return history;
+}
+
+View fixed_over(const History& history, const View& view) {
+  CommonScales scales(view);
+  if (scales.needed())
+    for (std::size_t k = 0; k < history.moments().size(); ++k) scales.add(history.world(k));
+  return scales.fixed(view);
+}
+
+}  // namespace quicksand

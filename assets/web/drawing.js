@@ -1,0 +1,243 @@
+// From a frame of the server to disks and segments in pixels: what render/layers does for the program's own pictures.
+import {DrawList, packed} from "./painter.js";
+
+const clamp = (x, low, high) => Math.min(Math.max(x, low), high);
+
+// Opacity is rounded to bytes as colours are.
+const brightness = ([r, g, b]) => (0.2126 * r + 0.7152 * g + 0.0722 * b) / 255;
+// The one of two that stands out more on a ground.
+const clearer_on = (ground, one, other) => {
+  const apart = (c) => Math.abs(brightness(c) - brightness(ground));
+  return apart(one) >= apart(other) ? one : other;
+};
+const with_alpha = ([r, g, b], alpha) => [r, g, b, Math.round(255 * alpha)];
+const mix = (a, b, t) => [0, 1, 2].map((i) => Math.round((1 - t) * a[i] + t * b[i]));
+
+export function text_size(width, height) { return clamp(Math.round(9 + Math.min(width, height) / 120), 10, 40); }
+export function hatch_depth(text) { return Math.round(0.55 * text); }
+
+class Drawing {
+  constructor(frame, camera) {
+    Object.assign(this, {frame, camera, palette: frame.palette});
+    this.list = new DrawList(camera.width, camera.height, frame.palette.background);
+    this.colour = Object.fromEntries(Object.entries(frame.palette).map(([name, value]) => [name, packed(value)]));
+    this.text = text_size(camera.width, camera.height);
+  }
+
+  sees(x, y, reach) {
+    const [left, top, width, height] = this.camera.clip;
+    return x + reach > left && x - reach < left + width && y + reach > top && y - reach < top + height;
+  }
+
+  // Calls draw(shift) for each place where something between two abscissas appears.
+  at_each_image(low, high, draw) {
+    draw(0);
+    const {periodic, width} = this.frame.box;
+    if (!periodic) return;
+    if (low < 0) draw(width);
+    if (high > width) draw(-width);
+  }
+
+  each_disk(draw) {
+    const {disks} = this.frame, {scale, origin} = this.camera;
+    for (let k = 0, at = 0; at < disks.length; ++k, at += 3) {
+      const x = disks[at], y = disks[at + 1], r = disks[at + 2];
+      this.at_each_image(x - r, x + r, (shift) => {
+        const px = origin[0] + scale * (x + shift), py = origin[1] - scale * y;
+        if (this.sees(px, py, r * scale)) draw(k, px, py, r * scale);
+      });
+    }
+  }
+
+  disks() {
+    const {frame, palette, colour} = this;
+    const forces = Boolean(frame.force_scale);
+    const paling = forces ? (frame.theme === "light" ? 0.62 : 0.45) : 0;
+    const outline = packed(with_alpha(palette.outline, (palette.outline[3] / 255) * (1 - paling)));
+    const fills = [];
+    for (let i = 0; i < frame.colours.length; i += 3)
+      fills.push(mix(frame.colours.subarray(i, i + 3), palette.background, paling));
+    const packed_fills = fills.map(packed);
+    const intruders = new Set(frame.intruders);
+    const applied = new Map(frame.applied.map(([k, ...force]) => [k, force]));
+    const fill = (k) => (intruders.has(k) ? palette.intruder : fills[frame.colour[k]]);
+    this.each_disk((k, x, y, r) => {
+      if (intruders.has(k)) {
+        this.list.disk(x, y, r, colour.intruder, clamp(0.1 * r, 1, 3), colour.intruder_outline);
+      } else {
+        this.list.disk(x, y, r, packed_fills[frame.colour[k]], r < 2.2 ? 0 : clamp(0.13 * r, 0.5, 1.6), outline);
+      }
+    });
+    if (!applied.size && !frame.angle) return;
+    this.each_disk((k, x, y, r) => {
+      const force = applied.get(k);
+      if (force) this.applied_force(x, y, r, force, packed(clearer_on(fill(k), palette.ink, palette.background)));
+      if (frame.angle && r >= 4) this.orientation(x, y, r, frame.angle[k], intruders.has(k));
+    });
+  }
+
+  applied_force(x, y, r, [fx, fy], ink) {
+    const size = Math.hypot(fx, fy);
+    if (r < 7 || size === 0) return;
+    const along = [fx / size, -fy / size], across = [-along[1], along[0]];
+    const width = Math.max(1.2, 0.13 * r), tip = [x + 0.58 * r * along[0], y + 0.58 * r * along[1]];
+    this.list.line(x - 0.55 * r * along[0], y - 0.55 * r * along[1], ...tip, width, ink, true);
+    for (const side of [-0.8, 0.8])
+      this.list.line(...tip, tip[0] - 0.42 * r * (along[0] + side * across[0]),
+                     tip[1] - 0.42 * r * (along[1] + side * across[1]), width, ink, true);
+  }
+
+  orientation(x, y, r, angle, intruder) {
+    const axis = [Math.cos(angle), -Math.sin(angle)], inner = (intruder ? 0.68 : 0.3) * r, outer = 0.82 * r;
+    this.list.line(x + inner * axis[0], y + inner * axis[1], x + outer * axis[0], y + outer * axis[1],
+                   clamp(0.16 * r, 0.8, 3), intruder ? this.colour.background : packed(with_alpha(this.palette.ink, 0.75)), true);
+  }
+
+  // Centre of a, vector to the centre of b or to the surface of a wall, and whether b is a wall.
+  link(a, b) {
+    const {disks, box, walls} = this.frame, x = disks[3 * a], y = disks[3 * a + 1];
+    if (b < 0) {
+      const [wx, wy, nx, ny] = walls[-1 - b], distance = nx * (x - wx) + ny * (y - wy);
+      return [x, y, -nx * distance, -ny * distance];
+    }
+    let dx = disks[3 * b] - x;
+    if (box.periodic && Math.abs(dx) > box.width / 2) dx -= box.width * Math.round(dx / box.width);
+    return [x, y, dx, disks[3 * b + 1] - y];
+  }
+
+  draw_link([x, y, dx, dy], draw) {
+    const {scale, origin} = this.camera;
+    this.at_each_image(Math.min(x, x + dx), Math.max(x, x + dx), (shift) => {
+      const x0 = origin[0] + scale * (x + shift), y0 = origin[1] - scale * y;
+      const x1 = x0 + scale * dx, y1 = y0 - scale * dy;
+      if (this.sees((x0 + x1) / 2, (y0 + y1) / 2, Math.hypot(x1 - x0, y1 - y0) / 2 + scale)) draw(x0, y0, x1, y1);
+    });
+  }
+
+  bonds() {
+    const width = clamp(0.14 * this.camera.scale, 0.7, 5), {bonds} = this.frame;
+    for (let i = 0; i < bonds.length; i += 2)
+      this.draw_link(this.link(bonds[i], bonds[i + 1]), (...ends) => this.list.line(...ends, width, this.colour.ink, true));
+  }
+
+  forces() {
+    const {force_pairs: pairs, forces, force_scale} = this.frame, {scale} = this.camera;
+    if (!pairs) return;
+    for (const tensile of [false, true]) {
+      for (let i = 0; i < forces.length; ++i) {
+        const width = Math.min((Math.abs(forces[i]) * 0.4 * scale) / force_scale, 1.2 * scale);
+        if (forces[i] < 0 !== tensile || !(width >= 0.35)) continue;
+        this.draw_link(this.link(pairs[2 * i], pairs[2 * i + 1]), (...ends) =>
+          this.list.line(...ends, width, tensile ? this.colour.tensile : this.colour.compressive, true));
+      }
+    }
+  }
+
+  broken_bonds() {
+    const {broken, disks} = this.frame, width = clamp(0.2 * this.camera.scale, 1.3, 8);
+    const rim = packed(with_alpha(this.palette.background, 0.85));
+    for (let i = 0; i < broken.length; i += 2) {
+      const [a, b] = [broken[i], broken[i + 1]], [x, y, dx, dy] = this.link(a, b);
+      const apart = Math.hypot(dx, dy), nx = dx / apart, ny = dy / apart, r = disks[3 * a + 2];
+      const other = b < 0 ? 0 : disks[3 * b + 2], gap = apart - r - other;
+      const half = 0.62 * (b < 0 ? r : Math.min(r, other)), middle = r + gap / 2;
+      this.draw_link([x + middle * nx + half * ny, y + middle * ny - half * nx, -2 * half * ny, 2 * half * nx], (...ends) => {
+        if (width > 2) this.list.line(...ends, 1.6 * width, rim, true);
+        this.list.line(...ends, width, this.colour.broken, true);
+      });
+    }
+  }
+
+  // Part of the picture between periodic sides.
+  inside_the_sides() {
+    const {clip, origin, scale} = this.camera, {periodic, width} = this.frame.box;
+    if (!periodic) return clip;
+    const left = Math.max(clip[0], Math.round(origin[0]));
+    const right = Math.min(clip[0] + clip[2], Math.round(origin[0] + scale * width));
+    return [left, clip[1], right - left, clip[3]];
+  }
+
+  periodic_sides() {
+    const {box} = this.frame, {clip, origin, scale, window} = this.camera;
+    if (!box.periodic) return;
+    const top = clip[1], right = clip[0] + clip[2];
+    const bottom = box.floor ? Math.min(clip[1] + clip[3], origin[1]) : clip[1] + clip[3];
+    const pale = packed(with_alpha(this.palette.background, 0.55));
+    for (const x of [0, box.width]) {
+      if (x < window[0] || x > window[2] || bottom <= top) continue;
+      const at = Math.round(origin[0] + scale * x), [from, to] = x === 0 ? [clip[0], at] : [at, right];
+      const middle = (top + bottom) / 2;
+      this.list.line(from, middle, to, middle, bottom - top, pale);
+      const centre = x === 0 ? at - 0.5 : at + 0.5;
+      this.dashed_line([centre, top], [centre, bottom], 1, 4, this.colour.faint_ink);
+    }
+  }
+
+  dashed_line(from, to, width, dash, colour) {
+    const dashes = Math.max(1, Math.round((Math.hypot(to[0] - from[0], to[1] - from[1]) / dash + 1) / 2));
+    const step = [0, 1].map((i) => (to[i] - from[i]) / (2 * dashes - 1));
+    for (let i = 0; i < dashes; ++i) {
+      const start = [from[0] + 2 * i * step[0], from[1] + 2 * i * step[1]];
+      this.list.line(...start, start[0] + step[0], start[1] + step[1], width, colour);
+    }
+  }
+
+  walls() {
+    const depth = hatch_depth(this.text), line = Math.max(1, Math.round(this.text / 9)), {scale} = this.camera;
+    for (const wall of this.frame.walls) {
+      const ends = this.visible_surface(wall);
+      if (!ends) continue;
+      const [, , nx, ny, piston] = wall, behind = [-nx, ny];
+      const [from, to] = ends.map((p) => this.camera.to_pixel(p));
+      const size = Math.hypot(to[0] - from[0], to[1] - from[1]), along = [(to[0] - from[0]) / size, (to[1] - from[1]) / size];
+      const moved = ([x, y], by) => [x + by * behind[0], y + by * behind[1]];
+      if (piston) {
+        const plate = Math.max(depth, 0.6 * scale);
+        this.list.line(...moved(from, plate / 2), ...moved(to, plate / 2), plate, this.colour.wall_body);
+      } else {
+        const spacing = 0.85 * depth, strokes = Math.floor((size + 1e-6) / spacing), reach = depth - line;
+        for (let i = 1; i <= strokes; ++i) {
+          const top = moved([from[0] + i * spacing * along[0], from[1] + i * spacing * along[1]], line / 2);
+          this.list.line(...top, top[0] + reach * (behind[0] - along[0]), top[1] + reach * (behind[1] - along[1]),
+                         line * 0.75, this.colour.wall);
+        }
+      }
+      this.list.line(...moved(from, line / 2), ...moved(to, line / 2), line, this.colour.wall);
+    }
+  }
+
+  // Its ends in the world, from left to right seen from the free side; null if nothing of it is seen.
+  visible_surface(wall) {
+    const [x, y, nx, ny] = wall, along = [ny, -nx], [left, low, right, high] = this.camera.window;
+    const middle = [(left + right) / 2, (low + high) / 2];
+    const t = along[0] * (middle[0] - x) + along[1] * (middle[1] - y), foot = [x + t * along[0], y + t * along[1]];
+    const far = 2 * Math.hypot(right - left, high - low) + Math.hypot(middle[0] - x, middle[1] - y);
+    let ends = [[foot[0] - far * along[0], foot[1] - far * along[1]], [foot[0] + far * along[0], foot[1] + far * along[1]]];
+    const planes = [[left, low, 1, 0], [left, low, 0, 1], [right, high, -1, 0], [right, high, 0, -1]];
+    for (const other of this.frame.walls)
+      if (other !== wall && !other[4] && Math.abs(other[2] * nx + other[3] * ny) <= 0.999) planes.push(other);
+    for (const [px, py, mx, my] of planes) {
+      const [a, b] = ends.map(([ex, ey]) => mx * (ex - px) + my * (ey - py));
+      if (a < 0 && b < 0) return null;
+      const [p, q] = ends, s = a / (a - b), cut = [p[0] + s * (q[0] - p[0]), p[1] + s * (q[1] - p[1])];
+      if (a < 0) ends = [cut, q];
+      if (b < 0) ends = [p, cut];
+    }
+    return Math.hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]) > 1e-9 ? ends : null;
+  }
+}
+
+export function draw(frame, camera) {
+  const drawing = new Drawing(frame, camera);
+  const {list} = drawing;
+  list.clip_to(camera.clip);
+  drawing.disks();
+  list.clip_to(drawing.inside_the_sides());
+  drawing.bonds();
+  if (frame.force_scale) drawing.forces();
+  drawing.broken_bonds();
+  list.clip_to(camera.clip);
+  drawing.periodic_sides();
+  drawing.walls();
+  return list;
+}

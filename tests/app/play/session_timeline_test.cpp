@@ -1,0 +1,55 @@
+// Sessions that walk through a run.
+#include "tests/app/play/session_fixture.h"
+#include "tests/support/pierced_scene.h"
+
+namespace quicksand::test {
+namespace {
+
+const char* const kOpen = R"({"command": "open", "run": "run"})";
+
+class SessionTimelineTest : public SessionTest {
+ protected:
+  SessionTimelineTest() {
+    folder_.write("pierced.json", kPiercedScene);
+    EXPECT_EQ(
+        quicksand({"run", "pierced.json", "--no-frames", "--quiet", "--out", "run"}).exit_code, 0);
+  }
+};
+
+TEST_F(SessionTimelineTest, ShowDrawGoOn) {
+  const Outcome outcome =
+      play({kOpen, R"({"command": "show", "time": 0.1})", R"({"command": "show", "by": -1})",
+            R"({"command": "show", "by": -100})", R"({"command": "show", "phase": 1})",
+            R"({"command": "snapshot", "file": "moment.png"})", R"({"command": "go_on"})",
+            R"({"command": "run", "steps": 3})"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::vector<Json> lines = transcript();
+  EXPECT_NEAR(lines[1]["result"]["time"], 0.1, 1e-9);
+  EXPECT_NEAR(lines[2]["result"]["time"], 0.05, 1e-9);
+  EXPECT_EQ(lines[3]["result"]["sample"], 0);
+  EXPECT_EQ(lines[4]["result"]["phase"], "push");
+  EXPECT_EQ(lines[7]["result"]["steps"], 3);
+  EXPECT_TRUE(std::filesystem::exists(at("out/moment.png")));
+}
+
+TEST_F(SessionTimelineTest, WhatCannotBeIsRefused) {
+  for (const auto& [command, reason] : std::vector<std::pair<std::string, std::string>>{
+           {R"({"command": "show", "time": 9})", "must be a number from 0 to 0.2"},
+           {R"({"command": "show", "sample": 99})", "must be at most "},
+           {R"({"command": "show", "phase": 7})",
+            "the run has no sample of phase 7; its last is 1"},
+           {R"({"command": "start"})", "go_on computes on from it"},
+           {R"({"command": "run", "steps": 1})", "go_on computes on from it"},
+           {R"({"command": "save", "file": "x.cbor"})", "go_on computes on from it"}}) {
+    const Outcome outcome = play({kOpen, command});
+    EXPECT_NE(outcome.exit_code, 0) << command;
+    EXPECT_NE(outcome.err.find(reason), std::string::npos) << outcome.err;
+  }
+  EXPECT_NE(play({R"({"command": "show", "by": 1})"}).err.find("no run is open"),
+            std::string::npos);
+  EXPECT_NE(play({R"({"command": "open", "run": "out"})"}).err.find("has no history.qsh"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace quicksand::test

@@ -1,0 +1,165 @@
+// A session steered by its clients: it answers, draws, records.
+#include "app/serve/served_session.h"
+
+#include <gtest/gtest.h>
+
+#include "app/commands/transcript.h"
+#include "tests/support/files.h"
+#include "tests/support/program.h"
+#include "tests/support/session_server.h"
+
+namespace quicksand::test {
+namespace {
+
+std::size_t count_of(const Json& head, const char* name) {
+  for (const Json& array : head["arrays"])
+    if (array[0] == name) return array[2].get<std::size_t>();
+  return 0;
+}
+
+TEST(ServedSession, APictureHoldsEachBodyAndWhatTheViewShows) {
+  SessionServer server("chain");
+  Page page(server);
+  Json head = page.picture();
+  EXPECT_EQ(head["scene"], "chain");
+  const auto bodies = head["bodies"].get<std::size_t>();
+  EXPECT_GT(bodies, 1U);
+  EXPECT_EQ(count_of(head, "disks"), 3 * bodies);
+  EXPECT_EQ(count_of(head, "colour"), bodies);
+  EXPECT_EQ(count_of(head, "bonds"), 0U) << "the view shows none";
+  page.ask({{"command", "view"}, {"bonds", true}, {"orientation", true}, {"theme", "dark"}});
+  page.ask({{"command", "run"}, {"steps", 2}});
+  do head = page.picture();
+  while (head["step"] != 2);
+  EXPECT_GT(count_of(head, "bonds"), 0U);
+  EXPECT_EQ(count_of(head, "angle"), bodies);
+  EXPECT_EQ(head["theme"], "dark");
+  EXPECT_EQ(count_of(head, "colours") % 3, 0U);
+}
+
+TEST(ServedSession, TellsTheStateThatThePageDrawsItsControlsFrom) {
+  SessionServer server("chain");
+  Page page(server);
+  Json state;
+  while (const auto heard = page.receive(std::chrono::seconds(60))) {
+    if (heard->binary) continue;
+    state = Json::parse(heard->bytes);
+    break;
+  }
+  EXPECT_EQ(state["kind"], "state");
+  EXPECT_EQ(state["scene"], "chain");
+  EXPECT_GT(state["scenes"].size(), 5U);
+  bool friction = false;
+  for (const Json& group : state["parameters"])
+    for (const Json& p : group["parameters"])
+      if (p["path"] == "contact.friction") friction = p["low"] == 0 && p["unit"] == "1";
+  EXPECT_TRUE(friction) << state["parameters"].dump(1);
+}
+
+TEST(ServedSession, AnswersQuestionsAboutABodyAndRefusesOthers) {
+  SessionServer server("chain");
+  Page page(server);
+  page.ask({{"command", "run"}, {"steps", 5}});
+  const Json x = page.ask({{"command", "pick"}, {"body", 1}})["result"]["position"];
+  const Json body = page.ask({{"ask", "body"}, {"at", x}})["result"];
+  EXPECT_EQ(body["body"], 1);
+  EXPECT_GT(body["contacts"].size(), 0U);
+  EXPECT_TRUE(body["contacts"][0]["normal"].is_number());
+  EXPECT_TRUE(page.ask({{"ask", "body"}, {"at", {1e6, 1e6}}})["result"]["body"].is_null());
+  for (const Json& wrong :
+       {Json{{"ask", "x"}}, Json{{"ask", "body"}}, Json{{"ask", "body"}, {"at", {1, "a"}}}})
+    EXPECT_EQ(page.ask(wrong)["ok"], false) << wrong;
+}
+
+TEST(ServedSession, WhatClientsDidReplaysToTheSameWorld) {
+  SessionServer server("collapse");
+  Page page(server), other(server);
+  page.ask({{"command", "set"}, {"path", "contact.friction"}, {"value", 0.4}});
+  page.ask({{"command", "pace"}, {"steps_per_frame", 20}});
+  page.ask({{"command", "start"}});
+  other.ask({{"command", "view"}, {"colour", "speed"}});
+  for (int i = 0; i < 3; ++i) page.picture();
+  other.ask({{"command", "apply"}, {"body", 0}, {"force", {30, 0}}});
+  while (page.picture()["step"] < 60) {
+  }
+  page.ask({{"command", "pause"}});
+  page.ask({{"command", "apply"}, {"body", 0}, {"force", {0, 0}}});
+  page.ask({{"command", "run"}, {"steps", 4}});
+  EXPECT_EQ(page.ask({{"command", "run"}, {"steps", -4}})["ok"], false);
+  // A run without end, which another client ends.
+  page.send_text(R"({"command": "run"})");
+  std::int64_t step = 0;
+  while ((step = other.picture()["step"].get<std::int64_t>()) < 120) {
+  }
+  EXPECT_EQ(other.ask({{"ask", "body"}, {"at", {0, 0}}})["ok"], true)
+      << "answered in the middle of a run";
+  other.ask({{"command", "pause"}});
+  const std::string file = page.ask({{"ask", "recording"}})["result"]["file"];
+  const Json recording = Json::parse(contents(server.folder() / file));
+  ServedSession& live = server.stop();
+  EXPECT_EQ(recording, live.recording());
+  EXPECT_EQ(recording["commands"].back()["hash"],
+            text_of_hash(world_hash(live.console().session().world())));
+  const Outcome replay =
+      run_program({"session", file, "--out", "replay", "--quiet"}, server.folder());
+  EXPECT_EQ(replay.exit_code, 0) << replay.err;
+}
+
+TEST(ServedSession, TheSeriesThatIsFetchedHasARowASample) {
+  SessionServer server("chain");
+  Page page(server);
+  page.ask({{"command", "run"}, {"steps", 20}});
+  EXPECT_EQ(page.ask({{"ask", "series"}})["result"]["file"], "series.csv");
+  const std::string text = contents(server.folder() / "series.csv");
+  const auto rows = static_cast<std::size_t>(std::ranges::count(text, '\n'));
+  EXPECT_EQ(rows, 1 + server.stop().console().session().history().size());
+}
+
+TEST(ServedSession, WalksThroughARunWithTheSameCommandsAsTheWindow) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_program({"run", "chain", "--no-frames", "--out", "run", "--quiet"}, folder.path())
+                .exit_code,
+            0);
+  SessionServer server((folder.path() / "run").string());
+  Page page(server);
+  Json head = page.picture();
+  const auto samples = head["timeline"]["samples"].get<int>();
+  ASSERT_GT(samples, 3);
+  EXPECT_EQ(head["timeline"]["sample"], samples - 1);
+  const double end = head["time"];
+  EXPECT_EQ(page.ask({{"command", "show"}, {"sample", 1}})["result"]["sample"], 1);
+  do head = page.picture();
+  while (head["timeline"]["sample"] != 1);
+  EXPECT_LT(head["time"], end);
+  EXPECT_EQ(page.ask({{"command", "show"}, {"sample", samples}})["ok"], false);
+  EXPECT_EQ(page.ask({{"command", "start"}})["ok"], false) << "nothing computes";
+}
+
+TEST(ServedSession, PlaysARunToItsEndAndGoesOnFromThere) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_program({"run", "chain", "--no-frames", "--out", "run", "--quiet"}, folder.path())
+                .exit_code,
+            0);
+  SessionServer server((folder.path() / "run").string());
+  Page page(server), other(server);
+  const Json first = other.picture();
+  page.ask({{"command", "show"}, {"sample", 0}});
+  page.ask({{"command", "play"}, {"on", true}});
+  Json head;
+  do head = page.picture();
+  while (head["timeline"]["sample"] != first["timeline"]["sample"] ||
+         head["timeline"]["playing"] != false);
+  EXPECT_EQ(head["time"], first["time"]);
+  const std::string file = page.ask({{"ask", "recording"}})["result"]["file"];
+  EXPECT_EQ(run_program({"session", file, "--out", "replay", "--quiet"}, server.folder()).exit_code,
+            0);
+  EXPECT_EQ(page.ask({{"command", "open"}, {"run", "/"}})["ok"], false) << "no other folder";
+  const Json answer = page.ask({{"command", "go_on"}});
+  EXPECT_EQ(answer["result"]["time"], first["time"]) << "from the state of the run";
+  do head = page.picture();
+  while (head.contains("timeline"));
+  EXPECT_EQ(server.stop().console().session().timeline(), nullptr);
+}
+
+}  // namespace
+}  // namespace quicksand::test

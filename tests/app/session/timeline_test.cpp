@@ -1,0 +1,116 @@
+// A session that walks through a run that was computed before.
+#include "app/session/timeline.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "app/run/run_scene.h"
+#include "app/scene_json/scenario_json.h"
+#include "app/series/read_series.h"
+#include "app/session/session.h"
+#include "core/base/errors.h"
+#include "tests/support/files.h"
+#include "tests/support/pierced_scene.h"
+
+namespace quicksand::test {
+namespace {
+
+class TimelineTest : public testing::Test {
+ protected:
+  TimelineTest() {
+    RunOptions options;
+    options.out = run_;
+    options.frames = false;
+    options.quiet = true;
+    run_scene(scenario_from_json(parse_json(kPiercedScene)), options);
+    session_.open(run_);
+  }
+  Timeline& timeline() { return *session_.timeline(); }
+
+  TemporaryFolder folder_;
+  std::filesystem::path run_ = folder_.path() / "run";
+  Session session_;
+};
+
+TEST_F(TimelineTest, ShowsTheMomentsOfTheRun) {
+  EXPECT_EQ(timeline().shown() + 1, timeline().moments().size());
+  EXPECT_EQ(session_.phase_name(), "push");
+  EXPECT_EQ(session_.world().step, timeline().moments().back().step);
+  timeline().show(1);
+  EXPECT_EQ(session_.phase_name(), "deposit");
+  EXPECT_EQ(session_.world().time, timeline().moments()[1].time);
+  EXPECT_EQ(session_.history().size(), timeline().moments().size());
+  EXPECT_EQ(session_.history().back().sample.time, timeline().moments().back().time);
+}
+
+TEST_F(TimelineTest, IsNotChangedButComputedOn) {
+  EXPECT_THROW(session_.run({.steps = 1}), InputError);
+  EXPECT_THROW(session_.apply(0, {1, 0}), InputError);
+  EXPECT_THROW(session_.set("contact.friction", 0.1), InputError);
+  const double end = session_.world().time;
+  session_.go_on();
+  EXPECT_EQ(session_.timeline(), nullptr);
+  EXPECT_EQ(session_.world().time, end) << "from the state";
+  session_.open(run_);
+  timeline().show(1);
+  session_.go_on();
+  EXPECT_EQ(session_.world().step, 0) << "from the beginning";
+  session_.run({.steps = 2});
+  EXPECT_EQ(session_.world().step, 2);
+}
+
+TEST_F(TimelineTest, PlaysToTheEndOrAroundIt) {
+  timeline().show(0);
+  timeline().playing = true;
+  timeline().speed = 0.5;
+  timeline().play_frame();
+  EXPECT_EQ(timeline().shown(), 0U);
+  timeline().play_frame();
+  EXPECT_EQ(timeline().shown(), 1U);
+  timeline().speed = 100;
+  timeline().play_frame();
+  EXPECT_EQ(timeline().shown() + 1, timeline().moments().size());
+  timeline().loop = true;
+  timeline().play_frame();
+  EXPECT_EQ(timeline().shown(), 0U);
+  timeline().loop = false;
+  timeline().play_frame();
+  timeline().play_frame();
+  EXPECT_FALSE(timeline().playing);
+}
+
+// A colour means the same at all moments, and what the view says holds.
+TEST_F(TimelineTest, ScalesFitTheWholeHistory) {
+  session_.view.colouring = Colouring::speed;
+  timeline().show(1);
+  const double high = session_.shown().colour_high;
+  EXPECT_GT(high, 0);
+  timeline().show(3);
+  EXPECT_EQ(session_.shown().colour_high, high);
+  session_.view.colour_high = 7;
+  EXPECT_EQ(session_.shown().colour_high, 7);
+}
+
+TEST_F(TimelineTest, OfARunWithoutHistoryIsRefusedAndTheSessionStays) {
+  std::filesystem::remove(run_ / "history.qsh");
+  timeline().show(1);
+  EXPECT_THROW(session_.open(run_), InputError);
+  EXPECT_EQ(timeline().shown(), 1U);
+}
+
+TEST_F(TimelineTest, TheSeriesIsReadBackForPlots) {
+  const auto file = run_ / "series.csv";
+  const std::vector<Row> all = read_series(file, 1000);
+  ASSERT_EQ(all.size(), timeline().moments().size());
+  EXPECT_FALSE(all.front().sample.has_intruder);
+  EXPECT_TRUE(all.back().sample.has_intruder);
+  EXPECT_GT(all.back().sample.coordination, 0);
+  EXPECT_GT(all.back().residual, 0);
+  EXPECT_LE(read_series(file, 3).size(), 3U);
+  std::ofstream(file, std::ios::app) << "9,9,pus";
+  EXPECT_EQ(read_series(file, 1000).size(), all.size()) << "the last row is not whole yet";
+}
+
+}  // namespace
+}  // namespace quicksand::test
