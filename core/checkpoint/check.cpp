@@ -98,8 +98,8 @@ bool possible(const AdiabaticDeposit& sample) {
 
 bool possible(const DriveResult& found) {
   return found.phase >= 0 && found.drive <= Drive::vane &&
-         finite(found.peak, found.peak_at, found.residual, found.way) && positive(found.radius) &&
-         found.cleared >= 0;
+         finite(found.peak, found.peak_at, found.residual, found.mean, found.way) &&
+         positive(found.radius) && found.cleared >= 0;
 }
 
 template <class Item>

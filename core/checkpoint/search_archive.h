@@ -58,6 +58,7 @@ void describe_search_results(Archive& archive, State& state) {
     a.value("peak", found.peak);
     a.value("peak_at", found.peak_at);
     a.value("residual", found.residual);
+    a.value("mean", found.mean);
     a.value("way", found.way);
     a.value("radius", found.radius);
     a.value("cleared", found.cleared);

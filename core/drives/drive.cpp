@@ -29,6 +29,11 @@ void prescribe(World& world, int body, const Vec3& velocity) {
   world.disks.velocity[body] = velocity;
 }
 
+void begin_way(Stage& stage, double way) {
+  auto& memory = stage.state.memory;
+  memory["way_begins"] = memory["way_before"] = way;
+}
+
 double take_unrecorded_time(Stage& stage) {
   double& recorded = stage.state.memory["recorded"];
   const double time = stage.world.time - std::max(recorded, stage.state.phase_start);
@@ -38,6 +43,9 @@ double take_unrecorded_time(Stage& stage) {
 
 void record_load(Stage& stage, double load, double time, double way, double whole, double window) {
   auto& memory = stage.state.memory;
+  double& before = memory["way_before"];
+  memory["work"] += load * (way - before);
+  before = way;
   memory["window_load"] += time * load;
   memory["window_time"] += time;
   constexpr double kLate = 0.75;  // of the way
@@ -62,12 +70,13 @@ DriveResult drive_result(const Stage& stage, Drive drive, double way, int body) 
     return found == memory.end() ? 0 : found->second;
   };
   const ShapedBody* shaped = stage.world.shapes.find(body);
-  const double late = number("late_time");
+  const double late = number("late_time"), driven = way - number("way_begins");
   return {.phase = stage.state.phase,
           .drive = drive,
           .peak = number("peak"),
           .peak_at = number("peak_at"),
           .residual = late > 0 ? number("late_load") / late : 0,
+          .mean = driven > 0 ? number("work") / driven : 0,
           .way = way,
           .radius = shaped ? shaped->reach() : stage.world.disks.radius[body],
           .cleared = static_cast<std::int64_t>(number("cleared"))};

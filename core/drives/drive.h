@@ -22,6 +22,8 @@ void set_free(World& world, int body);
 // The body moves with this velocity, whatever acts on it.
 void prescribe(World& world, int body, const Vec3& velocity);
 
+// The account begins with this much of the way behind. [d or rad]
+void begin_way(Stage& stage, double way);
 // Time of the phase of which no load is recorded yet; from now on it is. [sqrt(d/g)]
 double take_unrecorded_time(Stage& stage);
 // Adds a load that acted for a time, on a way that is to be `whole` long and of which `way` is behind.

@@ -35,6 +35,7 @@ class Penetrate final : public RunningPhaseOf<PenetratePhase> {
       world.disks.add(placed);
     else
       add_shape(world, placed, parts);
+    begin_way(stage, depth(stage));
   }
 
   void before_step(Stage& stage) override {

@@ -26,6 +26,7 @@ class Vane final : public RunningPhaseOf<VanePhase> {
     const std::string where = "phases[" + std::to_string(stage.state.phase) + "]";
     if (intruder < 0) throw InputError(where, "turns an intruder, and there is none");
     stage.state.memory["start"] = world.disks.angle[intruder];
+    begin_way(stage, 0);
     world.disks.applied[intruder].setZero();
     set_free(world, intruder);
   }

@@ -7,14 +7,15 @@ namespace quicksand {
 
 enum class Drive : std::uint8_t { penetrate, vane };
 
-// Loads are means over windows of the way (see drive.h), forces [F_g] and depths [d] of a penetration, torques [F_g d]
+// Loads are means in time over windows of the way (see drive.h), forces [F_g] and depths [d] of a penetration, torques [F_g d]
 // and angles [rad] of a vane.
 struct DriveResult {
   int phase = 0;  // index
   Drive drive = Drive::penetrate;
   double peak = 0;           // largest mean of a window
   double peak_at = 0;        // end of that window
-  double residual = 0;       // mean of the last quarter of the way
+  double residual = 0;       // mean in time over the last quarter of the way
+  double mean = 0;           // over the way: the work against the load, by the way
   double way = 0;            // in all
   double radius = 0;         // of a vane, to its tips; farthest point of other bodies [d]
   std::int64_t cleared = 0;  // grains that made room

@@ -50,12 +50,17 @@ const Phase kCone{PenetratePhase{.shape = ConeIntruder{.width = 2, .length = 1.5
 TEST_P(Drives, ConeAtAGivenSpeedGetsToItsDepthAndMeetsResistance) {
   const Scenario scene = bed(GetParam(), kCone);
   Protocol run(scene, make_world(scene));
+  double work = 0, way = 0;
   for (;;) {
+    const double before = run.world().time;
     const Progress progress = run.advance();
     ASSERT_NE(progress, Progress::failed) << run.failure();
     if (progress != Progress::running) break;
     const World& world = run.world();
     const Reaction reaction = reaction_on(world, world.intruder());
+    const double downward = -world.disks.velocity[world.intruder()].y() * (world.time - before);
+    way += downward;
+    work += downward * reaction.force.y();
     const double scale = 1 + reaction.force.norm();
     EXPECT_NEAR(reaction.normal + reaction.tangential, reaction.force.y(),
                 tolerance::rounding(scale));
@@ -71,6 +76,7 @@ TEST_P(Drives, ConeAtAGivenSpeedGetsToItsDepthAndMeetsResistance) {
   EXPECT_LE(found.way, 1.5 + 2 * scene.step.dt);
   EXPECT_GT(found.peak, 10);
   EXPECT_GT(found.residual, 0);
+  EXPECT_NEAR(found.mean / (work / way), 1, 0.02) << "the last step is not among these";
   // The drive did the work that was lost or is in the packing.
   EXPECT_GT(run.state().external_work, 0);
   EXPECT_LE(run.state().energy_gained, 0.02 * run.state().external_work);
