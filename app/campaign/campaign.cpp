@@ -76,6 +76,8 @@ void describe_campaign(Fields& f, Campaign& c) {
   f.integer({"realizations", "runs of each point, with the seeds s, s+1, ... from the scene's s"},
             1, kMaxRuns, c.realizations);
   f.flag({"frames", "whether runs draw pictures"}, c.frames);
+  f.object({"report", "what `report` shows of the results"},
+           [&](Fields& g) { describe_report(g, c.report); });
   f.integer({"chunk", "runs that a Slurm task computes, one after the other"}, 1, kMaxRuns,
             c.chunk);
   f.object({"slurm", "what sbatch is told with --engine slurm"},

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/campaign/report_choices.h"
 #include "app/jobs/job.h"
 #include "app/json/json_text.h"
 
@@ -31,6 +32,7 @@ struct Campaign {
   Json list;   // list of path -> value; with a grid, each entry with each combination
   std::int64_t realizations = 1;
   bool frames = false;
+  ReportChoices report;
   std::int64_t chunk = 1;  // runs that a Slurm task computes
   SlurmOptions slurm;
 };

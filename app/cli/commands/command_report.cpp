@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/base/exit_code.h"
+#include "app/campaign_report/campaign_report.h"
 #include "app/cli/commands.h"
 #include "app/report/provenance.h"
 #include "app/run_folder/run_folder.h"
@@ -40,7 +41,29 @@ void add_film_page(Report& page, const RunFolder& run, const std::filesystem::pa
   page.lead.emplace_back(Table{.columns = {{.title = "Timeline"}}, .rows = {{std::move(cell)}}});
 }
 
+int write(Report page, const std::vector<std::string>& words, std::optional<double> seconds,
+          const std::filesystem::path& out) {
+  page.provenance = provenance({.command = command_text(words), .seconds = seconds});
+  for (const std::string& problem : write_report(page, out)) {
+    std::fprintf(stderr, "quicksand: %s\n", problem.c_str());
+  }
+  std::printf("%s\n%s\n", (out / "report.html").c_str(), (out / "report.md").c_str());
+  return kFine;
+}
+
+int report_of_campaign(const ReportArguments& options) {
+  const std::filesystem::path& folder = options.folders.front();
+  if (options.folders.size() > 1) throw InputError(folder.string(), "is a campaign; give it alone");
+  if (!options.from.empty()) throw InputError("--from", "is for runs, and this is a campaign");
+  std::vector<std::string> words{"quicksand", "report", folder.string()};
+  if (!options.out.empty()) words.insert(words.end(), {"--out", options.out.string()});
+  double seconds = 0;
+  Report page = campaign_report(folder, seconds);
+  return write(std::move(page), words, seconds, options.out.empty() ? folder : options.out);
+}
+
 int report(const ReportArguments& options) {
+  if (is_campaign(options.folders.front())) return report_of_campaign(options);
   std::vector<RunResults> runs;
   std::vector<std::string> words{"quicksand", "report"};
   std::optional<double> seconds;
@@ -59,26 +82,25 @@ int report(const ReportArguments& options) {
   if (!options.from.empty()) words.insert(words.end(), {"--from", options.from});
   Report page = run_report(runs, options.from);
   if (runs.size() == 1) add_film_page(page, runs.front().folder(), out);
-  page.provenance = provenance({.command = command_text(words), .seconds = seconds});
-  for (const std::string& problem : write_report(page, out)) {
-    std::fprintf(stderr, "quicksand: %s\n", problem.c_str());
-  }
-  std::printf("%s\n%s\n", (out / "report.html").c_str(), (out / "report.md").c_str());
-  return kFine;
+  return write(std::move(page), words, seconds, out);
 }
 
 }  // namespace
 
 Command add_report(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
-      "report", "Write a page about a finished run, or about several side by side.");
+      "report",
+      "Write a page about a finished run, about several side by side, or about a campaign.");
   const auto options = std::make_shared<ReportArguments>();
-  command->add_option("runs", options->folders, "folders of runs, or of recordings of sessions")
+  command
+      ->add_option("runs", options->folders,
+                   "folders of runs or of recordings of sessions, or that of a campaign")
       ->type_name("DIR")
       ->required();
   command
-      ->add_option("--out", options->out,
-                   "folder of the report [that of a single run; out/report for several]")
+      ->add_option(
+          "--out", options->out,
+          "folder of the report [that of a single run or campaign; out/report for several runs]")
       ->type_name("DIR");
   command
       ->add_option("--from", options->from,
@@ -90,6 +112,9 @@ Command add_report(CLI::App& program) {
       "(at most 20 MB, in which its history plays without a network), report.md, plots/ (CSV,\n"
       "gnuplot script, PNG and SVG of each) and pictures/. Plots need gnuplot; without it their\n"
       "data and scripts are written.\n\n"
+      "Of a campaign it shows means over realizations with standard errors; what it shows says "
+      "the\n"
+      "campaign's file under \"report\".\n\n"
       "Examples:\n  quicksand report out/collapse\n"
       "  quicksand report out/collapse out/strong --from push --out out/comparison");
   return {command, [options] { return report(*options); }};

@@ -1,0 +1,49 @@
+#include "app/campaign/report_choices.h"
+
+namespace quicksand {
+
+namespace {
+
+constexpr std::size_t kMost = 20;  // plots, values of a plot, histories
+constexpr Limits kFactor = between(-1e12, 1e12, "1");
+
+void describe_value(Fields& f, ReportedValue& v) {
+  f.text({"path", "number in summary.json of the runs, as in drives[0].peak", Presence::required},
+         v.path);
+  f.text({"label", "what it is called; its path if absent"}, v.label);
+  f.number({"factor", "that it is multiplied by, as for another unit"}, kFactor, v.factor);
+}
+
+void describe_plot(Fields& f, ReportPlot& p) {
+  f.text({"label", "of the vertical axis", Presence::required}, p.label);
+  f.text({"unit", "of the vertical axis"}, p.unit);
+  f.flag({"logarithmic", "whether the vertical axis is"}, p.logarithmic);
+  f.list({"values", "a curve each", Presence::required}, kMost, p.values, describe_value);
+}
+
+void describe_history(Fields& f, ReportHistory& h) {
+  f.text({"x", "column of series.csv", Presence::required}, h.x);
+  f.text({"y", "column of series.csv", Presence::required}, h.y);
+  f.text({"phase", "whose samples count", Presence::required}, h.phase);
+  f.number({"factor", "that y is multiplied by"}, kFactor, h.factor);
+  f.flag({"logarithmic", "whether the vertical axis is"}, h.logarithmic);
+}
+
+void describe_axis(Fields& f, ReportAxis& x) {
+  f.text({"path", "of the parameter, as in the grid; the first that varies if absent"}, x.path);
+  f.text({"label", "of the axis; the path if absent"}, x.label);
+  f.text({"unit", "of the parameter"}, x.unit);
+  f.flag({"logarithmic", "whether the axis is"}, x.logarithmic);
+}
+
+}  // namespace
+
+void describe_report(Fields& f, ReportChoices& report) {
+  f.object({"x", "horizontal axis of the plots"}, [&](Fields& g) { describe_axis(g, report.x); });
+  f.list({"plots", "numbers of summary.json over that parameter"}, kMost, report.plots,
+         describe_plot);
+  f.list({"histories", "columns of series.csv over each other, as means over the realizations"},
+         kMost, report.histories, describe_history);
+}
+
+}  // namespace quicksand

@@ -1,0 +1,49 @@
+// What the report of a campaign shows: the key `report` of its file.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/json/fields.h"
+
+namespace quicksand {
+
+// A number of summary.json of each run.
+struct ReportedValue {
+  std::string path;   // in summary.json, as in `drives[0].peak`
+  std::string label;  // the path if empty
+  double factor = 1;  // that it is multiplied by, as for another unit
+};
+
+// Over the parameter of the horizontal axis, a curve for each value and each choice of the other parameters.
+struct ReportPlot {
+  std::string label;  // of the vertical axis
+  std::string unit = "1";
+  bool logarithmic = false;
+  std::vector<ReportedValue> values;
+};
+
+// A column of series.csv over another, a mean over the realizations for each choice of the parameters.
+struct ReportHistory {
+  std::string x, y;
+  std::string phase;         // whose samples count
+  double factor = 1;         // that y is multiplied by
+  bool logarithmic = false;  // the axis of y
+};
+
+struct ReportAxis {
+  std::string path;   // of the parameter; of the first that varies if empty
+  std::string label;  // the path if empty
+  std::string unit = "1";
+  bool logarithmic = false;
+};
+
+struct ReportChoices {
+  ReportAxis x;
+  std::vector<ReportPlot> plots;
+  std::vector<ReportHistory> histories;
+};
+
+void describe_report(Fields& f, ReportChoices& report);
+
+}  // namespace quicksand

@@ -1,0 +1,100 @@
+#include "app/campaign_report/points.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/plot/typeset_number.h"
+#include "app/scene/scene_override.h"
+
+namespace quicksand {
+
+namespace {
+
+// Of a run: x, and y times the factor, of the samples of the phase.
+struct Samples {
+  std::vector<double> x, y;
+};
+
+Samples samples_of(const RunResults& run, const ReportHistory& history) {
+  const std::vector<double>&all_x = run.column(history.x), &all_y = run.column(history.y);
+  Samples samples;
+  for (std::size_t i = 0; i < all_x.size(); ++i) {
+    if (run.phases()[i] != history.phase) continue;
+    if (!std::isfinite(all_x[i]) || !std::isfinite(all_y[i])) continue;
+    samples.x.push_back(all_x[i]);
+    samples.y.push_back(history.factor * all_y[i]);
+  }
+  return samples;
+}
+
+}  // namespace
+
+std::vector<CampaignPoint> points_of(std::span<const Job> jobs,
+                                     std::span<const RunRecord> records) {
+  std::vector<CampaignPoint> points;
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    if (points.empty() || points.back().values != jobs[i].values)
+      points.push_back({.values = jobs[i].values});
+    CampaignPoint& point = points.back();
+    ++point.runs;
+    if (records[i].status == JobStatus::finished) point.finished.push_back(i);
+  }
+  return points;
+}
+
+std::optional<Measured> measured_at(const CampaignPoint& point, std::span<const RunRecord> records,
+                                    const ReportedValue& value) {
+  std::vector<double> values;
+  for (const std::size_t i : point.finished) {
+    const Json found = value_at(records[i].summary, value.path);
+    if (found.is_number()) values.push_back(value.factor * found.get<double>());
+  }
+  if (values.empty()) return std::nullopt;
+  return measured_over(values);
+}
+
+MeanHistory mean_history(std::span<const RunResults> runs, const ReportHistory& history) {
+  constexpr std::size_t kBins = 40;
+  std::vector<Samples> all;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const RunResults& run : runs) {
+    all.push_back(samples_of(run, history));
+    for (const double x : all.back().x) low = std::min(low, x), high = std::max(high, x);
+  }
+  MeanHistory mean;
+  if (!(high > low)) return mean;
+  const double width = (high - low) / kBins;
+  std::vector<std::vector<double>> values(kBins);  // a bin, a realization
+  for (const Samples& samples : all) {
+    std::vector<double> sum(kBins, 0);
+    std::vector<int> count(kBins, 0);
+    for (std::size_t i = 0; i < samples.x.size(); ++i) {
+      const auto bin = std::min(kBins - 1, static_cast<std::size_t>((samples.x[i] - low) / width));
+      sum[bin] += samples.y[i];
+      ++count[bin];
+    }
+    for (std::size_t k = 0; k < kBins; ++k)
+      if (count[k] > 0) values[k].push_back(sum[k] / count[k]);
+  }
+  for (std::size_t k = 0; k < kBins; ++k) {
+    if (values[k].empty()) continue;
+    const Measured measured = measured_over(values[k]);
+    mean.x.push_back(low + (static_cast<double>(k) + 0.5) * width);
+    mean.y.push_back(measured.value);
+    mean.error.push_back(measured.standard_error.value_or(0));
+  }
+  return mean;
+}
+
+std::string value_text(const Json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number()) return typeset(value.get<double>());
+  if (!value.is_object()) return value.dump();
+  // What an object is comes first.
+  std::string text = value.contains("type") ? value_text(value["type"]) : std::string();
+  for (const auto& [key, inside] : value.items())
+    if (key != "type") text += (text.empty() ? "" : ", ") + key + " " + value_text(inside);
+  return text;
+}
+
+}  // namespace quicksand

@@ -1,0 +1,102 @@
+// The report of a campaign: means over realizations with standard errors.
+#include "app/campaign_report/campaign_report.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "app/campaign_report/points.h"
+#include "core/base/errors.h"
+#include "tests/support/files.h"
+#include "tests/support/program_fixture.h"
+
+namespace quicksand::test {
+namespace {
+
+const char* const kDroppedScene = R"({
+  "name": "dropped", "gravity": {},
+  "box": {"width": 6, "height": 8},
+  "contact": {"friction": 0.3, "rolling_friction": 0.1, "cohesion_force": 100},
+  "phases": [{"type": "deposit", "grains": 15, "interval": 0.02},
+             {"type": "penetrate", "speed": 2, "depth": 1.5, "shape": {"type": "disk", "diameter": 1.5}}]
+})";
+
+const char* const kDroppedCampaign = R"json({
+  "scene": "dropped.json", "grid": {"phases[1].speed": [1, 2], "contact.friction": [0.2, 0.4]}, "realizations": 3,
+  "report": {
+    "x": {"path": "phases[1].speed", "label": "speed", "unit": "sqrt(g d)"
+}
+, "plots" : [ {
+  "label" : "resistance",
+  "unit" : "F_g",
+  "values" : [ {"path" : "drives[0].mean", "label" : "mean", "factor" : 2} ]
+} ],
+            "histories" : [ {"x" : "depth", "y" : "resistance", "phase" : "penetrate"} ]
+}
+})json";
+
+class CampaignReportTest : public ProgramFixture {
+ protected:
+  void SetUp() override {
+    folder_.write("dropped.json", kDroppedScene);
+    folder_.write("dropping.json", kDroppedCampaign);
+  }
+  void compute() const {
+    const Outcome outcome = quicksand({"campaign", "dropping.json", "--out", "out", "--quiet"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+};
+
+TEST_F(CampaignReportTest, HasTheMeansOfItsRealizationsWithTheirErrors) {
+  compute();
+  const Outcome outcome = quicksand({"report", "out"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "out/report.html\nout/report.md\n");
+  double sum = 0, squares = 0;
+  for (const char* run : {"00000", "00000_1", "00000_2"}) {
+    const Json summary = parse_json(contents(at("out/runs/" + std::string(run) + "/summary.json")));
+    const double load = 2 * summary["drives"][0]["mean"].get<double>();
+    sum += load, squares += load * load;
+  }
+  const double mean = sum / 3, error = std::sqrt((squares / 3 - mean * mean) / 2);
+  double seconds = 0;
+  const Report report = campaign_report(at("out"), seconds);
+  EXPECT_GT(seconds, 0);
+  const auto& plot = std::get<Figure>(report.sections[0].blocks.at(1)).plot;
+  ASSERT_EQ(plot.curves.size(), 2U) << "a curve for each friction";
+  EXPECT_EQ(plot.curves[0].name, "friction 0.2");
+  EXPECT_EQ(plot.curves[0].x, (std::vector<double>{1, 2}));
+  EXPECT_NEAR(plot.curves[0].y[0], mean, 1e-9 * mean);
+  EXPECT_NEAR(plot.curves[0].y_error[0], error, 1e-6 * error);
+  const auto& history = std::get<Figure>(report.sections[1].blocks.at(0)).plot;
+  EXPECT_EQ(history.curves.size(), 2U * 4) << "a band and a line for each choice of parameters";
+}
+
+TEST_F(CampaignReportTest, SaysWhatHasNotFinished) {
+  compute();
+  std::filesystem::remove_all(at("out/runs/00001"));
+  EXPECT_EQ(quicksand({"report", "out"}).exit_code, 0);
+  EXPECT_NE(contents(at("out/report.md")).find("11 of 12 runs have finished"), std::string::npos);
+}
+
+TEST_F(CampaignReportTest, RefusesAnAxisThatDoesNotVary) {
+  compute();
+  std::string text = contents(at("out/campaign.json"));
+  const std::string path = "\"path\": \"phases[1].speed\"";
+  ASSERT_NE(text.find(path), std::string::npos);
+  text.replace(text.find(path), path.size(), "\"path\": \"phases[1].sped\"");
+  folder_.write("out/campaign.json", text);
+  const Outcome outcome = quicksand({"report", "out"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("did you mean \"phases[1].speed\"?"), std::string::npos)
+      << outcome.err;
+}
+
+TEST(CampaignPoint, TellsAValueAsAReaderWantsIt) {
+  EXPECT_EQ(value_text(parse_json(R"({"angle": 30, "type": "cone"})")), "cone, angle 30");
+  EXPECT_EQ(value_text(0.25), "0.25");
+  EXPECT_EQ(value_text(parse_json("[4, 7]")), "[4,7]");
+}
+
+}  // namespace
+}  // namespace quicksand::test
