@@ -99,6 +99,8 @@ std::vector<Task> size_tasks(const Options& options);
 void report_size(std::span<const Row> rows, const Options& options, Section& section);
 std::vector<Task> term_tasks(const Options& options);
 void report_terms(std::span<const Row> rows, const Options& options, Section& section);
+std::vector<Task> shape_tasks(const Options& options);
+void report_shapes(std::span<const Row> rows, const Options& options, Section& section);
 std::vector<Task> goal_tasks(const Options& options);
 void report_goals(std::span<const Row> rows, const Options& options, Section& section);
 std::vector<Task> kernel_tasks(const Options& options);

@@ -136,9 +136,9 @@ TEST(Benchmark, ListsItsPartsAndGoals) {
   const TemporaryFolder folder;
   const Outcome outcome = run_bench({"--list"}, folder.path());
   EXPECT_EQ(outcome.exit_code, 0);
-  for (const char* name :
-       {"precision", "hard", "error", "size", "terms", "goals", "kernels", "threads", "peers",
-        "intact", "rest", "deposition", "ploughing", "piston", "chain", "growth", "factors"})
+  for (const char* name : {"precision", "hard", "error", "size", "terms", "shapes", "goals",
+                           "kernels", "threads", "peers", "intact", "rest", "deposition",
+                           "ploughing", "piston", "chain", "growth", "factors"})
     EXPECT_NE(outcome.out.find(name), std::string::npos) << name;
 }
 
