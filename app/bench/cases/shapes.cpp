@@ -38,9 +38,9 @@ void measure_probe(const Probe& probe, const Options& options, std::vector<Row>&
   Scenario scene = paper_scene(options);
   const World start = fresh_deposit(options, options.quick ? 400 : 5000);
   const std::int64_t steps = options.quick ? 100 : 300;
-  const double way = kSpeed * kDt * static_cast<double>(steps);
   scene.phases = {
-      {.kind = PenetratePhase{.shape = probe.shape, .speed = kSpeed, .depth = 2 * way}, .dt = kDt}};
+      {.kind = PenetratePhase{.shape = probe.shape, .speed = kSpeed, .depth = start.box.height},
+       .dt = kDt}};
   for (int repeat = 0; repeat < options.repeats_or(3); ++repeat) {
     Protocol protocol(scene, start);
     const Window window = measure_window(protocol, {.steps = steps}, options);
