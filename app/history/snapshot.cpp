@@ -21,7 +21,7 @@ constexpr int kFinestExponent = 60;
 constexpr std::uint8_t kBond = 1, kBroken = 2, kInitial = 4, kContact = 8;
 constexpr std::uint8_t kIntruder = 1, kFixed = 2;
 
-// The bodies and their pairs, a column each. A pair is the distance of its first body from that of the pair before it,
+// The bodies and their pairs, a column each; corners of shaped bodies have numbers of their own (shapes.h). A pair is the distance of its first body from that of the pair before it,
 // and that of its second body from its first; or -1 - k for wall k.
 struct Columns {
   int exponent = 0;
@@ -49,6 +49,23 @@ void describe_columns(Archive& archive, AnyColumns& c) {
   archive.column(c.normal_force), archive.column(c.tangential_force);
   archive.column(c.rolling_torque), archive.column(c.cohesion);
   archive.column(c.trajectory_x), archive.column(c.trajectory_y);
+}
+
+// Exact, and only where there are any: the last of a snapshot.
+struct ShapeColumns {
+  std::vector<double> corner_x, corner_y, corner_radius;
+  std::vector<std::int32_t> corner_body, corner_count;
+  std::vector<std::uint8_t> corner_shaft;
+  std::vector<std::int32_t> body;
+  std::vector<double> inertia, arm, radius;
+};
+
+template <class Archive, class AnyColumns>
+void describe_shape_columns(Archive& archive, AnyColumns& c) {
+  archive.column(c.corner_x), archive.column(c.corner_y), archive.column(c.corner_radius);
+  archive.column(c.corner_body), archive.column(c.corner_count), archive.column(c.corner_shaft);
+  archive.column(c.body), archive.column(c.inertia), archive.column(c.arm);
+  archive.column(c.radius);
 }
 
 template <class Archive, class Vector>
@@ -199,19 +216,60 @@ void take_disks(const Columns& c, Disks& disks) {
   }
 }
 
+ShapeColumns columns_of(const Shapes& shapes) {
+  ShapeColumns c;
+  for (const Corner& corner : shapes.corners) {
+    c.corner_x.push_back(corner.place.x()), c.corner_y.push_back(corner.place.y());
+    c.corner_radius.push_back(corner.radius);
+    c.corner_body.push_back(corner.body), c.corner_count.push_back(corner.count);
+    c.corner_shaft.push_back(corner.shaft ? 1 : 0);
+  }
+  for (const ShapedBody& shaped : shapes.bodies) {
+    c.body.push_back(shaped.body);
+    c.inertia.push_back(shaped.inertia), c.arm.push_back(shaped.arm);
+    c.radius.push_back(shaped.radius);
+  }
+  return c;
+}
+
+void take_shapes(const ShapeColumns& c, World& world) {
+  require(of_size(c.corner_x.size(), c.corner_y, c.corner_radius, c.corner_body, c.corner_count,
+                  c.corner_shaft) &&
+              of_size(c.body.size(), c.inertia, c.arm, c.radius),
+          "the columns of the shapes differ in length");
+  for (std::size_t k = 0; k < c.corner_x.size(); ++k)
+    world.shapes.corners.push_back({.place = {c.corner_x[k], c.corner_y[k]},
+                                    .radius = c.corner_radius[k],
+                                    .body = c.corner_body[k],
+                                    .count = c.corner_count[k],
+                                    .shaft = c.corner_shaft[k] != 0});
+  Disks& disks = world.disks;
+  for (std::size_t k = 0; k < c.body.size(); ++k) {
+    require(c.body[k] >= 0 && c.body[k] < disks.size(), "a shape is of no body");
+    world.shapes.bodies.push_back(
+        {.body = c.body[k], .inertia = c.inertia[k], .arm = c.arm[k], .radius = c.radius[k]});
+    if (!disks.fixed(c.body[k])) disks.inverse_mass[c.body[k]].z() = 1 / c.inertia[k];
+  }
+}
+
+// Their gaps and normals are those of the places.
 void take_pairs(const Columns& c, World& world) {
   require(of_size(c.a.size(), c.b, c.pair_flags), "the columns of the pairs differ in length");
   require(of_size(c.cohesion.size(), c.normal_force, c.tangential_force, c.rolling_torque),
           "the columns of the contacts differ in length");
   const double dt = world.impulse_dt > 0 ? world.impulse_dt : 1;
-  const auto nd = world.disks.size();
+  const std::int64_t nd = world.disks.size();
   const auto nw = static_cast<int>(world.walls.size());
+  const auto nk = static_cast<std::int64_t>(world.shapes.corners.size());
+  const auto known = [&](std::int64_t body) {
+    return body >= 0 && (body < nd || (body >= kCornerBase && body < kCornerBase + nk));
+  };
   std::int64_t a = 0;
   std::size_t contact = 0;
   for (std::size_t k = 0; k < c.a.size(); ++k) {
     a += c.a[k];
     const std::int64_t b = c.b[k] < 0 ? kWallBase - 1 - std::int64_t{c.b[k]} : a + c.b[k];
-    require(a >= 0 && a < nd && (c.b[k] < 0 ? b < kWallBase + nw : b > a && b < nd),
+    require(known(a) && (c.b[k] < 0 ? b < kWallBase + nw : b > a && known(b)),
             "a pair is not one of its bodies");
     const Pair pair{static_cast<int>(a), static_cast<int>(b)};
     const std::uint8_t flags = c.pair_flags[k];
@@ -223,7 +281,6 @@ void take_pairs(const Columns& c, World& world) {
     if ((flags & kContact) == 0) continue;
     require(contact < c.cohesion.size(), "it has too few contacts");
     Contact made{.pair = pair, .cohesion = c.cohesion[contact]};
-    made.gap = world.gap(pair, &made.normal);
     made.impulse = Vec3(c.normal_force[contact] + made.cohesion, c.tangential_force[contact],
                         c.rolling_torque[contact]) *
                    dt;
@@ -246,6 +303,10 @@ Bytes snapshot_of(const World& world) {
   ColumnWriter writer;
   describe_scene(writer, world);
   describe_columns(writer, std::as_const(columns));
+  if (!world.shapes.empty()) {
+    const ShapeColumns shapes = columns_of(world.shapes);
+    describe_shape_columns(writer, shapes);
+  }
   return writer.bytes();
 }
 
@@ -256,13 +317,17 @@ World world_from_snapshot(std::span<const std::uint8_t> bytes) {
   Columns columns;
   describe_scene(reader, world);
   describe_columns(reader, columns);
+  ShapeColumns shapes;
+  if (!reader.at_end()) describe_shape_columns(reader, shapes);
   require(reader.at_end(), "it is too long");
   take_disks(columns, world.disks);
+  take_shapes(shapes, world);
   take_pairs(columns, world);
   require(of_size(columns.trajectory_x.size(), columns.trajectory_y), "no such trajectory");
   for (std::size_t k = 0; k < columns.trajectory_x.size(); ++k)
     world.trajectory.places.emplace_back(columns.trajectory_x[k], columns.trajectory_y[k]);
   if (const char* problem = inconsistency(checked)) throw std::runtime_error(problem);
+  for (Contact& contact : world.contacts) contact.gap = world.gap(contact.pair, &contact.normal);
   return std::move(world);
 }
 

@@ -89,7 +89,8 @@ std::string checkpoint_of(const char* scene, int steps, const fs::path& file) {
   return unsealed(contents(file));
 }
 
-// Of grains, walls, bonds and contacts; in the middle of a search for a force; and one of an older program.
+// Of grains, walls, bonds and contacts; in the middle of a search for a force; with a shaped body; and one of an older
+// program.
 std::vector<std::string> checkpoints(const fs::path& file) {
   return {checkpoint_of(R"({"gravity": {},
     "box": {"width": 6, "height": 8}, "contact": {"friction": 0.3, "cohesion_force": 100},
@@ -102,6 +103,11 @@ std::vector<std::string> checkpoints(const fs::path& file) {
       {"type": "shear", "depths": [0, 1], "grains_per_depth": 2, "first_force": 3,
        "max_time": 0.1}]})",
                         30, file),
+          checkpoint_of(R"({"gravity": {},
+    "box": {"width": 8, "height": 8, "sides": "walls"}, "contact": {"friction": 0.3},
+    "phases": [{"type": "deposit", "grains": 8, "interval": 0.02},
+      {"type": "penetrate", "shape": {"type": "cone", "width": 2}, "force": 20, "depth": 3}]})",
+                        60, file),
           unsealed(contents(kSource / "tests/golden/mid_way.cbor"))};
 }
 

@@ -14,6 +14,8 @@
 #include "core/measures/measures.h"
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
+#include "core/shapes/intruder_shapes.h"
+#include "core/world/shaped_contact.h"
 #include "tests/support/files.h"
 #include "tests/support/pierced_scene.h"
 
@@ -112,6 +114,36 @@ TEST_F(HistoryTest, StatesReadBackAsPicturesAndExportsNeedThem) {
     broken = broken || world.bonds.broken > 0;
   }
   EXPECT_TRUE(broken) << "the scene shows too little";
+}
+
+TEST(Snapshot, OfAShapedBodyReadsBackWithItsOutlineAndWhatItTouches) {
+  World world;
+  world.box = {.width = 10, .height = 10, .sides = Sides::walls, .floor = true};
+  world.walls.push_back({.point = {0, 0}, .normal = {0, 1}});
+  world.disks.add({.position = {4, 1.5}});
+  const std::vector<ConvexPart> parts =
+      parts_of(PlateIntruder{.width = 4, .thickness = 1, .tilt = 0});
+  const int body = add_shape(world, {.position = {4, 0.5}, .velocity = {0, -1}, .spin = 2}, parts);
+  world.disks.angle[body] = 0.25;
+  world.impulse_dt = 0.01;
+  const std::vector<Pair> pairs{{0, kCornerBase}, {kCornerBase + 1, kWallBase}};
+  for (const Pair& pair : pairs) {
+    world.bonds.list.push_back({.pair = pair});
+    world.contacts.push_back({.pair = pair, .impulse = {0.5, 0.125, 0}});
+  }
+  const World read = world_from_snapshot(snapshot_of(world));
+  EXPECT_EQ(read.shapes, world.shapes);
+  EXPECT_EQ(pairs_of(read.bonds.list), pairs);
+  EXPECT_NEAR(read.disks.inverse_mass[body].z() / world.disks.inverse_mass[body].z(), 1, 1e-12);
+  ASSERT_EQ(read.contacts.size(), pairs.size());
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    EXPECT_EQ(read.contacts[k].pair, pairs[k]);
+    EXPECT_NEAR(read.contacts[k].gap, world.gap(pairs[k]), 1e-7);
+    EXPECT_NEAR(read.contacts[k].normal_force(0.01), 50, 1e-4);
+  }
+  const Bytes whole = snapshot_of(world);
+  for (const std::size_t size : {whole.size() - 1, whole.size() - 100})
+    EXPECT_THROW(world_from_snapshot(std::span(whole).first(size)), std::runtime_error);
 }
 
 TEST_F(HistoryTest, MomentsAreThoseOfTheSamples) {
