@@ -6,6 +6,7 @@
 
 #include "app/panel/panel_frame.h"
 #include "app/session/disk_at.h"
+#include "core/world/shaped_contact.h"
 
 namespace quicksand::gui {
 namespace {
@@ -28,7 +29,7 @@ Vec2 pixel_of(const World& world, const Camera& camera, int body) {
 void draw_ring(const PanelFrame& frame, const Camera& camera, const PixelRect& rect, int body) {
   const World& world = frame.session.world();
   const Widgets& w = frame.widgets;
-  const double radius = world.disks.radius[static_cast<std::size_t>(body)] * camera.scale();
+  const double radius = reach_of(world, body) * camera.scale();
   const ImVec2 centre = at(rect, pixel_of(world, camera, body));
   const float ring = static_cast<float>(radius) + w.px(2.5F);
   ImDrawList* list = ImGui::GetWindowDrawList();

@@ -1,11 +1,16 @@
 #include "app/serve/frame_message.h"
 
+#include <Eigen/Geometry>
+#include <array>
 #include <cmath>
+#include <map>
 #include <unordered_map>
 #include <vector>
 
 #include "app/serve/binary_message.h"
 #include "core/base/format.h"
+#include "core/world/reaction.h"
+#include "core/world/shaped_contact.h"
 #include "render/base/palette.h"
 #include "render/gl/shader_texts.h"
 #include "render/layers/colouring.h"
@@ -70,8 +75,39 @@ Json walls_json(const World& world) {
   return walls;
 }
 
-// A body as the page counts them: walls are -1, -2 ...
-std::int32_t number_of(int body) { return is_wall(body) ? -1 - (body - kWallBase) : body; }
+// Pairs as the page counts bodies: walls are -1, -2 ... In a pair of a shaped body both are nd + k, and entry k of
+// the touches says where its lines begin and end.
+class PairNumbers {
+ public:
+  explicit PairNumbers(const World& world) : world_(world) {}
+
+  std::array<std::int32_t, 2> of(Pair pair) {
+    if (!is_shaped(pair)) return {pair.a, is_wall(pair.b) ? -1 - (pair.b - kWallBase) : pair.b};
+    const auto [found, is_new] = index_.try_emplace(pair, static_cast<int>(index_.size()));
+    if (is_new) add_touch(pair);
+    const std::int32_t number = world_.disks.size() + found->second;
+    return {number, number};
+  }
+  // Nine numbers each: start of a line and its vector, middle of the gap, normal, and the smaller radius. [d]
+  std::span<const float> touches() const { return touches_; }
+
+ private:
+  void add_touch(Pair pair) {
+    const Link link = link_of(world_, pair);
+    const ShapedContact at = shaped_contact(world_, pair);
+    const Vec2 middle = link.from + link.along - at.gap / 2 * at.normal;
+    const auto [a, b] = world_.rows(pair);
+    const double radius = world_.disks.radius[a];
+    const double smaller = is_wall(b) ? radius : std::min(radius, world_.disks.radius[b]);
+    for (const double x : {link.from.x(), link.from.y(), link.along.x(), link.along.y(), middle.x(),
+                           middle.y(), at.normal.x(), at.normal.y(), smaller})
+      touches_.push_back(static_cast<float>(x));
+  }
+
+  const World& world_;
+  std::map<Pair, int> index_;
+  std::vector<float> touches_;
+};
 
 void add_disks(BinaryMessage& message, const Session& session, const ColouredGrains& grains) {
   const World& world = session.world();
@@ -97,7 +133,7 @@ void add_disks(BinaryMessage& message, const Session& session, const ColouredGra
   message.add("angle", std::span<const float>(angles));
 }
 
-void add_bonds(BinaryMessage& message, const Session& session) {
+void add_bonds(BinaryMessage& message, const Session& session, PairNumbers& numbers) {
   const World& world = session.world();
   std::vector<std::int32_t> active, broken;
   for (const Bond& bond : world.bonds.list) {
@@ -105,14 +141,14 @@ void add_bonds(BinaryMessage& message, const Session& session) {
     if (holds ? !session.view.bonds
               : !session.view.broken_bonds || !(world.gap(bond.pair) < kStillClose))
       continue;
-    (holds ? active : broken)
-        .insert((holds ? active : broken).end(), {number_of(bond.pair.a), number_of(bond.pair.b)});
+    for (const std::int32_t number : numbers.of(bond.pair))
+      (holds ? active : broken).push_back(number);
   }
   message.add("bonds", std::span<const std::int32_t>(active));
   message.add("broken", std::span<const std::int32_t>(broken));
 }
 
-void add_forces(BinaryMessage& message, const Session& session) {
+void add_forces(BinaryMessage& message, const Session& session, PairNumbers& numbers) {
   const World& world = session.world();
   if (!session.view.forces || !(world.impulse_dt > 0)) return;
   std::vector<std::int32_t> pairs;
@@ -120,7 +156,7 @@ void add_forces(BinaryMessage& message, const Session& session) {
   pairs.reserve(2 * world.contacts.size());
   forces.reserve(world.contacts.size());
   for (const Contact& contact : world.contacts) {
-    pairs.insert(pairs.end(), {number_of(contact.pair.a), number_of(contact.pair.b)});
+    for (const std::int32_t number : numbers.of(contact.pair)) pairs.push_back(number);
     forces.push_back(static_cast<float>(contact.normal_force(world.impulse_dt)));
   }
   message.add("force_pairs", std::span<const std::int32_t>(pairs));
@@ -132,6 +168,34 @@ Json intruders_json(const World& world) {
   for (std::size_t k = 0; k < world.disks.role.size(); ++k)
     if (world.disks.role[k] == Role::intruder) intruders.push_back(k);
   return intruders;
+}
+
+// Shaped bodies: their parts as they are turned, from the centre, and the force of the contacts on them.
+Json shapes_json(const World& world) {
+  Json shapes = Json::array();
+  for (const ShapedBody& shaped : world.shapes.bodies) {
+    const double angle = world.disks.angle[shaped.body];
+    const Eigen::Rotation2Dd turn(angle);
+    Json parts = Json::array();
+    const std::vector<Corner>& corners = world.shapes.corners;
+    for (std::size_t k = 0; k < corners.size(); k += static_cast<std::size_t>(corners[k].count)) {
+      if (corners[k].body != shaped.body) continue;
+      Json places = Json::array();
+      for (std::size_t i = k; i < k + static_cast<std::size_t>(corners[k].count); ++i) {
+        const Vec2 place = turn * corners[i].place;
+        places.push_back({place.x(), place.y()});
+      }
+      parts.push_back({{"corners", std::move(places)}, {"radius", corners[k].radius}});
+    }
+    const Vec2 force = reaction_on(world, shaped.body).force;
+    shapes.push_back({{"body", shaped.body},
+                      {"angle", angle},
+                      {"reach", shaped.reach()},
+                      {"radius", shaped.radius},
+                      {"force", {force.x(), force.y()}},
+                      {"parts", std::move(parts)}});
+  }
+  return shapes;
 }
 
 // The disks that forces are applied to, with these.
@@ -172,8 +236,13 @@ std::string frame_message(const Session& session, Json head) {
   const ColouredGrains grains = colour_grains(session.world(), view);
   BinaryMessage message;
   add_disks(message, session, grains);
-  add_bonds(message, session);
-  add_forces(message, session);
+  PairNumbers numbers(session.world());
+  add_bonds(message, session, numbers);
+  add_forces(message, session, numbers);
+  if (!session.world().shapes.empty()) {
+    message.add("touches", numbers.touches());
+    head["shapes"] = shapes_json(session.world());
+  }
   head.update(look_of(session));
   head["legend"] = legend_json(grains.scale, view.theme);
   head["intruders"] = intruders_json(session.world());

@@ -77,10 +77,11 @@ Json contacts_json(const World& world, int body) {
   Json contacts = Json::array();
   const double dt = world.impulse_dt;
   for (const Contact& contact : world.contacts) {
-    if (contact.pair.a != body && contact.pair.b != body) continue;
+    const auto [a, b] = world.rows(contact.pair);
+    if (a != body && b != body) continue;
     const Bond* bond = world.bonds.find(contact.pair);
     contacts.push_back(
-        {{"with", body_name(world, contact.pair.a == body ? contact.pair.b : contact.pair.a)},
+        {{"with", body_name(world, a == body ? b : a)},
          {"normal", dt > 0 ? Json(contact.normal_force(dt)) : Json()},
          {"tangential", dt > 0 ? Json(contact.impulse.y() / dt) : Json()},
          {"bond", bond == nullptr                    ? "none"
@@ -163,8 +164,9 @@ Json body_state(const Session& session, int body) {
   const World& world = session.world();
   const Disks& disks = world.disks;
   const auto k = static_cast<std::size_t>(body);
-  const auto active = std::ranges::count_if(world.bonds.list, [body](const Bond& bond) {
-    return bond.state == BondState::active && (bond.pair.a == body || bond.pair.b == body);
+  const auto active = std::ranges::count_if(world.bonds.list, [&](const Bond& bond) {
+    const auto [a, b] = world.rows(bond.pair);
+    return bond.state == BondState::active && (a == body || b == body);
   });
   return {{"body", body},
           {"role", disks.role[k] == Role::intruder ? "intruder" : "grain"},

@@ -7,7 +7,7 @@
 
 namespace quicksand {
 
-// The disk at a place of the world, seen through periodic sides; -1 if there is none.
+// The disk or shaped body at a place of the world, seen through periodic sides; -1 if there is none.
 int disk_at(const World& world, const Vec2& place);
 
 // The number of a disk; "floor", "side" or "piston" of a wall.

@@ -19,6 +19,7 @@ export function hatch_depth(text) { return Math.round(0.55 * text); }
 class Drawing {
   constructor(frame, camera) {
     Object.assign(this, {frame, camera, palette: frame.palette});
+    this.shapes = frame.shapes ?? [];
     this.list = new DrawList(camera.width, camera.height, frame.palette.background);
     this.colour = Object.fromEntries(Object.entries(frame.palette).map(([name, value]) => [name, packed(value)]));
     this.text = text_size(camera.width, camera.height);
@@ -40,7 +41,9 @@ class Drawing {
 
   each_disk(draw) {
     const {disks} = this.frame, {scale, origin} = this.camera;
+    const shaped = new Set(this.shapes.map((shape) => shape.body));
     for (let k = 0, at = 0; at < disks.length; ++k, at += 3) {
+      if (shaped.has(k)) continue;
       const x = disks[at], y = disks[at + 1], r = disks[at + 2];
       this.at_each_image(x - r, x + r, (shift) => {
         const px = origin[0] + scale * (x + shift), py = origin[1] - scale * y;
@@ -76,6 +79,63 @@ class Drawing {
     });
   }
 
+  // Bodies of several parts: the outline of the union is all parts in its colour, then all a little narrower in their own.
+  shaped_bodies() {
+    const {disks} = this.frame, {scale, origin} = this.camera;
+    for (const {body, angle, reach, radius, force, parts} of this.shapes) {
+      const x = disks[3 * body], y = disks[3 * body + 1];
+      this.at_each_image(x - reach, x + reach, (shift) => {
+        const px = origin[0] + scale * (x + shift), py = origin[1] - scale * y, size = reach * scale;
+        if (!this.sees(px, py, size)) return;
+        for (const [inset, colour] of [[0, this.colour.intruder_outline], [clamp(0.1 * radius * scale, 0.7, 2), this.colour.intruder]])
+          for (const part of parts)
+            this.part(part.corners.map(([cx, cy]) => [px + scale * cx, py - scale * cy]),
+                      Math.max(0.5, part.radius * scale - inset), colour);
+        if (this.frame.shows.orientation)
+          this.list.line(px, py, px + 0.4 * size * Math.cos(angle), py - 0.4 * size * Math.sin(angle),
+                         clamp(0.04 * size, 0.8, 3), this.colour.background, true);
+        this.reaction(px, py, size, force);
+      });
+    }
+  }
+
+  part(corners, radius, colour) {
+    if (corners.length === 1) return this.list.disk(...corners[0], radius, colour, 0, 0);
+    if (corners.length > 2) this.fill_polygon(corners, colour);
+    for (let k = 0; k < (corners.length === 2 ? 1 : corners.length); ++k)
+      this.list.line(...corners[k], ...corners[(k + 1) % corners.length], 2 * radius, colour, true);
+  }
+
+  // In strips that overlap by half, drawn in from the edges, which the rounding covers.
+  fill_polygon(corners, colour) {
+    const heights = corners.map((corner) => corner[1]), high = Math.max(...heights);
+    for (let y = Math.min(...heights) + 0.5; y < high; ++y) {
+      let left = 1e9, right = -1e9;
+      corners.forEach((p, k) => {
+        const q = corners[(k + 1) % corners.length];
+        if (p[1] < y === q[1] < y) return;
+        const x = p[0] + ((y - p[1]) / (q[1] - p[1])) * (q[0] - p[0]);
+        left = Math.min(left, x), right = Math.max(right, x);
+      });
+      if (right - left > 1) this.list.line(left + 0.5, y, right - 0.5, y, 2, colour);
+    }
+  }
+
+  // An arrow whose length says nothing, with a rim that sets it off from the body.
+  reaction(x, y, reach, [fx, fy]) {
+    const size = Math.hypot(fx, fy);
+    if (size === 0 || reach < 7) return;
+    const along = [fx / size, -fy / size], across = [-along[1], along[0]];
+    const width = clamp(0.05 * reach, 1.2, 4), length = 0.8 * reach;
+    const tip = [x + length * along[0], y + length * along[1]];
+    for (const [wide, colour] of [[width + 3, this.colour.background], [width, this.colour.compressive]]) {
+      this.list.line(x, y, ...tip, wide, colour, true);
+      for (const side of [-0.7, 0.7])
+        this.list.line(...tip, tip[0] - 0.22 * length * (along[0] + side * across[0]),
+                       tip[1] - 0.22 * length * (along[1] + side * across[1]), wide, colour, true);
+    }
+  }
+
   applied_force(x, y, r, [fx, fy], ink) {
     const size = Math.hypot(fx, fy);
     if (r < 7 || size === 0) return;
@@ -93,8 +153,16 @@ class Drawing {
                    clamp(0.16 * r, 0.8, 3), intruder ? this.colour.background : packed(with_alpha(this.palette.ink, 0.75)), true);
   }
 
-  // Centre of a, vector to the centre of b or to the surface of a wall, and whether b is a wall.
+  // Of a pair of a shaped body what the server says: start and vector of a line, middle of the gap, normal, smaller radius.
+  touch(a) {
+    const k = a - this.frame.disks.length / 3;
+    return k < 0 ? null : this.frame.touches.subarray(9 * k, 9 * k + 9);
+  }
+
+  // Centre of a, and vector to the centre of b or to the surface of a wall.
   link(a, b) {
+    const touch = this.touch(a);
+    if (touch) return touch;
     const {disks, box, walls} = this.frame, x = disks[3 * a], y = disks[3 * a + 1];
     if (b < 0) {
       const [wx, wy, nx, ny] = walls[-1 - b], distance = nx * (x - wx) + ny * (y - wy);
@@ -134,18 +202,24 @@ class Drawing {
   }
 
   broken_bonds() {
-    const {broken, disks} = this.frame, width = clamp(0.2 * this.camera.scale, 1.3, 8);
+    const {broken} = this.frame, width = clamp(0.2 * this.camera.scale, 1.3, 8);
     const rim = packed(with_alpha(this.palette.background, 0.85));
     for (let i = 0; i < broken.length; i += 2) {
-      const [a, b] = [broken[i], broken[i + 1]], [x, y, dx, dy] = this.link(a, b);
-      const apart = Math.hypot(dx, dy), nx = dx / apart, ny = dy / apart, r = disks[3 * a + 2];
-      const other = b < 0 ? 0 : disks[3 * b + 2], gap = apart - r - other;
-      const half = 0.62 * (b < 0 ? r : Math.min(r, other)), middle = r + gap / 2;
-      this.draw_link([x + middle * nx + half * ny, y + middle * ny - half * nx, -2 * half * ny, 2 * half * nx], (...ends) => {
+      const [mx, my, nx, ny, size] = this.touch(broken[i])?.subarray(4) ?? this.gap_of(broken[i], broken[i + 1]);
+      const half = 0.62 * size;
+      this.draw_link([mx + half * ny, my - half * nx, -2 * half * ny, 2 * half * nx], (...ends) => {
         if (width > 2) this.list.line(...ends, 1.6 * width, rim, true);
         this.list.line(...ends, width, this.colour.broken, true);
       });
     }
+  }
+
+  // Middle of the gap between two disks, or a disk and a wall, the normal, and the smaller radius.
+  gap_of(a, b) {
+    const {disks} = this.frame, [x, y, dx, dy] = this.link(a, b);
+    const apart = Math.hypot(dx, dy), nx = dx / apart, ny = dy / apart, r = disks[3 * a + 2];
+    const other = b < 0 ? 0 : disks[3 * b + 2], middle = r + (apart - r - other) / 2;
+    return [x + middle * nx, y + middle * ny, nx, ny, b < 0 ? r : Math.min(r, other)];
   }
 
   // Part of the picture between periodic sides.
@@ -232,6 +306,7 @@ export function draw(frame, camera) {
   const {list} = drawing;
   list.clip_to(camera.clip);
   drawing.disks();
+  drawing.shaped_bodies();
   list.clip_to(drawing.inside_the_sides());
   drawing.bonds();
   if (frame.force_scale) drawing.forces();

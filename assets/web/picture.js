@@ -87,7 +87,8 @@ export class Picture {
       circle.toggleAttribute("hidden", body === null || !disks || 3 * body >= disks.length);
       if (circle.hasAttribute("hidden")) return;
       const [x, y] = camera.to_pixel([disks[3 * body], disks[3 * body + 1]]);
-      for (const [name, value] of [["cx", x], ["cy", y], ["r", disks[3 * body + 2] * camera.scale + 2.5]])
+      const reach = this.frame.shapes?.find((shape) => shape.body === body)?.reach ?? disks[3 * body + 2];
+      for (const [name, value] of [["cx", x], ["cy", y], ["r", reach * camera.scale + 2.5]])
         circle.setAttribute(name, value / ratio);
     };
     ring(by_id("ring"), picked);

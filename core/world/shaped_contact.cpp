@@ -220,4 +220,26 @@ double half_width(const World& world, int body) {
   return std::max(extent(world, body, {1, 0}), extent(world, body, {-1, 0}));
 }
 
+double reach_of(const World& world, int body) {
+  const ShapedBody* shaped = world.shapes.find(body);
+  return shaped ? shaped->reach() : world.disks.radius[body];
+}
+
+bool holds(const World& world, int body, const Vec2& place) {
+  Vec2 away = place - world.disks.position[body];
+  away.x() -= world.box.image_shift(away.x());
+  if (away.norm() > reach_of(world, body)) return false;
+  if (!world.shapes.find(body)) return true;
+  const double cosine = std::cos(world.disks.angle[body]), sine = std::sin(world.disks.angle[body]);
+  std::vector<Vec2> corners;
+  for (std::size_t k = 0; k < world.shapes.corners.size(); k += corners.size()) {
+    const Corner& first = world.shapes.corners[k];
+    corners.clear();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(first.count); ++i)
+      corners.emplace_back(turned(world.shapes.corners[k + i].place, cosine, sine) - away);
+    if (first.body == body && nearest_to_origin(corners).distance <= first.radius) return true;
+  }
+  return false;
+}
+
 }  // namespace quicksand

@@ -50,5 +50,9 @@ void add_shaped_pairs(const World& world, double distance, std::vector<Pair>& pa
 double lowest_point(const World& world, int body);
 double highest_point_of(const World& world, int body);
 double half_width(const World& world, int body);
+// Of the circle about its centre that holds it [d].
+double reach_of(const World& world, int body);
+// Whether a place is in the body, seen through periodic sides.
+bool holds(const World& world, int body, const Vec2& place);
 
 }  // namespace quicksand

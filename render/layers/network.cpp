@@ -16,28 +16,6 @@ constexpr double kWidestForce = 1.2;     // [d]
 constexpr double kThinnestRimmed = 2;    // width of a bar [px]
 constexpr double kBarLength = 0.62;      // over the smaller diameter [1]
 
-// Centre of a and vector to the centre of b, or to the surface if b is a wall [d].
-struct Link {
-  Vec2 from, along;
-};
-Link link(const World& world, Pair pair) {
-  if (is_shaped(pair)) {
-    // From the centre of the grain, or of the body on a wall, to the point of contact.
-    const ShapedContact at = shaped_contact(world, pair);
-    const auto from = static_cast<std::size_t>(world.row(pair.a));
-    const Vec2 middle(world.wrapped_x(world.disks.position[from].x()),
-                      world.disks.position[from].y());
-    if (is_wall(pair.b)) return {middle, at.arm + (at.radius + at.gap) * at.normal};
-    return {middle, (world.disks.radius[from] + at.gap) * at.normal};
-  }
-  const auto a = static_cast<std::size_t>(pair.a);
-  const Vec2 centre(world.wrapped_x(world.disks.position[a].x()), world.disks.position[a].y());
-  if (!is_wall(pair.b)) return {centre, world.separation(pair.a, pair.b)};
-  Vec2 normal;
-  const double gap = world.gap(pair, &normal);
-  return {centre, (world.disks.radius[a] + gap) * normal};
-}
-
 // Calls draw(from, to) in pixels for each visible image of the link.
 template <typename Draw>
 void at_each_image(const World& world, const Panel& panel, const Link& link, Draw draw) {
@@ -52,6 +30,23 @@ void at_each_image(const World& world, const Panel& panel, const Link& link, Dra
 }
 
 }  // namespace
+
+Link link_of(const World& world, Pair pair) {
+  if (is_shaped(pair)) {
+    const ShapedContact at = shaped_contact(world, pair);
+    const auto from = static_cast<std::size_t>(world.row(pair.a));
+    const Vec2 middle(world.wrapped_x(world.disks.position[from].x()),
+                      world.disks.position[from].y());
+    if (is_wall(pair.b)) return {middle, at.arm + (at.radius + at.gap) * at.normal};
+    return {middle, (world.disks.radius[from] + at.gap) * at.normal};
+  }
+  const auto a = static_cast<std::size_t>(pair.a);
+  const Vec2 centre(world.wrapped_x(world.disks.position[a].x()), world.disks.position[a].y());
+  if (!is_wall(pair.b)) return {centre, world.separation(pair.a, pair.b)};
+  Vec2 normal;
+  const double gap = world.gap(pair, &normal);
+  return {centre, (world.disks.radius[a] + gap) * normal};
+}
 
 double bond_width(double pixels_per_diameter) {
   return std::clamp(0.14 * pixels_per_diameter, 0.7, 5.0);
@@ -86,7 +81,7 @@ void draw_bonds(DrawList& list, const World& world, const View& view, const Pane
   const Colour colour = palette(view.theme).ink;
   for (const Bond& bond : world.bonds.list) {
     if (bond.state != BondState::active) continue;
-    at_each_image(world, panel, link(world, bond.pair), [&](const Vec2& from, const Vec2& to) {
+    at_each_image(world, panel, link_of(world, bond.pair), [&](const Vec2& from, const Vec2& to) {
       list.line(from, to, width, colour, true);
     });
   }
@@ -104,9 +99,10 @@ void draw_forces(DrawList& list, const World& world, const View& view, const Pan
       const double width =
           std::min(std::abs(force) * pixels_per_force, kWidestForce * panel.camera.scale());
       if ((force < 0) != tensile || !(width >= kThinnestForce)) continue;
-      at_each_image(world, panel, link(world, contact.pair), [&](const Vec2& from, const Vec2& to) {
-        list.line(from, to, width, tensile ? colours.tensile : colours.compressive, true);
-      });
+      at_each_image(
+          world, panel, link_of(world, contact.pair), [&](const Vec2& from, const Vec2& to) {
+            list.line(from, to, width, tensile ? colours.tensile : colours.compressive, true);
+          });
     }
   }
 }
@@ -124,7 +120,7 @@ void draw_broken_bonds(DrawList& list, const World& world, const View& view, con
     const double smaller =
         is_wall(b) ? radius_a : std::min(radius_a, world.disks.radius[static_cast<std::size_t>(b)]);
     // The middle of the gap, and half a bar to either side of it.
-    Link bar = link(world, bond.pair);
+    Link bar = link_of(world, bond.pair);
     if (is_shaped(bond.pair))
       bar.from += bar.along - gap / 2 * normal;
     else

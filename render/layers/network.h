@@ -16,6 +16,13 @@ double usual_force(const World& world);
 // Force that a line of the reference width stands for: as the view says, or the usual one [F_g].
 double force_scale(const World& world, const View& view);
 
+// From the centre of the first body of a pair: to the centre of the second, to the surface of a wall, or, of a shaped
+// body, from the grain, or the body on a wall, to the point of contact [d].
+struct Link {
+  Vec2 from, along;
+};
+Link link_of(const World& world, Pair pair);
+
 void draw_bonds(DrawList& list, const World& world, const View& view, const Panel& panel);
 // Normal forces, compressive and tensile in different colours.
 void draw_forces(DrawList& list, const World& world, const View& view, const Panel& panel,

@@ -215,31 +215,61 @@ def downloads(browser, server):
         assert (FOLDER / "downloads" / file).read_bytes() == (FOLDER / "out" / file).read_bytes()
 
 
+def complaints(page):
+    """Since it was asked last; they are errors."""
+    return [entry["message"] for entry in page.messages() if entry["level"] == "SEVERE"]
+
+
+def compared(browser, window, view):
+    """The share of pixels that page and program draw alike."""
+    command(browser, "view", legend=False, scale_bar=False, numbers=False, detail=False, **view)
+    browser.run(f"quicksand.picture.look({window})")
+    browser.wait("!quicksand.frame().fitted && !quicksand.picture.looking")
+    browser.wait(f"quicksand.frame().theme === '{view['theme']}'")
+    settle(browser)
+    size = browser.run("return quicksand.picture.size()")
+    # Over the packing stands a line with the names of scene and phase, which the page shows elsewhere.
+    text = round(9 + size["height"] / 120)
+    line = 2 * round(0.7 * text) + text
+    command(browser, "snapshot", file="compare.png", width=size["width"], height=size["height"] + line)
+    page = browser.run("return quicksand.picture.canvas.toDataURL('image/png')")
+    (FOLDER / "page.png").write_bytes(base64.b64decode(page.split(",")[1]))
+    ours, theirs = (pixels((FOLDER / name).read_bytes()) for name in ("out/compare.png", "page.png"))
+    alike = share_alike((size["width"], size["height"], ours[2][line:]), theirs)
+    print(f"    {view['theme']}: {100 * alike:.3f} % of {ours[0]}x{ours[1]} pixels within 8/255")
+    return alike
+
+
 def looks_like_the_program(browser, server):
     browser.resize(900, 560)
     browser.wait("innerWidth === 900 && quicksand.picture.canvas.width === document.getElementById('view').clientWidth")
-    worst = 1
-    for view in [{"colour": "active_bonds", "theme": "light", "bonds": True, "orientation": True},
-                 {"colour": "pressure", "theme": "dark", "forces": True, "bonds": False}]:
-        command(browser, "view", legend=False, scale_bar=False, numbers=False, detail=False, **view)
-        browser.run("quicksand.picture.look([2, -1, 24, 14])")
-        browser.wait("!quicksand.frame().fitted && !quicksand.picture.looking")
-        browser.wait(f"quicksand.frame().theme === '{view['theme']}'")
-        settle(browser)
-        size = browser.run("return quicksand.picture.size()")
-        # Over the packing stands a line with the names of scene and phase, which the page shows elsewhere.
-        text = round(9 + size["height"] / 120)
-        line = 2 * round(0.7 * text) + text
-        command(browser, "snapshot", file="compare.png", width=size["width"], height=size["height"] + line)
-        page = browser.run("return quicksand.picture.canvas.toDataURL('image/png')")
-        (FOLDER / "page.png").write_bytes(base64.b64decode(page.split(",")[1]))
-        ours, theirs = (pixels((FOLDER / name).read_bytes()) for name in ("out/compare.png", "page.png"))
-        alike = share_alike((size["width"], size["height"], ours[2][line:]), theirs)
-        print(f"    {view['theme']}: {100 * alike:.3f} % of {ours[0]}x{ours[1]} pixels within 8/255")
-        worst = min(worst, alike)
+    worst = min(compared(browser, [2, -1, 24, 14], view) for view in [
+        {"colour": "active_bonds", "theme": "light", "bonds": True, "orientation": True},
+        {"colour": "pressure", "theme": "dark", "forces": True, "bonds": False}])
     assert worst >= 0.99, f"only {worst:.4f} of the pixels look alike"
     command(browser, "view", legend=True, scale_bar=True, numbers=True, theme="light", forces=False, orientation=False)
     browser.resize(1280, 800)
+
+
+def shows_shapes(browser, server):
+    """A cone among grains, as the program draws it; what one points at is found by its outline."""
+    cone = Server(shown="cone")
+    page = Browser()
+    try:
+        page.open(cone.address)
+        page.resize(900, 560)
+        page.wait("innerWidth === 900 && window.quicksand && quicksand.frame()")
+        command(page, "run", time=8.3)
+        page.wait("quicksand.frame().shapes?.length === 1", what="the cone")
+        worst = min(compared(page, [6, 2, 18, 12], view) for view in [
+            {"colour": "active_bonds", "theme": "light", "bonds": True, "orientation": True, "forces": True},
+            {"colour": "pressure", "theme": "dark", "bonds": True, "orientation": False, "forces": False}])
+        assert worst >= 0.99, f"only {worst:.4f} of the pixels look alike"
+        problems = complaints(page)
+        assert not problems, f"the page complained: {problems}"
+    finally:
+        page.close()
+        cone.end()
 
 
 def fits_a_phone(browser, server):
@@ -278,11 +308,6 @@ def refuses_a_wrong_token(browser, server):
             raise AssertionError(f"{address} was admitted")
         except urllib.error.HTTPError as error:
             assert error.code == 401, error.code
-
-
-def complaints(page):
-    """Since it was asked last; they are errors."""
-    return [entry["message"] for entry in page.messages() if entry["level"] == "SEVERE"]
 
 
 def survives_the_server(browser, server):
@@ -376,7 +401,7 @@ def plays_a_film_by_itself(browser, server):
 
 
 TESTS = [opens, chooses_a_scene, changes_a_parameter, runs_and_pauses, hovers, pulls, colours, zooms, plots, downloads,
-         looks_like_the_program, fits_a_phone, reloads_in_mid_run, two_at_once, refuses_a_wrong_token,
+         looks_like_the_program, shows_shapes, fits_a_phone, reloads_in_mid_run, two_at_once, refuses_a_wrong_token,
          walks_through_a_run, plays_a_film_by_itself, survives_the_server]
 
 
