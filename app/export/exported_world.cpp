@@ -1,6 +1,9 @@
 // What is derived from a world before it is exported.
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <span>
 
 #include "app/export/tables.h"
 #include "core/world/shaped_contact.h"
@@ -41,7 +44,7 @@ Vec2 shown_at(const World& world, int disk) {
 Rectangle covered_by(const World& world) {
   Rectangle covered{.high = {world.box.width, world.box.height}};
   for (int i = 0; i < world.disks.size(); ++i) {
-    const Vec2 reach(world.disks.radius[i], world.disks.radius[i]);
+    const Vec2 reach = Vec2::Constant(reach_of(world, i));
     covered.low = covered.low.cwiseMin(shown_at(world, i) - reach);
     covered.high = covered.high.cwiseMax(shown_at(world, i) + reach);
   }
@@ -50,6 +53,46 @@ Rectangle covered_by(const World& world) {
     covered.high.x() = world.box.width;
   }
   return covered;
+}
+
+// Around a part, whose corners are where they are shown: along each flank, and in steps around the corner after it.
+void add_outline(std::span<const Vec2> corners, double radius, int body, int part,
+                 std::vector<OutlinePiece>& pieces) {
+  constexpr double kTurn = 2 * std::numbers::pi, kStep = kTurn / 48;
+  const std::size_t n = corners.size();
+  const auto outward = [&](std::size_t k) {
+    const Vec2 along = corners[(k + 1) % n] - corners[k % n];
+    return n == 1 ? 0 : std::atan2(-along.x(), along.y());
+  };
+  std::vector<Vec2> points;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double from = outward(k);
+    double turn = n == 1 ? kTurn : std::fmod(outward(k + 1) - from + 2 * kTurn, kTurn);
+    const Vec2& centre = corners[(k + 1) % n];
+    const int steps = std::max(1, static_cast<int>(std::ceil(turn / kStep)));
+    if (n > 1) points.emplace_back(corners[k] + radius * Vec2(std::cos(from), std::sin(from)));
+    for (int i = 0; i < steps; ++i) {
+      const double angle = from + turn * i / steps;
+      points.emplace_back(centre + radius * Vec2(std::cos(angle), std::sin(angle)));
+    }
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+    pieces.push_back({body, part, points[i], points[(i + 1) % points.size()]});
+}
+
+std::vector<OutlinePiece> outlines_of(const World& world) {
+  std::vector<OutlinePiece> pieces;
+  const std::vector<Corner>& all = world.shapes.corners;
+  int part = 0;
+  for (std::size_t k = 0; k < all.size(); k += static_cast<std::size_t>(all[k].count), ++part) {
+    const Vec2 centre = shown_at(world, all[k].body);
+    const Eigen::Rotation2Dd turn(world.disks.angle[all[k].body]);
+    std::vector<Vec2> corners;
+    for (std::size_t i = k; i < k + static_cast<std::size_t>(all[k].count); ++i)
+      corners.emplace_back(centre + turn * all[i].place);
+    add_outline(corners, all[k].radius, all[k].body, part, pieces);
+  }
+  return pieces;
 }
 
 }  // namespace
@@ -62,6 +105,7 @@ ExportedWorld::ExportedWorld(const World& exported, const std::vector<Pair>& tou
       counts(count_neighbours(exported, touching)),
       pressure(contact_pressure(exported)),
       links(links_of(exported, touching)),
+      outlines(outlines_of(exported)),
       covered(covered_by(exported)) {}
 
 Vec2 ExportedWorld::place(int disk) const { return shown_at(world, disk); }

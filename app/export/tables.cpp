@@ -140,6 +140,19 @@ constexpr DataColumn kWallColumns[] = {
      [](const E& e, int row, int) { return static_cast<double>(wall(e, row).role); }},
 };
 
+const OutlinePiece& piece(const E& e, int row) { return e.outlines[static_cast<std::size_t>(row)]; }
+
+constexpr DataColumn kOutlineColumns[] = {
+    {"body", "1", "number of the disk that stands for the body", integer, 1,
+     [](const E& e, int row, int) -> double { return piece(e, row).body; }},
+    {"part", "1", "number of the convex part, from 0", integer, 1,
+     [](const E& e, int row, int) -> double { return piece(e, row).part; }},
+    {"from", "d", "where the piece begins", real, 2,
+     [](const E& e, int row, int k) { return piece(e, row).from[k]; }},
+    {"to", "d", "where it ends", real, 2,
+     [](const E& e, int row, int k) { return piece(e, row).to[k]; }},
+};
+
 constexpr DataColumn kStateColumns[] = {
     {"time", "sqrt(d/g)", "since the beginning", real, 1,
      [](const E& e, int, int) { return e.world.time; }},
@@ -164,6 +177,11 @@ constexpr DataTable kTables[] = {
     {"walls", "straight walls; lines as long as the packing is wide or high", kWallColumns,
      [](const E& e) { return static_cast<int>(e.world.walls.size()); }, 2,
      [](const E& e, int row, int which) { return e.wall_end(row, which); }},
+    {"outlines", "intruders of several parts: the outline of each part in straight pieces",
+     kOutlineColumns, [](const E& e) { return static_cast<int>(e.outlines.size()); }, 2,
+     [](const E& e, int row, int which) {
+       return which == 0 ? piece(e, row).from : piece(e, row).to;
+     }},
 };
 
 constexpr DataTable kStates{"states", "a row a state", kStateColumns, [](const E&) { return 1; },

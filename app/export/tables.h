@@ -21,6 +21,12 @@ struct Link {
   bool touching = false;
 };
 
+// A straight piece of the outline of a part of a shaped body; arcs are given as a few of them.
+struct OutlinePiece {
+  int body = 0, part = 0;
+  Vec2 from{0, 0}, to{0, 0};  // [d]
+};
+
 struct Rectangle {
   Vec2 low{0, 0}, high{0, 0};  // corners [d]
 };
@@ -31,10 +37,11 @@ class ExportedWorld {
   explicit ExportedWorld(const World& world);
 
   const World& world;
-  const NeighbourCounts counts;        // (nd)
-  const std::vector<double> pressure;  // (nd) [F_g/d]
-  const std::vector<Link> links;       // sorted by pair
-  const Rectangle covered;             // by box and disks
+  const NeighbourCounts counts;              // (nd)
+  const std::vector<double> pressure;        // (nd) [F_g/d]
+  const std::vector<Link> links;             // sorted by pair
+  const std::vector<OutlinePiece> outlines;  // part by part, counter-clockwise
+  const Rectangle covered;                   // by box and disks
 
   Vec2 place(int disk) const;           // centre, inside periodic sides [d]
   Vec2 branch(const Link& link) const;  // from the centre of a to that of b, or to the wall [d]
@@ -68,7 +75,7 @@ struct DataTable {
 // Name of the column that repeats the corner of a point.
 inline constexpr std::string_view kPosition = "position";
 
-// The disks, the contacts, the walls.
+// The disks, the contacts, the walls, the outlines.
 std::span<const DataTable> tables();
 const DataTable& disk_table();
 

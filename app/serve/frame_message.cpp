@@ -93,7 +93,7 @@ class PairNumbers {
 
  private:
   void add_touch(Pair pair) {
-    const Link link = link_of(world_, pair);
+    const PairLine link = link_of(world_, pair);
     const ShapedContact at = shaped_contact(world_, pair);
     const Vec2 middle = link.from + link.along - at.gap / 2 * at.normal;
     const auto [a, b] = world_.rows(pair);

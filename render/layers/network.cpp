@@ -18,7 +18,7 @@ constexpr double kBarLength = 0.62;      // over the smaller diameter [1]
 
 // Calls draw(from, to) in pixels for each visible image of the link.
 template <typename Draw>
-void at_each_image(const World& world, const Panel& panel, const Link& link, Draw draw) {
+void at_each_image(const World& world, const Panel& panel, const PairLine& link, Draw draw) {
   const double x = link.from.x();
   at_each_image(world.box, std::min(x, x + link.along.x()), std::max(x, x + link.along.x()),
                 [&](double shift) {
@@ -31,7 +31,7 @@ void at_each_image(const World& world, const Panel& panel, const Link& link, Dra
 
 }  // namespace
 
-Link link_of(const World& world, Pair pair) {
+PairLine link_of(const World& world, Pair pair) {
   if (is_shaped(pair)) {
     const ShapedContact at = shaped_contact(world, pair);
     const auto from = static_cast<std::size_t>(world.row(pair.a));
@@ -120,7 +120,7 @@ void draw_broken_bonds(DrawList& list, const World& world, const View& view, con
     const double smaller =
         is_wall(b) ? radius_a : std::min(radius_a, world.disks.radius[static_cast<std::size_t>(b)]);
     // The middle of the gap, and half a bar to either side of it.
-    Link bar = link_of(world, bond.pair);
+    PairLine bar = link_of(world, bond.pair);
     if (is_shaped(bond.pair))
       bar.from += bar.along - gap / 2 * normal;
     else

@@ -18,10 +18,10 @@ double force_scale(const World& world, const View& view);
 
 // From the centre of the first body of a pair: to the centre of the second, to the surface of a wall, or, of a shaped
 // body, from the grain, or the body on a wall, to the point of contact [d].
-struct Link {
+struct PairLine {
   Vec2 from, along;
 };
-Link link_of(const World& world, Pair pair);
+PairLine link_of(const World& world, Pair pair);
 
 void draw_bonds(DrawList& list, const World& world, const View& view, const Panel& panel);
 // Normal forces, compressive and tensile in different colours.

@@ -12,6 +12,8 @@
 #include "core/checkpoint/checkpoint.h"
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
+#include "core/shapes/intruder_shapes.h"
+#include "core/world/shaped_contact.h"
 #include "tests/support/files.h"
 #include "tests/support/pierced_scene.h"
 #include "tests/support/program_fixture.h"
@@ -155,6 +157,38 @@ TEST(Export, AWallIsALineAlongThePacking) {
   EXPECT_EQ(exported.wall_end(0, 1), Vec2(0, 0));
   EXPECT_EQ(exported.wall_end(2, 0), Vec2(6, 4));
   EXPECT_EQ(exported.wall_end(2, 1), Vec2(6, 0));
+}
+
+// A closed line around each part, in its area and at its rounding from the hull of its corners.
+TEST(Export, OutlinesGoAroundTheParts) {
+  Scenario scenario;
+  scenario.box = {.width = 12, .height = 8};
+  World world = make_world(scenario);
+  const std::vector<ConvexPart> parts = parts_of(ConeIntruder{.width = 3, .length = 2});
+  const int body = add_shape(world, {.position = {6, 5}}, parts);
+  world.disks.angle[body] = 0.4;
+  const TemporaryFolder folder;
+  export_state(world, export_format("csv"), folder.path());
+  const CsvColumns outlines = read_csv(folder.path() / "outlines.csv");
+  ASSERT_EQ(outlines.at("body").front(), body);
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    std::vector<Vec2> from, to;
+    for (std::size_t i = 0; i < outlines.at("part").size(); ++i) {
+      if (outlines.at("part")[i] != static_cast<double>(part)) continue;
+      from.emplace_back(outlines.at("from_x")[i], outlines.at("from_y")[i]);
+      to.emplace_back(outlines.at("to_x")[i], outlines.at("to_y")[i]);
+    }
+    ASSERT_GT(from.size(), 3U);
+    double area = 0;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      EXPECT_EQ(to[i], from[(i + 1) % from.size()]);
+      area += (from[i].x() * to[i].y() - from[i].y() * to[i].x()) / 2;
+      EXPECT_TRUE(holds(world, body, from[i] - 1e-9 * (from[i] - Vec2(6, 5))));
+    }
+    const double exact = mass_properties(std::span(parts).subspan(part, 1)).area;
+    EXPECT_NEAR(area / exact, 1, 1e-4) << "a part of 48 pieces a turn";
+    EXPECT_LT(area, exact);
+  }
 }
 
 TEST(Export, AnEmptyWorldIsExportedInAllFormats) {
