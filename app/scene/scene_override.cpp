@@ -101,7 +101,10 @@ constexpr std::pair<std::string_view, std::string_view> kOtherTerms[] = {
     {"force", "force_over_cohesion"}, {"first_force", "first_force_over_cohesion"},
     {"vector", "magnitude"},          {"vector", "tilt"},
     {"linear", "viscosity"},          {"quadratic", "coefficient"},
-    {"quadratic", "fluid_density"}};
+    {"quadratic", "fluid_density"},   {"speed", "force"},
+    {"speed", "force_over_cohesion"}, {"angular_velocity", "torque"}};
+
+constexpr std::string_view kShape = "shape", kType = "type";
 
 // What is set takes the place of what said the same.
 void erase_other_terms(Json& object, const std::string& name) {
@@ -169,6 +172,8 @@ std::string set_value(Json& scene, const std::string& path, Json value, const st
       return path;
     }
     if (last) erase_other_terms(*place, part.name);
+    // Another shape begins with its own values: the keys of the one before mean nothing to it.
+    if (last && part.name == kType && name == kShape) *place = Json::object();
     if (!last && !place->contains(part.name)) (*place)[part.name] = Json::object();
     place = &(*place)[part.name];
     name = part.name;

@@ -17,14 +17,13 @@ struct Override {
 Override parse_override(const std::string& assignment);
 
 // Objects on the way are made if they are absent, list entries must exist, but for [+] at the end, which appends one.
-// Returns the path with the number of such an entry. Keys that say the same in other terms,
-// such as force and force_over_cohesion, make room. Whether the key means something is the reader's business.
-// Throws InputError.
+// Returns the path with the number of such an entry. Keys that say the same in other terms, such as force and
+// force_over_cohesion, make room, and the type of a shape takes the keys of the one before away. Whether the key means
+// something is the reader's business. Throws InputError.
 std::string apply_override(Json& scene, const Override& change);
 
-// Another method, of the time step, takes away what the method sets: step but its max_halvings, dt of the phases, and
-// nscd with the exact one.
-// The same with a JSON value; `where` is the place that an error names.
+// The same with a JSON value; `where` is the place that an error names. Another method, of the time step, takes away what
+// the method sets: step but its max_halvings, dt of the phases, and nscd with the exact one.
 std::string set_value(Json& scene, const std::string& path, Json value, const std::string& where);
 
 // The value that the path names, the last entry for [+]; null if there is none. Throws InputError if it is not a path.

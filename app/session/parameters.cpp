@@ -18,8 +18,17 @@ class ParameterList : public Fields {
 
   std::vector<Parameter> take() { return std::move(found_); }
 
-  void variant(const Field& /*field*/, std::span<const std::string_view> /*words*/, int index,
+  void variant(const Field& field, std::span<const std::string_view> words, int index,
                const std::function<void(Fields&, int)>& visit) override {
+    // Called as what it is the type of.
+    Parameter p{.path = path_of(field),
+                .label = path_.substr(path_.rfind('.') + 1),
+                .help = field.help,
+                .unit = "1"};
+    p.kind = Parameter::Kind::word;
+    p.words.assign(words.begin(), words.end());
+    p.value = words[static_cast<std::size_t>(index)];
+    found_.push_back(std::move(p));
     visit(*this, index);
   }
 
@@ -32,7 +41,7 @@ class ParameterList : public Fields {
     const auto kind = kinds.find(schema.contains("enum") ? Json("") : schema.value("type", Json()));
     if (kind == kinds.end()) return;  // a panel has no entry for the others
     Parameter& p = found_.emplace_back();
-    p.path = path_ + (path_.empty() ? "" : ".") + field.name;
+    p.path = path_of(field);
     p.label = field.name;
     std::ranges::replace(p.label, '_', ' ');
     p.help = field.help;
@@ -56,6 +65,9 @@ class ParameterList : public Fields {
   }
 
  private:
+  std::string path_of(const Field& field) const {
+    return path_ + (path_.empty() ? "" : ".") + field.name;
+  }
   void inside(const std::string& name, const Visit& visit) {
     const std::string outside = path_;
     path_ += (path_.empty() ? "" : ".") + name;
@@ -148,8 +160,9 @@ std::vector<ParameterGroup> parameters_of(const Scenario& scenario) {
   if (has<PenetratePhase>(scenario))
     groups.push_back(group_of<PenetratePhase>(
         "Penetration", scenario, all,
-        Names{"shape.width", "shape.diameter", "shape.angle", "shape.radius", "shape.thickness",
-              "shape.length", "shape.tilt", "density", "speed", "force", "ramp_time", "depth"}));
+        Names{"shape.type", "shape.width", "shape.diameter", "shape.angle", "shape.radius",
+              "shape.thickness", "shape.length", "shape.tilt", "shape.rod_width",
+              "shape.rod_length", "density", "speed", "force", "ramp_time", "depth"}));
   if (has<VanePhase>(scenario))
     groups.push_back(
         group_of<VanePhase>("Vane", scenario, all,

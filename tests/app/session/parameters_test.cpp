@@ -46,6 +46,29 @@ TEST(Parameters, WhatASceneDoesNotModelHasNoValue) {
   EXPECT_TRUE(value("push.diameter").is_null()) << "no intruder in this scene";
 }
 
+TEST(Parameters, ChooseTheShapeAndTheDriveOfAnIntruder) {
+  Json json = to_json(shipped("cone"));
+  const auto shown = [&](const std::string& path) {
+    const std::vector<Parameter> all = all_of(scenario_from_json(json));
+    const auto found = std::ranges::find(all, path, &Parameter::path);
+    return found == all.end() ? Parameter{} : *found;
+  };
+  const Parameter shape = shown("phases[2].shape.type");
+  EXPECT_EQ(shape.label, "shape");
+  EXPECT_EQ(shape.value, "cone");
+  for (const std::string& word : shape.words) {
+    if (word == "parts") continue;  // which have no defaults
+    set_value(json, shape.path, word, "test");
+    EXPECT_EQ(shown(shape.path).value, word);
+  }
+  set_value(json, shape.path, "plate", "test");
+  EXPECT_TRUE(shown("phases[2].shape.tilt").value.is_number());
+  EXPECT_TRUE(shown("phases[2].shape.angle").path.empty()) << "a plate has none";
+  set_value(json, "phases[2].force", 20, "test");
+  EXPECT_TRUE(shown("phases[2].speed").value.is_null());
+  EXPECT_EQ(shown("phases[2].force").value, 20);
+}
+
 TEST(SessionHistory, IsThinnedAndKeepsItsBeginning) {
   Session session;
   session.load(shipped("chain"));
