@@ -47,8 +47,8 @@ Json json_of(const DriveResult& found) {
       {"phase", found.phase},       {"drive", found.drive == Drive::vane ? "vane" : "penetrate"},
       {"peak", found.peak},         {"peak_at", found.peak_at},
       {"residual", found.residual}, {"sensitivity", sensitivity(found)},
-      {"mean", found.mean},
-      {"way", found.way},           {"cleared", found.cleared}};
+      {"mean", found.mean},         {"way", found.way},
+      {"cleared", found.cleared}};
   if (found.drive != Drive::vane) return json;
   json["radius"] = found.radius;
   json["peak_strength"] = vane_strength(found.peak, found.radius);

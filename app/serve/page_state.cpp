@@ -80,13 +80,12 @@ Json contacts_json(const World& world, int body) {
     const auto [a, b] = world.rows(contact.pair);
     if (a != body && b != body) continue;
     const Bond* bond = world.bonds.find(contact.pair);
-    contacts.push_back(
-        {{"with", body_name(world, a == body ? b : a)},
-         {"normal", dt > 0 ? Json(contact.normal_force(dt)) : Json()},
-         {"tangential", dt > 0 ? Json(contact.impulse.y() / dt) : Json()},
-         {"bond", bond == nullptr                    ? "none"
-                  : bond->state == BondState::active ? "active"
-                                                     : "broken"}});
+    contacts.push_back({{"with", body_name(world, a == body ? b : a)},
+                        {"normal", dt > 0 ? Json(contact.normal_force(dt)) : Json()},
+                        {"tangential", dt > 0 ? Json(contact.impulse.y() / dt) : Json()},
+                        {"bond", bond == nullptr                    ? "none"
+                                 : bond->state == BondState::active ? "active"
+                                                                    : "broken"}});
   }
   return contacts;
 }

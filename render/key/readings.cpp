@@ -50,8 +50,9 @@ std::vector<Reading> readings(const World& world, const View& view) {
   all.push_back(depth(sample));
   if (!world.shapes.empty()) {
     const Reaction& reaction = sample.reaction;
-    all.push_back({"reaction " + short_number(reaction.force.norm()) + " " + italic("F") + subscript("g"),
-                   "reaction 0.000e+00 " + italic("F") + subscript("g")});
+    all.push_back(
+        {"reaction " + short_number(reaction.force.norm()) + " " + italic("F") + subscript("g"),
+         "reaction 0.000e+00 " + italic("F") + subscript("g")});
   }
   if (!view.method.empty()) all.push_back({view.method, view.method});
   return all;

@@ -19,7 +19,9 @@ void fill_polygon(DrawList& list, std::span<const Vec2> corners, Colour colour) 
   double low = corners.front().y(), high = low;
   for (const Vec2& corner : corners)
     low = std::min(low, corner.y()), high = std::max(high, corner.y());
-  for (double y = low + kStripStep / 2; y < high; y += kStripStep) {
+  const int strips = static_cast<int>(std::floor((high - low) / kStripStep + 0.5));
+  for (int strip = 0; strip < strips; ++strip) {
+    const double y = low + (strip + 0.5) * kStripStep;
     double left = 1e9, right = -1e9;
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const Vec2 &p = corners[k], &q = corners[(k + 1) % corners.size()];

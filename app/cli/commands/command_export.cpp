@@ -93,7 +93,8 @@ Command add_export(CLI::App& program) {
   add_moment_options(*command, options->moments);
   command->footer(
       "Formats:\n" + words() +
-      "A folder receives disks, contacts, walls and outlines, a file each, and states.csv, a row a state.\n"
+      "A folder receives disks, contacts, walls and outlines, a file each, and states.csv, a row a "
+      "state.\n"
       "Several states are numbered (disks_0000.csv), and VTK's have collections over time\n"
       "(disks.pvd). `quicksand list columns` says what is in them, and in which units. Without a\n"
       "step before the state, forces are zero. Lines between the centres of contacts go the\n"
