@@ -8,7 +8,6 @@
 #include "app/json/json_reader.h"
 #include "app/series/series.h"
 #include "app/serve/binary_message.h"
-#include "app/serve/client_message.h"
 #include "app/serve/frame_message.h"
 #include "app/serve/page_state.h"
 #include "app/session/disk_at.h"
@@ -40,9 +39,17 @@ std::string_view name_of(const Json& command) {
 }
 
 // Those that end a run under way; others wait for its end.
-bool cuts_short(const Json& command) {
+bool cuts_short(const ClientMessage& message) {
+  if (message.command.is_null()) return false;
   constexpr auto kNames = std::to_array<std::string_view>({"pause", "load", "reset", "restore"});
-  return std::ranges::find(kNames, name_of(command)) != kNames.end();
+  return std::ranges::find(kNames, name_of(message.command)) != kNames.end();
+}
+
+// Commands that change nothing but what is seen.
+bool only_looks(const ClientMessage& message) {
+  if (message.command.is_null()) return false;
+  constexpr auto kNames = std::to_array<std::string_view>({"view", "camera", "pick"});
+  return std::ranges::find(kNames, name_of(message.command)) != kNames.end();
 }
 
 // After which the controls of the page may look otherwise.
@@ -59,6 +66,7 @@ ServedSession::ServedSession(const ServedOptions& options, Exchange& exchange)
       exchange_(exchange),
       console_({options.folder, std::filesystem::current_path()}) {
   console_.session().stop_asked = [this](const Session& session) { return listen(session); };
+  console_.session().meanwhile = [this] { look_up(); };
   console_.print = [this](const std::string& text) {
     tell(kEveryClient, {{"kind", "note"}, {"text", text}}, nullptr);
   };
@@ -85,11 +93,7 @@ void ServedSession::take_turn() {
   const bool runs = console_.session().running || plays();
   const bool something = !waiting_.empty();
   take_messages(runs || something ? 0ms : kIdle);
-  while (!waiting_.empty()) {
-    const Waiting next = std::move(waiting_.front());
-    waiting_.pop_front();
-    perform(next);
-  }
+  while (!waiting_.empty()) answer_next();
   look_for_samples();
   publish_frame();
   if (console_.session().running) compute();
@@ -100,12 +104,20 @@ void ServedSession::take_turn() {
 
 // After each step: what can be answered at once is, and what cannot ends the computing.
 bool ServedSession::listen(const Session& session) {
-  picture_is_old_ = plots_are_old_ = true;
-  if (exchange_.something_waits()) take_messages(0ms);
-  if (Clock::now() - last_frame_ >= kPicturePeriod) publish_frame();
+  plots_are_old_ = picture_is_old_ = true;
+  look_up();
   if (interrupted && interrupted()) return true;
   if (session.running) return !waiting_.empty();
-  return std::ranges::any_of(waiting_, cuts_short, &Waiting::command);
+  return std::ranges::any_of(waiting_, cuts_short, &Waiting::message);
+}
+
+// Also within a step, which may take long.
+void ServedSession::look_up() {
+  if (exchange_.something_waits()) take_messages(0ms);
+  bool seen_otherwise = false;
+  for (; !waiting_.empty() && only_looks(waiting_.front().message); seen_otherwise = true)
+    answer_next();
+  if (seen_otherwise || Clock::now() - last_frame_ >= kPicturePeriod) publish_frame();
 }
 
 void ServedSession::take_messages(std::chrono::milliseconds wait) {
@@ -116,32 +128,43 @@ void ServedSession::hear(const ClientText& text) {
   Json id;
   try {
     ClientMessage message = read_message(text.text, id);
-    if (message.question.is_null()) {
-      if (std::ranges::count(waiting_, text.client, &Waiting::client) >= Exchange::kMostOfOneClient)
-        throw InputError("message",
-                         "comes while too many commands of this page wait; pause, or try again");
-      waiting_.push_back({text.client, std::move(message.command), id});
-      return;
-    }
-    tell(text.client, {{"ok", true}, {"result", answer_question(message.question)}}, id);
+    // Of the world as it is. A recording or a series waits until the steps under way are among those that are counted.
+    if (message.command.is_null() && message.question["ask"] == "body")
+      return tell(text.client, {{"ok", true}, {"result", answer_question(message.question)}}, id);
+    if (std::ranges::count(waiting_, text.client, &Waiting::client) >= Exchange::kMostOfOneClient)
+      throw InputError("message",
+                       "comes while too many commands of this page wait; pause, or try again");
+    waiting_.push_back({text.client, std::move(message), id});
   } catch (const InputError& error) {
-    tell(text.client, {{"ok", false}, {"where", error.where()}, {"error", error.what()}}, id);
+    tell_problem(text.client, error, id);
   }
 }
 
-void ServedSession::perform(const Waiting& message) {
+void ServedSession::answer_next() {
+  const Waiting next = std::move(waiting_.front());
+  waiting_.pop_front();
+  if (!next.message.command.is_null()) return perform(next);
+  try {
+    tell(next.client, {{"ok", true}, {"result", answer_question(next.message.question)}}, next.id);
+  } catch (const InputError& error) {
+    tell_problem(next.client, error, next.id);
+  }
+}
+
+void ServedSession::perform(const Waiting& waiting) {
+  const Json& command = waiting.message.command;
   const bool loaded = console_.session().loaded();
   const std::int64_t first = loaded ? console_.session().world().step : 0;
-  const Answer answer = answer_to(console_, message.command, "command");
-  if (answer.ok) record(message.command, answer.result);
-  theme_chosen_ = theme_chosen_ || message.command.contains("theme");
-  if (!answer.ok && name_of(message.command) == "run" && loaded)
+  const Answer answer = answer_to(console_, command, "command");
+  if (answer.ok) record(command, answer.result);
+  theme_chosen_ = theme_chosen_ || command.contains("theme");
+  if (!answer.ok && name_of(command) == "run" && loaded)
     interactions_.add_steps(console_.session().world().step - first);
   picture_is_old_ = true;
-  if (changes_controls(message.command)) state_is_old_ = plots_are_old_ = true;
+  if (changes_controls(command)) state_is_old_ = plots_are_old_ = true;
   Json json = to_json(answer, console_);
-  json["command"] = message.command;
-  tell(message.client, std::move(json), message.id);
+  json["command"] = command;
+  tell(waiting.client, std::move(json), waiting.id);
 }
 
 // A run that was cut short replays as the steps that it made.
@@ -309,6 +332,10 @@ void ServedSession::publish_slow_parts() {
   exchange_.publish(Newest::plots, plots_message(session));
   plots_are_old_ = false;
   last_plots_ = Clock::now();
+}
+
+void ServedSession::tell_problem(ClientId client, const InputError& error, const Json& id) {
+  tell(client, {{"ok", false}, {"where", error.where()}, {"error", error.what()}}, id);
 }
 
 void ServedSession::tell(ClientId client, Json answer, const Json& id) {

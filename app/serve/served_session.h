@@ -1,5 +1,6 @@
-// The side that computes: takes what clients say, performs it between two steps, computes while the session runs, and
-// leaves pictures, states and plots for those who serve. Everything in here belongs to one thread.
+// The side that computes: takes what clients say, performs it between two steps, or within one where it changes nothing but
+// what is seen, computes while the session runs, and leaves pictures, states and plots for those who serve. Everything in
+// here belongs to one thread.
 #pragma once
 
 #include <chrono>
@@ -10,9 +11,11 @@
 #include <string>
 
 #include "app/commands/console.h"
+#include "app/serve/client_message.h"
 #include "app/web/exchange.h"
 #include "app/window/interaction_recording.h"
 #include "app/window/step_rate.h"
+#include "core/base/errors.h"
 
 namespace quicksand {
 
@@ -40,13 +43,16 @@ class ServedSession {
   using Clock = std::chrono::steady_clock;
   struct Waiting {
     ClientId client = kEveryClient;
-    Json command, id;
+    ClientMessage message;
+    Json id;
   };
 
   bool listen(const Session& session);
+  void look_up();
   void take_messages(std::chrono::milliseconds wait);
   void hear(const ClientText& text);
-  void perform(const Waiting& message);
+  void perform(const Waiting& waiting);
+  void answer_next();
   void record(const Json& command, const Json& result);
   void compute();
   void play();
@@ -58,6 +64,7 @@ class ServedSession {
   Json state() const;
   Json moment() const;
   void tell(ClientId client, Json answer, const Json& id);
+  void tell_problem(ClientId client, const InputError& error, const Json& id);
 
   ServedOptions options_;
   Exchange& exchange_;

@@ -173,6 +173,7 @@ RunStop Session::run(const RunUntil& until) {
   const std::int64_t first_step = world().step;
   const double first_time = world().time;
   const int first_phase = protocol().state().phase;
+  sampled_run_->protocol().clock().meanwhile = meanwhile;
   while (true) {
     if (finished()) return RunStop::finished;
     if (failed_) return RunStop::failed;

@@ -59,6 +59,9 @@ class Session {
   RunStop run(const RunUntil& until);
   // Asked after every step; true cuts a run short. May be empty.
   std::function<bool(const Session&)> stop_asked;
+  // Called now and then while a step is solved, when the world is still as it was before the step. May change views, not
+  // what is computed. May be empty.
+  std::function<void()> meanwhile;
 
   // A checkpoint with which run --continue goes on, too. Throw InputError.
   void save(const std::filesystem::path& file) const;

@@ -194,6 +194,7 @@ void ContactMatrix::list_sides() {
 }
 
 void ContactMatrix::factorise(const std::vector<Impedance<Lanes>>& impedance) {
+  WorkClock::look_up(clock_);
   const WorkClock::Span span(clock_, Work::factorisation);
   lu_.clear();
   for_lane_blocks(

@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <string_view>
 
 namespace quicksand {
@@ -67,6 +68,16 @@ class WorkClock {
     std::array<std::int64_t, 5> by_stage{};  // by SolverStage
     std::int64_t not_converged = 0;
   } counts;
+
+  // Does what need not wait until a long computation ends. It must not change what is computed with, nor throw. May be
+  // empty.
+  std::function<void()> meanwhile;
+  // Where a computation has come to a place at which something else may be done.
+  static void look_up(WorkClock* clock) {
+    if (!clock || !clock->meanwhile) return;
+    const Span span(clock, Work::other);
+    clock->meanwhile();
+  }
 
  private:
   using Clock = std::chrono::steady_clock;

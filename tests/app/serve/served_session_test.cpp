@@ -115,6 +115,66 @@ TEST(ServedSession, TheSeriesThatIsFetchedHasARowASample) {
   EXPECT_EQ(rows, 1 + server.stop().console().session().history().size());
 }
 
+// What changes the view alone does not wait for the end of a step, and changes nothing of it.
+TEST(ServedSession, ChangesTheViewWhileAStepIsSolved) {
+  std::vector<std::uint64_t> hashes;
+  for (const bool looks : {false, true}) {
+    const TemporaryFolder folder;
+    Exchange exchange;
+    ServedSession served({folder.path()}, exchange);
+    served.begin({{"command", "load"}, {"scene", "chain"}});
+    served.begin({{"command", "set"}, {"path", "solver.method"}, {"value", "interior_point"}});
+    Session& session = served.console().session();
+    bool asked = false;
+    const std::function<void()> look_up = session.meanwhile;
+    session.meanwhile = [&] {
+      if (!looks || asked) return;
+      asked = true;
+      exchange.want_frame_after(exchange.newest(Newest::frame).number);
+      exchange.give({1, R"({"command": "view", "colour": "speed", "id": 7})"});
+      exchange.give({1, R"({"command": "pick", "body": 1, "id": 8})"});
+      const std::int64_t step = session.world().step;
+      look_up();
+      EXPECT_EQ(session.world().step, step);
+      EXPECT_EQ(session.view.colouring, Colouring::speed);
+      const std::vector<ClientText> answers = exchange.take_answers();
+      ASSERT_EQ(answers.size(), 2U);
+      EXPECT_EQ(Json::parse(answers[0].text)["id"], 7);
+      EXPECT_EQ(session.picked, 1);
+      EXPECT_NE(exchange.newest(Newest::frame).bytes, nullptr);
+    };
+    served.begin({{"command", "run"}, {"steps", 6}});
+    EXPECT_EQ(asked, looks);
+    hashes.push_back(world_hash(session.world()));
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+// Its steps are not all counted before the slice that computes them ends.
+TEST(ServedSession, ARecordingThatIsAskedForInMidSliceReplays) {
+  const TemporaryFolder folder;
+  Exchange exchange;
+  ServedSession served({folder.path()}, exchange);
+  served.begin({{"command", "load"}, {"scene", "chain"}});
+  served.begin({{"command", "pace"}, {"steps_per_frame", 5}});
+  served.begin({{"command", "start"}});
+  Session& session = served.console().session();
+  const std::function<bool(const Session&)> listen = session.stop_asked;
+  bool asked = false;
+  session.stop_asked = [&](const Session& s) {
+    if (s.world().step == 3 && !asked) {
+      exchange.give({1, R"({"ask": "recording", "id": 1})"});
+      asked = true;
+    }
+    return listen(s);
+  };
+  served.take_turn();
+  served.take_turn();
+  ASSERT_TRUE(asked);
+  const Outcome replay = run_program({"session", "recording.json", "--quiet"}, folder.path());
+  EXPECT_EQ(replay.exit_code, 0) << replay.err;
+}
+
 TEST(ServedSession, WalksThroughARunWithTheSameCommandsAsTheWindow) {
   const TemporaryFolder folder;
   ASSERT_EQ(run_program({"run", "chain", "--no-frames", "--out", "run", "--quiet"}, folder.path())
