@@ -148,8 +148,11 @@ class Writer {
     for (const std::string& path : paths_) table.columns.push_back({.title = name_of(path)});
     table.columns.push_back({.title = "realizations", .number = true});
     for (const ReportPlot& plot : campaign_.report.plots)
-      for (const ReportedValue& value : plot.values)
-        table.columns.push_back({.title = title(label_of(value), plot.unit), .number = true});
+      for (const ReportedValue& value : plot.values) {
+        const bool alone = plot.values.size() == 1;
+        const std::string name = alone ? plot.label : plot.label + ", " + label_of(value);
+        table.columns.push_back({.title = title(name, plot.unit), .number = true});
+      }
     for (const CampaignPoint& point : points_) {
       std::vector<Cell> row;
       for (const std::string& path : paths_) row.push_back({value_text(value_of(point, path))});
