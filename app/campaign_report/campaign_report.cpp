@@ -79,6 +79,7 @@ class Writer {
     if (campaign_.report.plots.empty() && campaign_.report.histories.empty())
       campaign_.report.plots.push_back(kPacking);
     choose_axis();
+    find_curves();
   }
 
   Report report() {
@@ -172,17 +173,25 @@ class Writer {
     return found == point.values.end() ? Json() : found->second;
   }
 
-  // What a point is called where all of its parameters but one are told.
-  static std::string other_values(const CampaignPoint& point, const std::string& but) {
+  // Parameters that tell curves apart: those that have several values at one place of the axis. Others follow from it.
+  void find_curves() {
+    for (const std::string& path : paths_) {
+      std::map<Json, Json> at;  // by the place
+      const bool varies = std::ranges::any_of(points_, [&](const CampaignPoint& point) {
+        const Json value = value_of(point, path);
+        return at.try_emplace(value_of(point, x().path), value).first->second != value;
+      });
+      if (path != x().path && varies) curve_paths_.push_back(path);
+    }
+  }
+
+  // What a curve is called by these parameters of its point.
+  static std::string name_by(const CampaignPoint& point, const std::vector<std::string>& paths) {
     std::string text;
-    for (const auto& [path, value] : point.values) {
-      if (path == but) continue;
-      const std::size_t last = path.rfind('.');
-      const bool object = value.is_object();
-      text +=
-          (text.empty() ? "" : "; ") +
-          (object ? std::string() : path.substr(last == std::string::npos ? 0 : last + 1) + " ") +
-          value_text(value);
+    for (const std::string& path : paths) {
+      const Json value = value_of(point, path);
+      const std::string key = path.substr(path.rfind('.') + 1) + " ";
+      text += (text.empty() ? "" : "; ") + (value.is_object() ? "" : key) + value_text(value);
     }
     return text;
   }
@@ -201,7 +210,7 @@ class Writer {
         const Json place = value_of(point, x().path);
         const std::optional<Measured> found = measured_at(point, records_, value);
         if (!place.is_number() || !found) continue;
-        const std::string others = other_values(point, x().path);
+        const std::string others = name_by(point, curve_paths_);
         const auto [curve, is_new] = curves.try_emplace(others);
         if (is_new) order.push_back(others);
         curve->second.x.push_back(place.get<double>());
@@ -221,8 +230,10 @@ class Writer {
                                             "; bars are standard errors of the mean."});
   }
 
-  Section histories() const {
+  Section histories() {
     Section section{.title = "On the way"};
+    std::vector<std::string> told{x().path};
+    told.insert(told.end(), curve_paths_.begin(), curve_paths_.end());
     std::vector<std::vector<RunResults>> runs;
     for (const CampaignPoint& point : points_) {
       std::vector<RunResults>& of_point = runs.emplace_back();
@@ -232,7 +243,7 @@ class Writer {
       const ReportHistory& history = campaign_.report.histories[k];
       Plot plot = empty_plot(history, k);
       for (std::size_t p = 0; p < points_.size(); ++p)
-        add_mean(plot, other_values(points_[p], {}), mean_history(runs[p], history));
+        add_mean(plot, name_by(points_[p], told), mean_history(runs[p], history));
       if (plot.curves.empty()) continue;
       section.add(Figure{std::move(plot),
                          words(history.y) + " over " + words(history.x) + " in the phase " +
@@ -246,7 +257,7 @@ class Writer {
   std::vector<Job> jobs_;
   std::vector<RunRecord> records_;
   std::vector<CampaignPoint> points_;
-  std::vector<std::string> paths_;
+  std::vector<std::string> paths_, curve_paths_;
 };
 
 }  // namespace

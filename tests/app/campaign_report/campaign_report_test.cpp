@@ -72,6 +72,23 @@ TEST_F(CampaignReportTest, HasTheMeansOfItsRealizationsWithTheirErrors) {
   EXPECT_EQ(history.curves.size(), 2U * 4) << "a band and a line for each choice of parameters";
 }
 
+// A time step that is chosen by the speed does not make a curve for each.
+TEST_F(CampaignReportTest, HasOneCurveWhereTheOthersFollowFromTheAxis) {
+  std::string text = kDroppedCampaign;
+  const std::string grid = R"("grid": {"phases[1].speed": [1, 2], "contact.friction": [0.2, 0.4]})";
+  ASSERT_NE(text.find(grid), std::string::npos);
+  text.replace(text.find(grid), grid.size(), R"("list": [{"phases[1].speed": 1},
+    {"phases[1].speed": 2, "phases[1].dt": 5e-3}])");
+  folder_.write("dropping.json", text);
+  compute();
+  double seconds = 0;
+  const Report report = campaign_report(at("out"), seconds);
+  const auto& plot = std::get<Figure>(report.sections[0].blocks.at(1)).plot;
+  ASSERT_EQ(plot.curves.size(), 1U);
+  EXPECT_EQ(plot.curves[0].name, "mean");
+  EXPECT_EQ(plot.curves[0].x.size(), 2U);
+}
+
 TEST_F(CampaignReportTest, SaysWhatHasNotFinished) {
   compute();
   std::filesystem::remove_all(at("out/runs/00001"));
