@@ -21,6 +21,7 @@ namespace {
 
 constexpr std::int64_t kGrains = 5000, kQuickGrains = 400;
 constexpr double kWidth = 51;  // of the paper's box, for kGrains [d]
+constexpr double kWider = 8;   // the box in which they stand, at as many grains a step
 
 // Width of a box of the paper's shape for a number of grains [d].
 double width_for(std::int64_t grains) {
@@ -110,13 +111,17 @@ Checkpoint settled(const Options& options) {
   });
 }
 
+Scenario wide_scene(const Options& options) {
+  Scenario scene = paper_scene(options);
+  scene.box.width *= kWider;
+  return scene;
+}
+
 Checkpoint at_rest(const Options& options) {
   constexpr double kLongest = 100;  // [sqrt(d/g)]
-  constexpr double kWider = 8;      // than the paper's box, and as many grains a step
-  Scenario scene = paper_scene(options);
+  Scenario scene = wide_scene(options);
   DepositPhase deposit = std::get<DepositPhase>(scene.phases.at(0).kind);
   deposit.interval /= kWider;
-  scene.box.width *= kWider;
   scene.phases = {{.kind = deposit, .dt = {}, .sample_every = {}},
                   {.kind = SettlePhase{.max_time = kLongest}, .dt = {}, .sample_every = {}}};
   return stored(options, "at_rest", scene, [&] {

@@ -24,7 +24,9 @@ Checkpoint deposited(const Options& options);
 void keep_deposited(const Options& options, Checkpoint made);
 // After the settling phase of the scene, which lasts 3 sqrt(d/g) at most.
 Checkpoint settled(const Options& options);
-// As many grains in a box eight times as wide, deposited at the same rate for its width, and settled
+// The paper's scene in a box eight times as wide.
+Scenario wide_scene(const Options& options);
+// As many grains in that box, deposited at the same rate for its width, and settled
 // until nothing moves faster than 1e-3 sqrt(g d) for 0.5 sqrt(d/g). The paper's box will not do: filled one
 // grain a step, its packing slumps with a median speed of 0.43 sqrt(g d) 3 sqrt(d/g) after the last
 // grain, and is not at rest after 20 more.

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <thread>
 
@@ -56,6 +57,8 @@ class Served {
     // What clients wait for comes after the end.
     session_.interrupted = nullptr;
     others.join();
+    if (session_.console().session().finished())
+      throw std::runtime_error("the scene that is served was over before it was measured");
     return rate;
   }
 
