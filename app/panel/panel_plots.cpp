@@ -1,6 +1,7 @@
 // Curves of what was measured on the way.
 #include <imgui.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "app/panel/panel_frame.h"
@@ -23,11 +24,52 @@ Curve curve_of(const Session& session, const Reading& reading) {
   return curve;
 }
 
+// Of one kind of phase alone, over the way of its intruder. A run that is shown marks where it was at the moment.
+Curve drive_curve(const Session& session, std::string_view phase, double (*load)(const Sample&),
+                  double Sample::*way) {
+  Curve curve;
+  curve.nothing = "not yet driven";
+  for (const Row& row : session.history()) {
+    if (row.phase != phase || !row.sample.has_intruder) continue;
+    curve.x.push_back(row.sample.*way);
+    curve.y.push_back(load(row.sample));
+    if (session.timeline() != nullptr && row.sample.time <= session.world().time)
+      curve.cursor = curve.x.back();
+  }
+  return curve;
+}
+
+bool has_phase(const Session& session, std::string_view name) {
+  return session.loaded() && std::ranges::any_of(session.phases(), [&](const Phase& phase) {
+           return phase_name(phase) == name;
+         });
+}
+
+void show_drives(PanelFrame& frame) {
+  Widgets& w = frame.widgets;
+  const Session& session = frame.session;
+  if (has_phase(session, PenetratePhase::kName)) {
+    Curve curve = drive_curve(
+        session, PenetratePhase::kName, [](const Sample& s) { return s.resistance; },
+        &Sample::depth);
+    curve.unit = "F_g";
+    w.plot("resistance over depth", "Resistance over depth [d]", curve);
+  }
+  if (has_phase(session, VanePhase::kName)) {
+    Curve curve = drive_curve(
+        session, VanePhase::kName, [](const Sample& s) { return s.reaction.torque; },
+        &Sample::intruder_angle);
+    curve.unit = "F_g d";
+    w.plot("torque over angle", "Torque over angle [rad]", curve);
+  }
+}
+
 }  // namespace
 
 void show_plots(PanelFrame& frame) {
   Widgets& w = frame.widgets;
   if (!w.begin_section("Plots", true)) return;
+  show_drives(frame);
   ImGui::PushFont(w.fonts().small);
   w.caption("Over time [√(d/g)], with the last value.");
   ImGui::PopFont();

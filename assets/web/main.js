@@ -73,6 +73,7 @@ function show_state(message) {
   for (const file of ["state", "film"]) by_id("files").querySelector(`[data-file=${file}]`).hidden = state.walks;
   by_id("description").textContent = state.description;
   if (document.activeElement !== by_id("pace")) by_id("pace").value = state.steps_per_frame;
+  plots.set_phases(state.phases);
   show_parameters(by_id("parameters"), state, commands);
   show_view(by_id("view_fields"), state, commands);
   // The first page that opens chooses the look; later it is a value like others.

@@ -1,7 +1,10 @@
-// Time histories: small plots with one cursor.
+// Histories over time or over the way of an intruder: small plots with one cursor, which is a time.
 import {capitalised, element, short, unit_text} from "./numbers.js";
 
 const kFirst = ["active_bond_fraction", "coordination", "depth"];
+// What a plot may be over, and what a scene with a driven intruder shows first.
+const kOver = ["time", "depth", "intruder_angle"];
+const kOfDrive = {penetrate: ["resistance", "depth"], vane: ["intruder_torque", "intruder_angle"]};
 const kRoom = {left: 46, right: 8, top: 6, bottom: 16};
 
 export class Plots {
@@ -17,10 +20,16 @@ export class Plots {
 
   make(name, i) {
     const select = element("select", {"aria-label": `Quantity of plot ${i + 1}`});
+    const over = element("select", {"aria-label": `Over what plot ${i + 1} is`});
     const output = element("output", {}), canvas = element("canvas", {tabIndex: 0, role: "img"});
-    const plot = {name, select, output, canvas, element: element("div", {className: "plot"}, element("div", {}, select, output), canvas)};
+    const head = element("div", {}, select, over, output);
+    const plot = {name, over: "time", select, over_select: over, output, canvas, element: element("div", {className: "plot"}, head, canvas)};
     select.addEventListener("change", () => {
       plot.name = select.value;
+      this.draw();
+    });
+    over.addEventListener("change", () => {
+      plot.over = over.value;
       this.draw();
     });
     canvas.addEventListener("pointermove", (e) => this.point(plot, e.offsetX));
@@ -45,20 +54,39 @@ export class Plots {
       const all = names.includes(plot.name) ? names : [plot.name, ...names];
       plot.select.replaceChildren(...all.map((n) => element("option", {value: n}, capitalised(n))));
       plot.select.value = plot.name;
+      const overs = [...new Set([...kOver.filter((n) => n === "time" || names.includes(n)), plot.over])];
+      plot.over_select.replaceChildren(...overs.map((n) => element("option", {value: n}, "over " + capitalised(n).toLowerCase())));
+      plot.over_select.value = plot.over;
     }
     this.draw();
   }
 
-  nearest(time) {
-    const {time: times} = this.message;
+  // The phases of a scene: the last plots are of its drives.
+  set_phases(phases) {
+    if (this.phases === phases.join()) return;
+    this.phases = phases.join();
+    const drives = [...new Set(phases)].filter((p) => kOfDrive[p]).map((p) => kOfDrive[p]);
+    this.plots.forEach((plot, i) => {
+      const drive = drives[i - (this.plots.length - drives.length)];
+      if (!drive && plot.over === "time") return;
+      [plot.name, plot.over] = drive ?? [kFirst[i], "time"];
+      plot.names = null;
+    });
+    if (this.message) this.show(this.message);
+  }
+
+  // Index of the sample whose x, a time or a way, is nearest.
+  nearest(x, over = "time") {
+    const values = this.message[over];
     let best = 0;
-    for (let i = 1; i < times.length; ++i) if (Math.abs(times[i] - time) < Math.abs(times[best] - time)) best = i;
+    for (let i = 1; i < values.length; ++i) if (!(Math.abs(values[best] - x) <= Math.abs(values[i] - x))) best = i;
     return best;
   }
 
   point(plot, x) {
     if (!this.message || !plot.scale) return;
-    this.set_cursor(plot.scale.from + ((x - kRoom.left) / plot.scale.width) * (plot.scale.to - plot.scale.from));
+    const at = plot.scale.from + ((x - kRoom.left) / plot.scale.width) * (plot.scale.to - plot.scale.from);
+    this.set_cursor(plot.over === "time" ? at : this.message.time[this.nearest(at, plot.over)]);
   }
 
   set_cursor(time) {
@@ -87,8 +115,13 @@ export class Plots {
     g.scale(ratio, ratio);
     g.font = "12px Roboto, sans-serif";
     const times = this.message.time ?? [], values = this.message[plot.name] ?? [];
-    let low = Infinity, high = -Infinity;
-    for (const v of values) if (Number.isFinite(v)) [low, high] = [Math.min(low, v), Math.max(high, v)];
+    const places = this.message[plot.over] ?? [], over = this.message.columns.find((c) => c.name === plot.over);
+    const shown = values.map((v, i) => Number.isFinite(v) && Number.isFinite(places[i]));
+    let low = Infinity, high = -Infinity, from = Infinity, to = -Infinity;
+    values.forEach((v, i) => {
+      if (shown[i]) [low, high, from, to] = [Math.min(low, v), Math.max(high, v), Math.min(from, places[i]), Math.max(to, places[i])];
+    });
+    if (plot.over === "time" && times.length) [from, to] = [times[0], times.at(-1)];
     plot.select.title = column ? capitalised(column.help) : "";
     if (!(low <= high)) {
       plot.scale = null;
@@ -98,10 +131,10 @@ export class Plots {
       return canvas.setAttribute("aria-label", `${capitalised(plot.name)}: no values yet`);
     }
     if (low === high) [low, high] = [low - (Math.abs(low) || 1) / 2, high + (Math.abs(high) || 1) / 2];
-    const from = times[0], to = Math.max(times.at(-1), from + 1e-9);
+    to = Math.max(to, from + 1e-9);
     const width = w - kRoom.left - kRoom.right, height = h - kRoom.top - kRoom.bottom;
     plot.scale = {from, to, width};
-    const x_of = (t) => kRoom.left + ((t - from) / (to - from)) * width, y_of = (v) => kRoom.top + (1 - (v - low) / (high - low)) * height;
+    const x_of = (x) => kRoom.left + ((x - from) / (to - from)) * width, y_of = (v) => kRoom.top + (1 - (v - low) / (high - low)) * height;
     g.strokeStyle = colours.line;
     g.fillStyle = colours.faint;
     g.textAlign = "right";
@@ -113,7 +146,7 @@ export class Plots {
       g.stroke();
       g.fillText(short(v), kRoom.left - 5, y + (v === low ? 0 : 8));
     }
-    g.fillText(short(to) + " √(d/g)", w - kRoom.right, h - 3);
+    g.fillText(`${short(to)} ${unit_text(over?.unit ?? "sqrt(d/g)")}`, w - kRoom.right, h - 3);
     g.textAlign = "left";
     g.fillText(short(from), kRoom.left, h - 3);
     g.strokeStyle = colours.curve;
@@ -121,21 +154,21 @@ export class Plots {
     g.beginPath();
     let open = false;
     values.forEach((v, i) => {
-      if (Number.isFinite(v)) g[open ? "lineTo" : "moveTo"](x_of(times[i]), y_of(v));
-      open = Number.isFinite(v);
+      if (shown[i]) g[open ? "lineTo" : "moveTo"](x_of(places[i]), y_of(v));
+      open = shown[i];
     });
     g.stroke();
     const cursor = this.cursor ?? this.moment;
     const at = cursor === null ? values.length - 1 : this.nearest(cursor), unit = unit_text(column.unit);
     const text = `${short(values[at])}${unit ? " " + unit : ""}`;
     plot.output.textContent = cursor === null ? text : `${text} at ${short(times[at])}`;
-    canvas.setAttribute("aria-label", `${capitalised(plot.name)} over time, ${plot.output.textContent}`);
-    if (cursor === null) return;
+    canvas.setAttribute("aria-label", `${capitalised(plot.name)} over ${capitalised(plot.over).toLowerCase()}, ${plot.output.textContent}`);
+    if (cursor === null || !Number.isFinite(places[at])) return;
     g.strokeStyle = colours.accent;
     g.lineWidth = 1;
     g.beginPath();
-    g.moveTo(Math.round(x_of(times[at])) + 0.5, kRoom.top);
-    g.lineTo(Math.round(x_of(times[at])) + 0.5, h - kRoom.bottom);
+    g.moveTo(Math.round(x_of(places[at])) + 0.5, kRoom.top);
+    g.lineTo(Math.round(x_of(places[at])) + 0.5, h - kRoom.bottom);
     g.stroke();
   }
 }

@@ -1,6 +1,7 @@
 // What the panel's widgets command, and what the panel shows of the session.
 #include "app/commands/command_table.h"
 #include "core/base/errors.h"
+#include "render/base/nice_numbers.h"
 #include "render/image/png_reader.h"
 #include "tests/support/gui_fixture.h"
 
@@ -273,6 +274,26 @@ TEST_F(PanelTest, SizesAndScalesThatCannotBeDrawnAreRefused) {
   EXPECT_THROW(gui().frame(session(), {}, 20, 600), InputError);
   EXPECT_THROW(gui().frame(session(), {}, 900, 100000), InputError);
   EXPECT_NO_THROW(gui().frame(session(), {}, 64, 64));
+}
+
+// The load of a driven intruder over its way, where the scene has such a phase and no other.
+TEST_F(PanelTest, PlotsForceOverDepthAndTorqueOverAngle) {
+  perform({{"command", "load"}, {"scene", "cone"}, {"set", {{"phases[0].height", 4}}}});
+  UiDriver& r = driver(1, kWidth, 1400);
+  ASSERT_NE(widget("Plots/resistance over depth"), nullptr);
+  EXPECT_EQ(widget("Plots/resistance over depth")->value, "not yet driven");
+  EXPECT_EQ(widget("Plots/torque over angle"), nullptr);
+  while (session().phase_name() != "penetrate") perform({{"command", "run"}, {"phase_end", true}});
+  perform({{"command", "run"}, {"time", 0.5}});
+  r.wait(1);
+  EXPECT_EQ(widget("Plots/resistance over depth")->value,
+            short_number(session().history().back().sample.resistance));
+  perform({{"command", "load"}, {"scene", "vane"}});
+  r.wait(1);
+  EXPECT_NE(widget("Plots/torque over angle"), nullptr);
+  load();
+  r.wait(1);
+  EXPECT_EQ(widget("Plots/torque over angle"), nullptr);
 }
 
 }  // namespace
