@@ -1,5 +1,10 @@
 #include "app/campaign/report_choices.h"
 
+#include <algorithm>
+
+#include "app/scene/scene_override.h"
+#include "core/base/errors.h"
+
 namespace quicksand {
 
 namespace {
@@ -10,8 +15,22 @@ constexpr Limits kFactor = between(-1e12, 1e12, "1");
 void describe_value(Fields& f, ReportedValue& v) {
   f.text({"path", "number in summary.json of the runs, as in drives[0].peak", Presence::required},
          v.path);
+  try {
+    value_at(Json(), v.path);
+  } catch (const InputError& error) {
+    f.refuse("path", error.what());
+  }
   f.text({"label", "what it is called; its path if absent"}, v.label);
   f.number({"factor", "that it is multiplied by, as for another unit"}, kFactor, v.factor);
+}
+
+void describe_reference(Fields& f, ReportReference& r) {
+  constexpr std::size_t kMostCorners = 1000;
+  constexpr Limits kPlace = between(-1e12, 1e12, "1");
+  f.text({"label", "what it is called", Presence::required}, r.label);
+  f.numbers({"x", "places of its corners", Presence::required}, kPlace, kMostCorners, r.x);
+  f.numbers({"y", "values there, as many", Presence::required}, kPlace, kMostCorners, r.y);
+  if (r.y.size() != r.x.size()) f.refuse("y", "must have as many numbers as x");
 }
 
 void describe_plot(Fields& f, ReportPlot& p) {
@@ -19,6 +38,9 @@ void describe_plot(Fields& f, ReportPlot& p) {
   f.text({"unit", "of the vertical axis"}, p.unit);
   f.flag({"logarithmic", "whether the vertical axis is"}, p.logarithmic);
   f.list({"values", "a curve each", Presence::required}, kMost, p.values, describe_value);
+  f.list({"references",
+          "lines drawn beside the curves, such as a measurement, in the units of the plot"},
+         kMost, p.references, describe_reference);
 }
 
 void describe_history(Fields& f, ReportHistory& h) {
@@ -44,6 +66,14 @@ void describe_report(Fields& f, ReportChoices& report) {
          describe_plot);
   f.list({"histories", "columns of series.csv over each other, as means over the realizations"},
          kMost, report.histories, describe_history);
+}
+
+std::vector<std::string> reported_paths(const ReportChoices& report) {
+  std::vector<std::string> paths;
+  for (const ReportPlot& plot : report.plots)
+    for (const ReportedValue& value : plot.values)
+      if (std::ranges::find(paths, value.path) == paths.end()) paths.push_back(value.path);
+  return paths;
 }
 
 }  // namespace quicksand

@@ -15,12 +15,19 @@ struct ReportedValue {
   double factor = 1;  // that it is multiplied by, as for another unit
 };
 
+// A line of other origin, such as a measurement, in the units of the plot.
+struct ReportReference {
+  std::string label;
+  std::vector<double> x, y;  // of its corners
+};
+
 // Over the parameter of the horizontal axis, a curve for each value and each choice of the other parameters.
 struct ReportPlot {
   std::string label;  // of the vertical axis
   std::string unit = "1";
   bool logarithmic = false;
   std::vector<ReportedValue> values;
+  std::vector<ReportReference> references;
 };
 
 // A column of series.csv over another, a mean over the realizations for each choice of the parameters.
@@ -45,5 +52,8 @@ struct ReportChoices {
 };
 
 void describe_report(Fields& f, ReportChoices& report);
+
+// The paths of the values, each once.
+std::vector<std::string> reported_paths(const ReportChoices& report);
 
 }  // namespace quicksand

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
+#include "app/scene/scene_override.h"
 #include "app/series/quantities.h"
 
 namespace quicksand {
@@ -39,7 +41,10 @@ bool is_results_column(std::string_view name) {
          std::ranges::find(quantities(), name, &Quantity::name) != quantities().end();
 }
 
-ResultsTable::ResultsTable(std::span<const Job> jobs) : jobs_(jobs), rows_(jobs.size()) {
+ResultsTable::ResultsTable(std::span<const Job> jobs, std::span<const std::string> reported)
+    : jobs_(jobs), rows_(jobs.size()) {
+  std::ranges::copy_if(reported, std::back_inserter(reported_),
+                       [](const std::string& path) { return !is_results_column(path); });
   for (const Job& job : jobs) {
     for (const auto& [path, value] : job.values) {
       if (std::ranges::find(parameters_, path) == parameters_.end()) parameters_.push_back(path);
@@ -60,6 +65,7 @@ void ResultsTable::set(std::size_t job, const RunRecord& record) {
   for (const Quantity& quantity : quantities()) {
     row += "," + cell(value_in(record.summary, quantity.name));
   }
+  for (const std::string& path : reported_) row += "," + cell(value_at(record.summary, path));
   for (const std::string_view name : kLast) row += "," + cell(value_in(record.summary, name));
   rows_[job] = row + "\n";
 }
@@ -73,6 +79,7 @@ std::string ResultsTable::text() const {
   for (const std::string& path : parameters_) add(path);
   for (const std::string_view name : kMiddle) add(name);
   for (const Quantity& quantity : quantities()) add(quantity.name);
+  for (const std::string& path : reported_) add(path);
   for (const std::string_view name : kLast) add(name);
   text += "\n";
   for (const std::string& row : rows_) text += row;

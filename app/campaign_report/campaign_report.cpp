@@ -226,6 +226,12 @@ class Writer {
       }
     }
     if (plot.curves.empty()) return;  // over no number, or nothing was found: the table says it
+    for (const ReportReference& reference : shown.references)
+      plot.curves.push_back({.name = reference.label,
+                             .kind = Curve::Kind::line,
+                             .role = Curve::Role::paper,
+                             .x = reference.x,
+                             .y = reference.y});
     section.add(Figure{std::move(plot), shown.label + " over " + x().label +
                                             "; bars are standard errors of the mean."});
   }

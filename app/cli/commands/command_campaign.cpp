@@ -63,7 +63,7 @@ class CampaignRun {
   int run_here() {
     look();
     prepare();
-    ResultsTable table(jobs_);
+    ResultsTable table(jobs_, reported_paths(campaign_.report));
     for (std::size_t i = 0; i < jobs_.size(); ++i) table.set(i, records_[i]);
     auto written = Clock::now();
     const PoolReport pool =
@@ -161,7 +161,7 @@ class CampaignRun {
 
   // Writes the table, says what there is, and returns the exit code.
   int report(bool interrupted) const {
-    ResultsTable table(jobs_);
+    ResultsTable table(jobs_, reported_paths(campaign_.report));
     for (std::size_t i = 0; i < jobs_.size(); ++i) table.set(i, records_[i]);
     make_writable({out_});
     write_whole(results(), table.text());

@@ -21,19 +21,16 @@ const char* const kDroppedScene = R"({
              {"type": "penetrate", "speed": 2, "depth": 1.5, "shape": {"type": "disk", "diameter": 1.5}}]
 })";
 
-const char* const kDroppedCampaign = R"json({
+const char* const kDroppedCampaign = R"~({
   "scene": "dropped.json", "grid": {"phases[1].speed": [1, 2], "contact.friction": [0.2, 0.4]}, "realizations": 3,
   "report": {
-    "x": {"path": "phases[1].speed", "label": "speed", "unit": "sqrt(g d)"
-}
-, "plots" : [ {
-  "label" : "resistance",
-  "unit" : "F_g",
-  "values" : [ {"path" : "drives[0].mean", "label" : "mean", "factor" : 2} ]
-} ],
-            "histories" : [ {"x" : "depth", "y" : "resistance", "phase" : "penetrate"} ]
-}
-})json";
+    "x": {"path": "phases[1].speed", "label": "speed", "unit": "sqrt(g d)"},
+    "plots": [{"label": "resistance", "unit": "F_g",
+      "values": [{"path": "drives[0].mean", "label": "mean", "factor": 2}],
+      "references": [{"label": "measured", "x": [1, 2], "y": [40, 50]}]}],
+    "histories": [{"x": "depth", "y": "resistance", "phase": "penetrate"}]
+  }
+})~";
 
 class CampaignReportTest : public ProgramFixture {
  protected:
@@ -63,11 +60,13 @@ TEST_F(CampaignReportTest, HasTheMeansOfItsRealizationsWithTheirErrors) {
   const Report report = campaign_report(at("out"), seconds);
   EXPECT_GT(seconds, 0);
   const auto& plot = std::get<Figure>(report.sections[0].blocks.at(1)).plot;
-  ASSERT_EQ(plot.curves.size(), 2U) << "a curve for each friction";
+  ASSERT_EQ(plot.curves.size(), 3U) << "a curve for each friction, and the reference";
   EXPECT_EQ(plot.curves[0].name, "friction 0.2");
   EXPECT_EQ(plot.curves[0].x, (std::vector<double>{1, 2}));
   EXPECT_NEAR(plot.curves[0].y[0], mean, 1e-9 * mean);
   EXPECT_NEAR(plot.curves[0].y_error[0], error, 1e-6 * error);
+  EXPECT_EQ(plot.curves[2].name, "measured");
+  EXPECT_EQ(plot.curves[2].y, (std::vector<double>{40, 50}));
   const auto& history = std::get<Figure>(report.sections[1].blocks.at(0)).plot;
   EXPECT_EQ(history.curves.size(), 2U * 4) << "a band and a line for each choice of parameters";
 }
@@ -84,7 +83,7 @@ TEST_F(CampaignReportTest, HasOneCurveWhereTheOthersFollowFromTheAxis) {
   double seconds = 0;
   const Report report = campaign_report(at("out"), seconds);
   const auto& plot = std::get<Figure>(report.sections[0].blocks.at(1)).plot;
-  ASSERT_EQ(plot.curves.size(), 1U);
+  ASSERT_EQ(plot.curves.size(), 2U) << "one, and the reference";
   EXPECT_EQ(plot.curves[0].name, "mean");
   EXPECT_EQ(plot.curves[0].x.size(), 2U);
 }
@@ -94,6 +93,29 @@ TEST_F(CampaignReportTest, SaysWhatHasNotFinished) {
   std::filesystem::remove_all(at("out/runs/00001"));
   EXPECT_EQ(quicksand({"report", "out"}).exit_code, 0);
   EXPECT_NE(contents(at("out/report.md")).find("11 of 12 runs have finished"), std::string::npos);
+}
+
+TEST_F(CampaignReportTest, PutsWhatIsReportedIntoTheTableOfResults) {
+  compute();
+  const std::string table = contents(at("out/results.csv"));
+  EXPECT_NE(table.find(",drives[0].mean,"), std::string::npos) << table.substr(0, 200);
+  const Json summary = parse_json(contents(at("out/runs/00000/summary.json")));
+  EXPECT_NE(table.find("," + summary["drives"][0]["mean"].dump() + ","), std::string::npos);
+}
+
+TEST_F(CampaignReportTest, RefusesPathsAndReferencesThatMakeNoSense) {
+  const auto refused = [&](const std::string& what, const std::string& by, const char* where) {
+    std::string text = kDroppedCampaign;
+    ASSERT_NE(text.find(what), std::string::npos);
+    text.replace(text.find(what), what.size(), by);
+    folder_.write("dropping.json", text);
+    const Outcome outcome = quicksand({"campaign", "dropping.json", "--out", "out", "--quiet"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find(where), std::string::npos) << outcome.err;
+  };
+  refused("drives[0].mean", "drives[.mean", "report.plots[0].values[0].path");
+  refused("[40, 50]", "[40]", "report.plots[0].references[0].y");
+  EXPECT_FALSE(std::filesystem::exists(at("out")));
 }
 
 TEST_F(CampaignReportTest, RefusesAnAxisThatDoesNotVary) {

@@ -243,14 +243,17 @@ TEST_F(JobPoolTest, WithoutJobsThereIsNothingToDo) { EXPECT_TRUE(run({}).outcome
 TEST(ResultsTable, QuotesTextsAndLeavesAbsentValuesEmpty) {
   const std::vector<Job> jobs{{"0", {{"a", 1.5}, {"b", nullptr}}, {}, {}},
                               {"1", {{"b", "x"}, {"c", parse_json("[1, 2]")}}, {}, {}}};
-  ResultsTable table(jobs);
-  table.set(1, {JobStatus::failed, "said \"no\", twice", {{"steps", 7}}, false});
+  const std::vector<std::string> reported{"drives[0].peak", "coordination"};
+  ResultsTable table(jobs, reported);
+  const Json summary{{"steps", 7}, {"drives", {{{"peak", 12.5}}}}};
+  table.set(1, {JobStatus::failed, "said \"no\", twice", summary, false});
   const std::string text = table.text();
   EXPECT_EQ(text.find("run,a,b,c,seed,status,failure,time,"), 0U) << text;
   EXPECT_NE(text.find("\n0,1.5,,,1,missing,,"), std::string::npos) << text;
   EXPECT_NE(text.find("\n1,,x,\"[1,2]\",1,failed,\"said \"\"no\"\", twice\","), std::string::npos)
       << text;
-  EXPECT_NE(text.find(",7,,,\n"), std::string::npos) << text;
+  EXPECT_NE(text.find(",drives[0].peak,missed_rest,steps,"), std::string::npos) << text;
+  EXPECT_NE(text.find(",12.5,,7,,,\n"), std::string::npos) << text;
 }
 
 }  // namespace
