@@ -3,7 +3,7 @@ import {capitalised, element, short, unit_text} from "./numbers.js";
 
 const kFirst = ["active_bond_fraction", "coordination", "depth"];
 // What a plot may be over, and what a scene with a driven intruder shows first.
-const kOver = ["time", "depth", "intruder_angle"];
+const kOver = {time: "time", depth: "depth", intruder_angle: "angle"};
 const kOfDrive = {penetrate: ["resistance", "depth"], vane: ["intruder_torque", "intruder_angle"]};
 const kRoom = {left: 46, right: 8, top: 6, bottom: 16};
 
@@ -54,8 +54,8 @@ export class Plots {
       const all = names.includes(plot.name) ? names : [plot.name, ...names];
       plot.select.replaceChildren(...all.map((n) => element("option", {value: n}, capitalised(n))));
       plot.select.value = plot.name;
-      const overs = [...new Set([...kOver.filter((n) => n === "time" || names.includes(n)), plot.over])];
-      plot.over_select.replaceChildren(...overs.map((n) => element("option", {value: n}, "over " + capitalised(n).toLowerCase())));
+      const overs = Object.keys(kOver).filter((n) => n === "time" || n === plot.over || names.includes(n));
+      plot.over_select.replaceChildren(...overs.map((n) => element("option", {value: n}, "over " + kOver[n])));
       plot.over_select.value = plot.over;
     }
     this.draw();
@@ -162,7 +162,7 @@ export class Plots {
     const at = cursor === null ? values.length - 1 : this.nearest(cursor), unit = unit_text(column.unit);
     const text = `${short(values[at])}${unit ? " " + unit : ""}`;
     plot.output.textContent = cursor === null ? text : `${text} at ${short(times[at])}`;
-    canvas.setAttribute("aria-label", `${capitalised(plot.name)} over ${capitalised(plot.over).toLowerCase()}, ${plot.output.textContent}`);
+    canvas.setAttribute("aria-label", `${capitalised(plot.name)} over ${kOver[plot.over]}, ${plot.output.textContent}`);
     if (cursor === null || !Number.isFinite(places[at])) return;
     g.strokeStyle = colours.accent;
     g.lineWidth = 1;

@@ -265,6 +265,21 @@ def shows_shapes(browser, server):
             {"colour": "active_bonds", "theme": "light", "bonds": True, "orientation": True, "forces": True},
             {"colour": "pressure", "theme": "dark", "bonds": True, "orientation": False, "forces": False}])
         assert worst >= 0.99, f"only {worst:.4f} of the pixels look alike"
+        page.resize(1280, 800)
+        # Its load over its way, and the cursor of the others at the place that is pointed at.
+        page.wait("[...document.querySelectorAll('.plot')].at(-1).textContent.includes('over depth')"
+                  " && quicksand.plots.plots.at(-1).scale?.to > 0.2", what="resistance over depth")
+        assert page.run("return quicksand.plots.plots.map((p) => p.over)") == ["time", "time", "depth"]
+        x, y = page.run("const r = [...document.querySelectorAll('.plot canvas')].at(-1).getBoundingClientRect();"
+                        " return [r.left + 0.7 * r.width, r.top + 30]")
+        page.mouse("mouseMoved", x, y)
+        page.wait("[...document.querySelectorAll('.plot output')].every((o) => o.textContent.includes(' at '))", what="a cursor")
+        depth, reached = page.run("const {message, cursor} = quicksand.plots, i = quicksand.plots.nearest(cursor);"
+                                  " return [message.depth[i], quicksand.plots.plots.at(-1).scale.to]")
+        assert 0 < depth < reached, (depth, reached)
+        page.screenshot(FOLDER / "cone.png")
+        page.choose(".plot:last-child select:nth-of-type(2)", "time")
+        page.wait("quicksand.plots.plots.at(-1).over === 'time'")
         problems = complaints(page)
         assert not problems, f"the page complained: {problems}"
     finally:
