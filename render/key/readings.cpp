@@ -50,9 +50,12 @@ std::vector<Reading> readings(const World& world, const View& view) {
   all.push_back(depth(sample));
   if (!world.shapes.empty()) {
     const Reaction& reaction = sample.reaction;
+    const std::string force = " " + italic("F") + subscript("g"),
+                      torque = force + " " + italic("d");
     all.push_back(
-        {"reaction " + short_number(reaction.force.norm()) + " " + italic("F") + subscript("g"),
-         "reaction 0.000e+00 " + italic("F") + subscript("g")});
+        {"reaction " + short_number(reaction.force.norm()) + force, "reaction 0.000e+00" + force});
+    all.push_back(
+        {"torque " + short_number(reaction.torque) + torque, "torque −0.000e+00" + torque});
   }
   if (!view.method.empty()) all.push_back({view.method, view.method});
   return all;
