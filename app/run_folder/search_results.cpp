@@ -14,7 +14,9 @@ namespace {
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
 const char* word_of(SearchKind kind) {
-  return kind == SearchKind::pull ? "pull" : kind == SearchKind::shear ? "shear" : "push";
+  constexpr const char* kWords[] = {"none", "pull",      "shear", "adiabatic",
+                                    "push", "penetrate", "vane"};
+  return kWords[static_cast<std::size_t>(kind)];
 }
 
 Json json_of(const CriticalForce& found) {

@@ -161,11 +161,16 @@ void describe_penetrate(Fields& f, PenetratePhase& p, const ContactLaw& law) {
           "stays"},
          p.release);
   describe_bonding(f, p.bonding, p.bonds);
-  if (!f.reading()) return;
-  if (over_cohesion && !law.cohesion_force) {
-    f.refuse("force_over_cohesion", "needs contact.cohesion_force, which is absent; give force");
+  if (f.reading()) {
+    if (over_cohesion && !law.cohesion_force)
+      f.refuse("force_over_cohesion", "needs contact.cohesion_force, which is absent; give force");
+    p.force = over_cohesion ? *over_cohesion * *law.cohesion_force : force.value_or(0);
   }
-  p.force = over_cohesion ? *over_cohesion * *law.cohesion_force : force.value_or(0);
+  describe_critical_drive(
+      f,
+      "instead of one drive, seeks the smallest force that drives it to the depth, by trials from "
+      "one state; force is that of the first",
+      p.force, p.speed.has_value(), p.ramp_time, p.threshold);
 }
 
 void describe_vane(Fields& f, VanePhase& p) {
@@ -195,6 +200,11 @@ void describe_vane(Fields& f, VanePhase& p) {
          p.release);
   describe_bonding(f, p.bonding, p.bonds);
   if (f.reading()) p.torque = torque.value_or(0);
+  describe_critical_drive(
+      f,
+      "instead of one drive, seeks the smallest torque that turns it by the angle, by trials from "
+      "one state; torque is that of the first",
+      p.torque, p.angular_velocity.has_value(), p.ramp_time, p.threshold);
 }
 
 }  // namespace quicksand

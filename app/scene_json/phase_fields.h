@@ -37,6 +37,9 @@ void describe_pull(Fields& f, PullPhase& pull, const ContactLaw& law);
 void describe_shear(Fields& f, ShearPhase& shear, const ContactLaw& law);
 void describe_adiabatic(Fields& f, DepositPhase& deposit);
 void describe_threshold(Fields& f, PushPhase& push);
+// The same of a phase that drives an intruder; `first`: its force or torque.
+void describe_critical_drive(Fields& f, const char* help, double first, bool at_given_speed,
+                             double ramp_time, std::optional<CriticalDrive>& threshold);
 // loading_fields.cpp
 void describe_heal(Fields& f, HealPhase& phase);
 void describe_piston(Fields& f, PistonPhase& phase, const ContactLaw& law);

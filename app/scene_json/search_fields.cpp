@@ -60,6 +60,17 @@ void describe_shear(Fields& f, ShearPhase& p, const ContactLaw& law) {
   if (f.reading() && p.depths.empty()) f.refuse("depths", "is an empty list; give a depth [d]");
 }
 
+void describe_critical_drive(Fields& f, const char* help, double first, bool at_given_speed,
+                             double ramp_time, std::optional<CriticalDrive>& threshold) {
+  f.optional_object({"threshold", help}, threshold,
+                    [](Fields& g, CriticalDrive& t) { describe_interval(g, t.tolerance); });
+  if (!f.reading() || !threshold) return;
+  if (at_given_speed)
+    f.refuse("threshold", "seeks what a given velocity does not have: drive by force or torque");
+  if (first <= 0) f.refuse("threshold", "needs a drive above 0, that of the first trial");
+  if (ramp_time > 0) f.refuse("ramp_time", "must be 0 where a threshold is sought");
+}
+
 void describe_threshold(Fields& f, PushPhase& p) {
   f.optional_object(
       {"threshold",

@@ -73,7 +73,7 @@ bool possible(const Contact& contact) {
 // A search has its base, its targets are bodies of it, and a trial has a target.
 bool possible(const Search& search) {
   const ForceBracket& bracket = search.bracket;
-  if (search.kind > SearchKind::push || (search.kind != SearchKind::none) != !!search.base)
+  if (search.kind > SearchKind::vane || (search.kind != SearchKind::none) != !!search.base)
     return false;
   if (!positive(bracket.first) || !not_negative(bracket.low) || !not_negative(bracket.held) ||
       bracket.trials < 0 || !positive(bracket.high.value_or(1)) || !not_negative(search.interval) ||

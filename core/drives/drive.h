@@ -4,6 +4,7 @@
 // are means in time over windows of the way.
 #pragma once
 
+#include "core/phases/search.h"
 #include "core/phases/stage.h"
 
 namespace quicksand {
@@ -21,6 +22,19 @@ double ramp(const Stage& stage, double ramp_time);
 void set_free(World& world, int body);
 // The body moves with this velocity, whatever acts on it.
 void prescribe(World& world, int body, const Vec3& velocity);
+
+// The search for the smallest drive that brings this body to the end of its way begins, with this one.
+void begin_critical_drive(Stage& stage, SearchKind kind, int body, double first);
+
+// The trials of such a phase: each ends at the end of the way, or as the phase would.
+template <class Settings>
+SearchTrials drive_trials(const Settings& settings) {
+  return {.tolerance = settings.threshold->tolerance,
+          .rest_speed = settings.rest_speed,
+          .rest_time = settings.rest_time,
+          .max_time = settings.max_time,
+          .until = RestOf::driven};
+}
 
 // The account begins with this much of the way behind. [d or rad]
 void begin_way(Stage& stage, double way);

@@ -17,6 +17,10 @@ class Penetrate final : public RunningPhaseOf<PenetratePhase> {
  public:
   using RunningPhaseOf::RunningPhaseOf;
 
+  SearchKind searches_for() const override {
+    return settings().threshold ? SearchKind::penetrate : SearchKind::none;
+  }
+
   void begin(Stage& stage) override {
     require_no_intruder(stage);
     World& world = stage.world;
@@ -36,9 +40,12 @@ class Penetrate final : public RunningPhaseOf<PenetratePhase> {
     else
       add_shape(world, placed, parts);
     begin_way(stage, depth(stage));
+    if (settings().threshold)
+      begin_critical_drive(stage, SearchKind::penetrate, body(stage), settings().force);
   }
 
   void before_step(Stage& stage) override {
+    if (settings().threshold) return begin_force_trial(stage, {0, -1, 0});
     const double share = ramp(stage, settings().ramp_time);
     if (settings().speed)
       prescribe(stage.world, body(stage), {0, -share * *settings().speed, 0});
@@ -47,6 +54,9 @@ class Penetrate final : public RunningPhaseOf<PenetratePhase> {
   }
 
   bool finished(Stage& stage) override {
+    if (settings().threshold)
+      return search_is_over(stage, drive_trials(settings()), depth(stage) >= settings().depth,
+                            RestOf::driven);
     if (const double time = take_unrecorded_time(stage); time > 0)
       record_load(stage, reaction_on(stage.world, body(stage)).force.y(), time, depth(stage),
                   settings().depth, kDepthWindow);
@@ -56,6 +66,7 @@ class Penetrate final : public RunningPhaseOf<PenetratePhase> {
   }
 
   void end(Stage& stage) override {
+    if (settings().threshold) return;
     const int intruder = body(stage);
     stage.state.drive_results.push_back(
         drive_result(stage, Drive::penetrate, depth(stage), intruder));
@@ -66,12 +77,13 @@ class Penetrate final : public RunningPhaseOf<PenetratePhase> {
   }
 
   double progress(const Stage& stage) const override {
+    if (settings().threshold) return search_progress(stage, drive_trials(settings()));
     const double by_depth = settings().depth > 0 ? depth(stage) / settings().depth : 1;
     return std::max(by_depth, stage.since_start() / settings().max_time);
   }
 
   bool missed_rest(const Stage& stage) const override {
-    if (settings().speed) return false;
+    if (settings().speed || settings().threshold) return false;
     return stage.state.drive_results.back().way < settings().depth &&
            RunningPhaseOf::missed_rest(stage);
   }

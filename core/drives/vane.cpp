@@ -18,6 +18,10 @@ class Vane final : public RunningPhaseOf<VanePhase> {
  public:
   using RunningPhaseOf::RunningPhaseOf;
 
+  SearchKind searches_for() const override {
+    return settings().threshold ? SearchKind::vane : SearchKind::none;
+  }
+
   void begin(Stage& stage) override {
     World& world = stage.world;
     stage.form_bonds(settings().bonding, settings().bonds);
@@ -29,9 +33,12 @@ class Vane final : public RunningPhaseOf<VanePhase> {
     begin_way(stage, 0);
     world.disks.applied[intruder].setZero();
     set_free(world, intruder);
+    if (settings().threshold)
+      begin_critical_drive(stage, SearchKind::vane, intruder, settings().torque);
   }
 
   void before_step(Stage& stage) override {
+    if (settings().threshold) return begin_force_trial(stage, {0, 0, 1});
     const int intruder = stage.world.intruder();
     const double share = ramp(stage, settings().ramp_time);
     if (settings().angular_velocity)
@@ -41,6 +48,9 @@ class Vane final : public RunningPhaseOf<VanePhase> {
   }
 
   bool finished(Stage& stage) override {
+    if (settings().threshold)
+      return search_is_over(stage, drive_trials(settings()), turned(stage) >= settings().angle,
+                            RestOf::driven);
     const World& world = stage.world;
     const int intruder = world.intruder();
     if (const double time = take_unrecorded_time(stage); time > 0)
@@ -56,6 +66,7 @@ class Vane final : public RunningPhaseOf<VanePhase> {
   }
 
   void end(Stage& stage) override {
+    if (settings().threshold) return;
     const int intruder = stage.world.intruder();
     stage.state.drive_results.push_back(drive_result(stage, Drive::vane, turned(stage), intruder));
     if (settings().angular_velocity) prescribe(stage.world, intruder, {0, 0, 0});
@@ -65,11 +76,12 @@ class Vane final : public RunningPhaseOf<VanePhase> {
   }
 
   double progress(const Stage& stage) const override {
+    if (settings().threshold) return search_progress(stage, drive_trials(settings()));
     return std::max(turned(stage) / settings().angle, stage.since_start() / settings().max_time);
   }
 
   bool missed_rest(const Stage& stage) const override {
-    if (settings().angular_velocity) return false;
+    if (settings().angular_velocity || settings().threshold) return false;
     return stage.state.drive_results.back().way < settings().angle &&
            RunningPhaseOf::missed_rest(stage);
   }

@@ -8,14 +8,15 @@
 
 namespace quicksand {
 
-enum class SearchKind : std::uint8_t { none, pull, shear, adiabatic, push };
+enum class SearchKind : std::uint8_t { none, pull, shear, adiabatic, push, penetrate, vane };
 
 // Whether it is a critical force.
 constexpr bool is_of_force(SearchKind kind) {
-  return kind == SearchKind::pull || kind == SearchKind::shear || kind == SearchKind::push;
+  return kind != SearchKind::none && kind != SearchKind::adiabatic;
 }
 
-// The smallest force that takes a body out, moves it, or makes it enter.
+// The smallest force that takes a body out, moves it, or makes it enter; of a vane the smallest torque that turns it
+// [F_g d].
 struct CriticalForce {
   int phase = 0;  // index
   SearchKind kind = SearchKind::none;

@@ -27,7 +27,7 @@ class Pull final : public RunningPhaseOf<PullPhase> {
                        .weight_above = weight_above(world, height)}};
   }
 
-  void before_step(Stage& stage) override { begin_force_trial(stage, {0, 1}); }
+  void before_step(Stage& stage) override { begin_force_trial(stage, {0, 1, 0}); }
 
   bool finished(Stage& stage) override {
     const Search& search = stage.state.search;

@@ -46,7 +46,7 @@ class Push final : public RunningPhaseOf<PushPhase> {
   }
 
   void before_step(Stage& stage) override {
-    if (settings().threshold) begin_force_trial(stage, {0, -1});
+    if (settings().threshold) begin_force_trial(stage, {0, -1, 0});
   }
 
   bool finished(Stage& stage) override {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/phases/running_phase.h"
+#include "core/world/shaped_contact.h"
 
 namespace quicksand {
 
@@ -30,17 +31,26 @@ void begin_trial(Stage& stage) {
   stage.state.rest_since = -1;
 }
 
-void begin_force_trial(Stage& stage, const Vec2& direction) {
+void begin_force_trial(Stage& stage, const Vec3& direction) {
   Search& search = stage.state.search;
   if (search.trial_runs || search.targets.empty()) return;
   begin_trial(stage);
   ++search.trial;
   search.force = search.bracket.next();
-  const Vec2 force = search.force * direction;
-  stage.world.disks.applied[search.targets.front().body] = {force.x(), force.y(), 0};
+  stage.world.disks.applied[search.targets.front().body] = search.force * direction;
 }
 
 namespace {
+
+// At most, of a point of the body; the spin of a disk matters only where it is what is to be turned.
+double speed_of(const World& world, int body, SearchKind kind) {
+  const Vec3& v = world.disks.velocity[body];
+  const ShapedBody* shaped = world.shapes.find(body);
+  const double reach = shaped                     ? shaped->reach()
+                       : kind == SearchKind::vane ? world.disks.radius[body]
+                                                  : 0;
+  return v.head<2>().norm() + reach * std::abs(v.z());
+}
 
 void finish_target(ProtocolState& state) {
   Search& search = state.search;
@@ -69,15 +79,13 @@ void finish_target(ProtocolState& state) {
 bool search_is_over(Stage& stage, const SearchTrials& trials, bool moved, RestOf until) {
   Search& search = stage.state.search;
   if (search.trial_runs && stage.world.time > stage.state.trial_start) {
-    const bool rests =
-        until == RestOf::all
-            ? stage.at_rest(trials.rest_speed, trials.rest_time)
-            // A body at rest may still be given way by what breaks around it.
-            : stage.rested(
-                  stage.last_step.bonds_broken == 0 &&
-                      stage.world.disks.velocity[search.targets.front().body].head<2>().norm() <=
-                          trials.rest_speed,
-                  trials.rest_time);
+    const bool rests = until == RestOf::all
+                           ? stage.at_rest(trials.rest_speed, trials.rest_time)
+                           // A body at rest may still be given way by what breaks around it.
+                           : stage.rested(stage.last_step.bonds_broken == 0 &&
+                                              speed_of(stage.world, search.targets.front().body,
+                                                       search.kind) <= trials.rest_speed,
+                                          trials.rest_time);
     if (moved || rests || stage.lasted(trials.max_time)) {
       search.trial_runs = false;
       if (!moved && !rests) ++search.undecided;

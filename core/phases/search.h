@@ -21,8 +21,8 @@ void begin_search(Stage& stage, SearchKind kind);
 void return_to_base(Stage& stage);
 void begin_trial(Stage& stage);
 
-// Begins the next trial if none runs, with its force on the present target.
-void begin_force_trial(Stage& stage, const Vec2& direction);
+// Begins the next trial if none runs, with its force or torque on the present target: so many times this.
+void begin_force_trial(Stage& stage, const Vec3& direction);
 // Ends the trial if it has an outcome (`moved`, or held); true if nothing is left to search.
 bool search_is_over(Stage& stage, const SearchTrials& trials, bool moved,
                     RestOf until = RestOf::all);

@@ -57,7 +57,7 @@ class Shear final : public RunningPhaseOf<ShearPhase> {
     stage.state.search.bracket.first = settings().trials.first_force;
   }
 
-  void before_step(Stage& stage) override { begin_force_trial(stage, {1, 0}); }
+  void before_step(Stage& stage) override { begin_force_trial(stage, {1, 0, 0}); }
 
   bool finished(Stage& stage) override {
     const Search& search = stage.state.search;

@@ -152,6 +152,13 @@ struct PistonPhase {
   bool operator==(const PistonPhase&) const = default;
 };
 
+// Instead of one drive, the smallest force or torque is sought that drives the intruder to the end of its way, by
+// trials from the state in which it begins; the phase's own is that of the first. Ends with that state.
+struct CriticalDrive {
+  double tolerance = 0.02;  // width of the interval over its upper end [1]
+  bool operator==(const CriticalDrive&) const = default;
+};
+
 // An intruder of any shape is put on the surface, and driven down at a given speed, upright and straight, or by a given
 // force and then free to turn and to give way. Ends at the depth, at max_time, or where the force does not move it.
 struct PenetratePhase {
@@ -170,6 +177,7 @@ struct PenetratePhase {
       false;  // whether what drives it ends with the phase; else a force stays, and it is held
   bool bonding = false;
   BondingTouch bonds = BondingTouch::first;
+  std::optional<CriticalDrive> threshold = {};  // of the force
   bool operator==(const PenetratePhase&) const = default;
 };
 
@@ -192,6 +200,7 @@ struct VanePhase {
   bool release = false;  // as in PenetratePhase
   bool bonding = false;
   BondingTouch bonds = BondingTouch::first;
+  std::optional<CriticalDrive> threshold = {};  // of the torque
   bool operator==(const VanePhase&) const = default;
 };
 

@@ -97,6 +97,36 @@ TEST(SceneFormat, SearchesReadBackTheSame) {
   EXPECT_EQ(scenario_from_json(to_json(scene)).phases, scene.phases);
 }
 
+TEST(SceneFormat, ThresholdsOfDrivesReadBackTheSameAndNeedADriveThatCanFail) {
+  const auto with = [](const std::string& phase) {
+    return scenario(R"({"box": {"width": 9}, "gravity": {}, "phases": [)" + phase + "]}");
+  };
+  const Scenario scene =
+      with(R"({"type": "penetrate", "force": 40, "depth": 2, "threshold": {"tolerance": 0.1}})");
+  EXPECT_EQ(std::get<PenetratePhase>(scene.phases[0].kind).threshold, CriticalDrive{0.1});
+  EXPECT_EQ(scenario_from_json(to_json(scene)).phases, scene.phases);
+  const Scenario turned = with(R"({"type": "vane", "shape": {}, "torque": 5, "threshold": {}})");
+  EXPECT_EQ(std::get<VanePhase>(turned.phases[0].kind).threshold, CriticalDrive{});
+  EXPECT_EQ(scenario_from_json(to_json(turned)).phases, turned.phases);
+  const auto refused = [&](const char* phase) -> std::string {
+    try {
+      with(phase);
+    } catch (const InputError& error) {
+      return error.where();
+    }
+    return "accepted";
+  };
+  EXPECT_EQ(refused(R"({"type": "penetrate", "speed": 1, "threshold": {}})"),
+            "phases[0].threshold");
+  EXPECT_EQ(refused(R"({"type": "penetrate", "force": 0, "threshold": {}})"),
+            "phases[0].threshold");
+  EXPECT_EQ(refused(R"({"type": "vane", "shape": {}, "angular_velocity": 1, "threshold": {}})"),
+            "phases[0].threshold");
+  EXPECT_EQ(
+      refused(R"({"type": "vane", "shape": {}, "torque": 1, "ramp_time": 1, "threshold": {}})"),
+      "phases[0].ramp_time");
+}
+
 // A grain in water: Stokes' velocity rho d^2 g/(18 eta) where gamma v = F_g.
 TEST(SceneFormat, DragMayBeGivenByTheFluid) {
   const std::string start = R"({"box": {"width": 9},

@@ -168,6 +168,40 @@ TEST_P(Drives, VaneTakesTheGrainsInItsWayOutAndTurns) {
   EXPECT_LE(run.state().worst_overlap, 1e-3);
 }
 
+// A search tells two torques: with the lower one the vane comes to rest on its way, with the higher it gets to the end.
+TEST_P(Drives, CriticalTorqueSeparatesAVaneThatRestsFromOneThatTurns) {
+  const VanePhase vane{.shape = VaneIntruder{.radius = 2.6, .thickness = 0.2},
+                       .depth = 3,
+                       .clear = true,
+                       .torque = 100,
+                       .angle = 1.2,
+                       .max_time = 40};
+  const auto after = [&](const VanePhase& phase) {
+    // Columns that are bonded to the floor, and no weight.
+    Scenario scene = bed(GetParam(), {phase});
+    scene.gravity.reset();
+    Protocol run(scene, make_world(scene));
+    EXPECT_EQ(finish_phase(run), Progress::phase_ended) << run.failure();
+    return run.state();
+  };
+  VanePhase searched = vane;
+  searched.threshold = CriticalDrive{.tolerance = 0.2};
+  const ProtocolState found = after(searched);
+  EXPECT_TRUE(found.drive_results.empty());
+  ASSERT_EQ(found.critical_forces.size(), 1U);
+  const CriticalForce& critical = found.critical_forces[0];
+  EXPECT_EQ(critical.kind, SearchKind::vane);
+  ASSERT_TRUE(critical.force_high && critical.bracketed() && critical.force_low > 0)
+      << critical.force_low << " " << critical.force_held << " " << critical.force_high.value_or(-1)
+      << " of " << critical.trials << ", undecided " << critical.undecided;
+  EXPECT_LE(*critical.force_high - critical.force_low, 0.2 * *critical.force_high);
+  VanePhase by_torque = vane;
+  by_torque.torque = *critical.force_high;
+  EXPECT_GE(after(by_torque).drive_results.at(0).way, vane.angle);
+  by_torque.torque = critical.force_low;
+  EXPECT_LT(after(by_torque).drive_results.at(0).way, vane.angle);
+}
+
 TEST(Vane, AmongGrainsIsRefusedUnlessTheyAreCleared) {
   Scenario scene = bed(Method::automatic, kVane);
   std::get<VanePhase>(scene.phases[0].kind).clear = false;

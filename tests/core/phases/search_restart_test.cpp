@@ -37,6 +37,26 @@ PushPhase quick_threshold() {
           .threshold = Threshold{.distance = 0.1, .tolerance = 0.3}};
 }
 
+PenetratePhase quick_penetration() {
+  return {.shape = PlateIntruder{.width = 2, .thickness = 0.4},
+          .force = 50,
+          .depth = 0.2,
+          .rest_time = 0.1,
+          .max_time = 0.5,
+          .threshold = CriticalDrive{.tolerance = 0.3}};
+}
+
+VanePhase quick_vane() {
+  return {.shape = VaneIntruder{.radius = 1.2, .thickness = 0.2},
+          .depth = 1.5,
+          .clear = true,
+          .torque = 50,
+          .angle = 0.1,
+          .rest_time = 0.1,
+          .max_time = 0.5,
+          .threshold = CriticalDrive{.tolerance = 0.3}};
+}
+
 ShearPhase quick_shear() {
   return {.trials = {.first_force = 100, .tolerance = 0.3, .rest_time = 0.1, .max_time = 0.5},
           .depths = {1, 2.5},
@@ -86,6 +106,18 @@ TEST_P(SearchRestart, OfAPullGivesTheSameForces) {
 TEST_P(SearchRestart, OfAThresholdGivesTheSameForces) {
   const Scenario scene = small_search(GetParam(), {{quick_threshold(), 5e-3}});
   EXPECT_EQ(expect_same_end(scene, 7).critical_forces.size(), 1U);
+}
+
+// Drives bring their own intruder.
+TEST_P(SearchRestart, OfADriveGivesTheSameForceOrTorque) {
+  Scenario scene = small_search(GetParam(), {});
+  std::erase_if(scene.phases,
+                [](const Phase& phase) { return std::holds_alternative<PushPhase>(phase.kind); });
+  for (const Phase& drive : {Phase{quick_penetration(), 5e-3}, Phase{quick_vane(), 5e-3}}) {
+    Scenario driven = scene;
+    driven.phases.push_back(drive);
+    EXPECT_EQ(expect_same_end(driven, 7).critical_forces.size(), 1U);
+  }
 }
 
 TEST_P(SearchRestart, OfAShearGivesTheSameGrainsAndForces) {

@@ -196,6 +196,32 @@ TEST_P(EntryForce, WithoutADistanceTheIntruderEntersByItsDiameter) {
   EXPECT_LT(lowest, 0.2);
 }
 
+// A disk that is pressed in as any other shape meets the same bond.
+TEST_P(EntryForce, OfADiskThatPenetratesIsThatOfAPush) {
+  const PushPhase push = gentle_push();
+  Scenario scene = ledge(GetParam(), push);
+  const CriticalForce pushed = searched(scene).forces.at(0);
+  PushPhase driven = push;
+  driven.until = RestOf::driven;
+  scene.phases = {{driven, 1e-2}};
+  const CriticalForce of_driven = searched(scene).forces.at(0);
+  scene.phases = {{PenetratePhase{.shape = DiskIntruder{.diameter = 1},
+                                  .density = 0.5,
+                                  .x = 1,
+                                  .force = 10,
+                                  .depth = 0.3,
+                                  .max_time = 20,
+                                  .threshold = CriticalDrive{}},
+                   1e-2}};
+  const SearchEnd run = searched(scene);
+  ASSERT_EQ(run.forces.size(), 1U);
+  EXPECT_EQ(run.forces[0].kind, SearchKind::penetrate);
+  expect_around(run.forces[0], 15 - 1.5, 0.02);
+  EXPECT_EQ(run.forces[0].force_high, of_driven.force_high);
+  EXPECT_EQ(run.forces[0].force_low, pushed.force_low);
+  EXPECT_EQ(run.world.disks.applied[2], Vec3(0, 0, 0));
+}
+
 // A search is not a push that missed its rest, and a changed force is none of the trial under way.
 TEST(EntryForceSearch, IsNoPush) {
   Scenario scene = ledge(Method::automatic, gentle_push());
