@@ -24,12 +24,12 @@ ColouredGrains by_count(const std::vector<int>& count, std::span<const Colour> c
   return grains;
 }
 
-ColouredGrains by_value(const World& world, const View& view, std::string title) {
+ColouredGrains by_value(const World& world, const View& view, const std::string& title) {
   const std::vector<double> values = coloured_values(world, view.colouring);
   const Range range = view.colour_high > 0 ? Range{view.colour_low, view.colour_high}
                                            : range_of(of_grains(world, values));
   ColouredGrains grains;
-  grains.scale = {.title = std::move(title),
+  grains.scale = {.title = title + (view.colours_of_run ? ", range of the whole run" : ""),
                   .swatches = {},
                   .range = range,
                   .map = &sequential_map,

@@ -28,7 +28,10 @@ void CommonScales::add(const World& world) {
 }
 
 View CommonScales::fixed(View view) const {
-  if (colours_ && view.colour_high == 0) view.colour_high = colour_high_;
+  if (colours_ && view.colour_high == 0) {
+    view.colour_high = colour_high_;
+    view.colours_of_run = colour_high_ > 0;
+  }
   if (forces_ && view.force_scale == 0) view.force_scale = force_;
   return view;
 }

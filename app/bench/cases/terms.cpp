@@ -80,7 +80,7 @@ std::optional<double> instructions(const Scenario& scene, const std::filesystem:
   const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
   const ProgramEnd end =
       run_external({"valgrind", "--tool=callgrind", "--callgrind-out-file=counts", program, "run",
-                    "scene.json", "--out", "run", "--no-frames", "--quiet"},
+                    "scene.json", "--out", "run", "--overwrite", "--no-frames", "--quiet"},
                    folder);
   if (end.missing) return {};
   if (!end.fine()) throw std::runtime_error("callgrind: " + end.problem);

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "app/bench/against.h"
+#include "render/base/external_program.h"
 #include "tests/support/files.h"
 #include "tests/support/program.h"
 
@@ -116,6 +117,25 @@ TEST(Benchmark, FurtherCoresGiveTheSameBytes) {
     large = large || row["contacts"].get<int>() > 3000;
   }
   EXPECT_TRUE(large);  // or nothing was shared
+}
+
+// By whole runs under valgrind, of one step and of more.
+TEST(Benchmark, SlowTermsCountInstructions) {
+  const TemporaryFolder folder;
+  if (run_external({"valgrind", "--version"}, folder.path()).missing)
+    GTEST_SKIP() << "there is no valgrind";
+  const Outcome outcome =
+      run_bench({"terms", "--quick", "--repeats", "1", "--out", "results"}, folder.path());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  double all = 0, without_cohesion = 0;
+  const Json results = results_in(folder);
+  for (const Json& row : results["rows"]) {
+    if (row["what"] != "instructions") continue;
+    if (row["case"] == "all terms") all = row["value"];
+    if (row["case"] == "no cohesion") without_cohesion = row["value"];
+  }
+  EXPECT_GT(without_cohesion, 0);
+  EXPECT_GT(all, without_cohesion);
 }
 
 TEST(Benchmark, WrongUsageExitsWithTwoAndOffersTheNearestName) {

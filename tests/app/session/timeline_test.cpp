@@ -88,8 +88,10 @@ TEST_F(TimelineTest, ScalesFitTheWholeHistory) {
   EXPECT_GT(high, 0);
   timeline().show(3);
   EXPECT_EQ(session_.shown().colour_high, high);
+  EXPECT_TRUE(session_.shown().colours_of_run);
   session_.view.colour_high = 7;
   EXPECT_EQ(session_.shown().colour_high, 7);
+  EXPECT_FALSE(session_.shown().colours_of_run) << "a range that was given";
 }
 
 TEST_F(TimelineTest, OfARunWithoutHistoryIsRefusedAndTheSessionStays) {

@@ -107,6 +107,18 @@ TEST(Colouring, ARangeThatIsGivenHoldsWhateverTheDataAre) {
   EXPECT_NE(colour_grains(world, View{.colouring = Colouring::speed}).scale.range, (Range{2, 50}));
 }
 
+TEST(Colouring, TheLegendSaysThatARangeIsOfTheWholeRun) {
+  const World world = worlds::arch_with_intruder();
+  View view{.colouring = Colouring::speed, .colour_high = 50};
+  const auto says = [&] {
+    return colour_grains(world, view).scale.title.find("range of the whole run") !=
+           std::string::npos;
+  };
+  EXPECT_FALSE(says());
+  view.colours_of_run = true;
+  EXPECT_TRUE(says());
+}
+
 TEST(Colouring, FewFastGrainsDoNotSetTheRange) {
   std::vector<double> values(200, 0.9);
   values[7] = 1000;
