@@ -29,18 +29,29 @@ void Protocol::take_up() { running_ = phase() ? running(*phase()) : nullptr; }
 
 Progress Protocol::advance() {
   if (!running_) return Progress::finished;
-  if (!state_.entered) {
-    state_.entered = true;
-    state_.phase_start = state_.trial_start = world_.time;
-    state_.rest_since = -1;
-    state_.search = {};
-    state_.memory.clear();
-    running_->begin(stage_);
-  }
+  if (!state_.entered) enter();
   running_->before_step(stage_);
   if (running_->finished(stage_)) return end_phase();
   if (!make_step(*phase())) return Progress::failed;
   return running_->finished(stage_) ? end_phase() : Progress::running;
+}
+
+// A phase that refuses the world as it is leaves it so, and is not entered.
+void Protocol::enter() {
+  const World before = world_;
+  state_.entered = true;
+  state_.phase_start = state_.trial_start = world_.time;
+  state_.rest_since = -1;
+  state_.search = {};
+  state_.memory.clear();
+  try {
+    running_->begin(stage_);
+  } catch (const InputError&) {
+    world_ = before;
+    state_.entered = false;
+    state_.search = {};
+    throw;
+  }
 }
 
 Progress Protocol::end_phase() {

@@ -61,6 +61,7 @@ class Protocol {
  private:
   bool make_step(const Phase& phase);
   bool try_step(const StepSettings& step, int halvings_left);
+  void enter();
   Progress end_phase();
 
   // The present phase, with the settings that the scene has for it now; null when finished.

@@ -14,6 +14,7 @@
 #include "core/world/extent.h"
 #include "core/world/reaction.h"
 #include "core/world/shaped_contact.h"
+#include "core/world/world.h"
 #include "tests/support/core/methods.h"
 #include "tests/support/core/scenes.h"
 #include "tests/support/core/simulation.h"
@@ -206,12 +207,18 @@ TEST(Vane, AmongGrainsIsRefusedUnlessTheyAreCleared) {
   Scenario scene = bed(Method::automatic, kVane);
   std::get<VanePhase>(scene.phases[0].kind).clear = false;
   Protocol run(scene, make_world(scene));
-  try {
-    run.advance();
-    FAIL() << "was not refused";
-  } catch (const InputError& error) {
-    EXPECT_EQ(error.where(), "phases[0].clear");
-    EXPECT_NE(std::string(error.what()).find("\"clear\": true"), std::string::npos) << error.what();
+  const std::uint64_t before = world_hash(run.world());
+  for (int again = 0; again < 2; ++again) {
+    try {
+      run.advance();
+      FAIL() << "was not refused";
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.where(), "phases[0].clear");
+      EXPECT_NE(std::string(error.what()).find("\"clear\": true"), std::string::npos)
+          << error.what();
+    }
+    EXPECT_EQ(world_hash(run.world()), before) << "a refusal changes nothing";
+    EXPECT_EQ(run.phase_progress(), 0);
   }
 }
 
