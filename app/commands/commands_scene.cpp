@@ -61,6 +61,13 @@ struct Load {
   }
 };
 
+// The value that the scene has at this path now.
+Json value_now(const Session& session, const std::string& path, bool at_once) {
+  return {{"path", path},
+          {"value", value_at(to_json(session.scenario()), path)},
+          {"holds", at_once ? "now" : "from the next reset on"}};
+}
+
 struct Set {
   std::string path;
   Json value;
@@ -75,11 +82,15 @@ struct Set {
 
   Json perform(Console& console, const std::string&) {
     const bool at_once = console.session().set(path, value);
-    return {{"path", path},
-            {"value", value_at(to_json(console.session().scenario()), path)},
-            {"holds", at_once ? "now" : "from the next reset on"}};
+    return value_now(console.session(), path, at_once);
   }
 };
+
+Json undo_change(Console& console) {
+  const std::string path = console.session().last_change();
+  const bool at_once = console.session().undo();
+  return value_now(console.session(), path, at_once);
+}
 
 Json reset_scene(Console& console) {
   console.session().reset();
@@ -120,6 +131,9 @@ std::vector<SessionCommand> scene_commands() {
                    "Changes a value of the scene. Laws, gravity, drag, method, step, solver and "
                    "phases change in the present run; box, bodies and seed from the next reset on.",
                    R"({"command": "set", "path": "contact.cohesion_force", "value": 1e3})"}),
+      define<Without<undo_change>>(
+          {"undo", kSceneGroup, "Takes the last change of a value back, up to a hundred of them.",
+           R"({"command": "undo"})"}),
       define<Without<reset_scene>>({"reset", kSceneGroup,
                                     "Starts the scene again, with all its changes.",
                                     R"({"command": "reset"})"}),

@@ -120,6 +120,9 @@ void Gui::Impl::take_keys(PanelFrame& frame, const GuiInput& input, bool list_op
     return;
   }
   const bool can_run = session.loaded() && !session.finished() && !session.failed();
+  if (!session.last_change().empty() && pressed(input, Key::z) &&
+      std::ranges::find(input.keys, Key::control) != input.keys.end())
+    frame.command("undo");
   if (can_run && pressed(input, Key::space)) frame.command(session.running ? "pause" : "start");
   if (!list_open && pressed(input, Key::escape)) notes.error.clear();
 }

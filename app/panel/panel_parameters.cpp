@@ -49,6 +49,15 @@ void show_parameters(PanelFrame& frame) {
   Widgets& w = frame.widgets;
   if (!w.begin_section("Parameters", false)) return;
   if (frame.session.loaded()) {
+    const std::string last = frame.session.last_change();
+    {
+      const Widgets::Disabled disabled(w, last.empty());
+      if (w.button({"Undo", "Undo",
+                    last.empty() ? "Nothing was changed."
+                                 : "Takes the change of " + last + " back. Ctrl+Z."},
+                   w.field_width()))
+        frame.command("undo");
+    }
     bool first = true;
     for (const ParameterGroup& group : parameters_of(frame.session.scenario())) {
       if (w.begin_group(group.name, first)) {

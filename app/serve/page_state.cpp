@@ -125,6 +125,7 @@ Json page_state(const Session& session) {
   Json phases = Json::array();
   for (const Phase& phase : session.phases()) phases.push_back(phase_name(phase));
   state["phases"] = std::move(phases);
+  state["last_change"] = session.last_change();
   state["steps_per_frame"] = session.steps_per_frame;
   state["walks"] = session.timeline() != nullptr;
   state["follow"] = session.follow_intruder;

@@ -24,6 +24,8 @@ constexpr auto kHoldAtOnce = std::to_array<std::string_view>(
     {"contact", "wall_contact", "intruder_contact", "gravity", "drag", "step", "method", "nscd",
      "solver", "phases", "physical"});
 
+constexpr std::size_t kMostChanges = 100;  // that can be taken back
+
 bool holds_at_once(const std::string& path) {
   const std::string part = path.substr(0, path.find_first_of(".["));
   return std::ranges::find(kHoldAtOnce, part) != kHoldAtOnce.end();
@@ -84,6 +86,7 @@ void Session::load(const Scenario& scenario) {
   Checkpoint checkpoint;
   checkpoint.world = start_world(scenario);
   scenario_ = scenario;
+  changes_.clear();
   view = view_of(scenario, view);
   view.window.reset();
   follow_intruder = false;
@@ -105,6 +108,7 @@ void Session::go_on() {
     StateFile state = read_state(run.state());
     if (std::abs(state.checkpoint.world.time - shown) <= shown - first) {
       scenario_ = state.scenario;
+      changes_.clear();
       start(scenario_, std::move(state.checkpoint));
       return;
     }
@@ -138,6 +142,20 @@ bool Session::set(const std::string& path, const Json& value) {
   set_value(json, path, value, path);
   Scenario changed = scenario_from_json(json);
   validate(changed);
+  changes_.push_back({path, scenario_});
+  if (changes_.size() > kMostChanges) changes_.erase(changes_.begin());
+  return take_over(path, std::move(changed));
+}
+
+bool Session::undo() {
+  require_computing();
+  if (changes_.empty()) throw InputError("undo", "has nothing to take back");
+  const Change last = std::move(changes_.back());
+  changes_.pop_back();
+  return take_over(last.path, last.before);
+}
+
+bool Session::take_over(const std::string& path, Scenario changed) {
   scenario_ = std::move(changed);
   take_scene_into_view();
   if (!holds_at_once(path)) return false;
@@ -196,6 +214,7 @@ void Session::save(const std::filesystem::path& file) const {
 void Session::restore(const std::filesystem::path& file) {
   StateFile state = read_state(file);
   scenario_ = state.scenario;
+  changes_.clear();
   take_scene_into_view();
   start(scenario_, std::move(state.checkpoint));
 }

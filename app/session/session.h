@@ -50,6 +50,12 @@ class Session {
   // at once; else from the next reset on: bodies and box that are there stay, and so do the phases of a
   // run that has some begun by hand. Throws InputError.
   bool set(const std::string& path, const Json& value);
+  // Takes the last change of a value back; returns as set() does. Throws InputError where there is none.
+  bool undo();
+  // The path of the value that undo() would take back; empty where there is none.
+  std::string last_change() const {
+    return changes_.empty() ? std::string() : changes_.back().path;
+  }
   // Ends the present phase and begins this one; the phases not begun yet follow.
   void begin_phase(const Phase& phase);
   // The force that acts on the centre of a body from now on, besides its weight [F_g].
@@ -113,8 +119,17 @@ class Session {
   void remember(const Row& row);
   void require_computing() const;
   void take_scene_into_view();
+  // The scene as it is with another value at this path.
+  bool take_over(const std::string& path, Scenario changed);
+
+  // A change of a value of the scene, with the scene before it.
+  struct Change {
+    std::string path;
+    Scenario before;
+  };
 
   Scenario scenario_;
+  std::vector<Change> changes_;  // since the scene was loaded; the first are forgotten
   std::unique_ptr<SampledRun> sampled_run_;
   std::unique_ptr<Timeline> timeline_;
   std::vector<Row> history_;

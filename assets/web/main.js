@@ -74,6 +74,8 @@ function show_state(message) {
   by_id("description").textContent = state.description;
   if (document.activeElement !== by_id("pace")) by_id("pace").value = state.steps_per_frame;
   plots.set_phases(state.phases);
+  by_id("undo").disabled = !state.last_change;
+  by_id("undo").title = state.last_change ? `Takes the change of ${state.last_change} back (Ctrl+Z)` : "Nothing was changed";
   show_parameters(by_id("parameters"), state, commands);
   show_view(by_id("view_fields"), state, commands);
   // The first page that opens chooses the look; later it is a value like others.
@@ -194,6 +196,14 @@ by_id("scene").addEventListener("change", () => commands.tried("load", {scene: b
 by_id("run").addEventListener("click", () => commands.tried(frame?.running ? "pause" : "start"));
 by_id("step").addEventListener("click", () => commands.tried("run", {steps: 1}));
 by_id("reset").addEventListener("click", () => commands.tried("reset"));
+by_id("undo").addEventListener("click", () => commands.tried("undo"));
+// A field that is being typed in takes its own letters back.
+addEventListener("keydown", (event) => {
+  if (event.key !== "z" || !(event.ctrlKey || event.metaKey) || event.shiftKey || by_id("undo").disabled) return;
+  if (event.target.matches("input[type=number], input[type=text], textarea")) return;
+  event.preventDefault();
+  commands.tried("undo");
+});
 by_id("pace").addEventListener("change", () => by_id("pace").validity.valid &&
   commands.tried("pace", {steps_per_frame: Number(by_id("pace").value)}));
 

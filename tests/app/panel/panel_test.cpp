@@ -62,6 +62,22 @@ TEST_F(PanelTest, SetsParameters) {
                  {{"command", "set"}, {"path", "step.break_rule"}, {"value", "geometric"}});
 }
 
+TEST_F(PanelTest, TakesChangesBack) {
+  load();
+  UiDriver& r = driver();
+  r.set("Parameters", "open");
+  EXPECT_TRUE(widget("Parameters/Undo")->disabled);
+  r.set("Parameters/Contacts/friction", 0.25);
+  r.set("Parameters/Contacts/friction", 0.2);
+  expect_command(r.click("Parameters/Undo"), {{"command", "undo"}});
+  EXPECT_EQ(session().scenario().grain_law.friction, 0.25);
+  EXPECT_EQ(session().protocol().scenario().grain_law.friction, 0.25) << "in the present run";
+  r.click("Parameters/Undo");
+  EXPECT_EQ(session().scenario().grain_law.friction, 0.3);
+  EXPECT_TRUE(widget("Parameters/Undo")->disabled);
+  EXPECT_THROW(session().undo(), InputError);
+}
+
 TEST_F(PanelTest, TheMethodOfTheStepIsChosenAndNamedInTheStatusLine) {
   load();
   UiDriver& r = idle_driver();

@@ -128,6 +128,15 @@ def changes_a_parameter(browser, server):
                  what="the reason of a refusal beside its control")
     browser.type(field, "0.45\t")
     browser.wait("!document.querySelector('#parameters .refused')")
+    before = browser.run("return quicksand.state().last_change")
+    assert before == "contact.friction", before
+    browser.click("#undo")
+    browser.run("document.querySelector('#run').focus()")
+    friction = "quicksand.state().parameters[0].parameters.find((p) => p.label === 'friction').value"
+    # The second change was from 0.45 to itself.
+    for kind in ("keyDown", "keyUp"):
+        browser.protocol("Input.dispatchKeyEvent", {"type": kind, "key": "z", "code": "KeyZ", "modifiers": 2, "windowsVirtualKeyCode": 90})
+    browser.wait(f"{friction} === 0.3 && document.getElementById('undo').disabled", what="the friction of before")
 
 
 def runs_and_pauses(browser, server):
