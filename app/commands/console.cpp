@@ -116,7 +116,7 @@ Image Console::panel_frame(const GuiInput& input, int width, int height) {
   try {
     carry_out(commands);
   } catch (const InputError& error) {
-    panel().show_error(error.where() + ": " + error.what());
+    panel().show_refusal(error);
   } catch (const CommandFailure& error) {
     panel().show_error(error.what());
   }

@@ -287,7 +287,16 @@ std::optional<Camera> Gui::view_camera() const {
   return Camera(camera.window(), covered);
 }
 
-void Gui::show_error(std::string message) { impl_->notes.error = std::move(message); }
+void Gui::show_error(std::string message) {
+  impl_->notes.error = std::move(message);
+  impl_->notes.refused_path.clear();
+}
+
+void Gui::show_refusal(const InputError& error) {
+  impl_->notes.error = error.where() + ": " + error.what();
+  impl_->notes.refused_path = error.where();
+  impl_->notes.refusal = error.what();
+}
 
 void Gui::show_hint(std::string text) { impl_->notes.hint = std::move(text); }
 

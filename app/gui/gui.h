@@ -14,6 +14,7 @@
 #include "app/json/json_text.h"
 #include "app/session/session.h"
 #include "app/widgets/widget.h"
+#include "core/base/errors.h"
 #include "render/base/camera.h"
 #include "render/image/image.h"
 
@@ -49,6 +50,8 @@ class Gui {
 
   // A banner that stays until the user dismisses it.
   void show_error(std::string message);
+  // The same of a value that was refused, which is also told beside its control.
+  void show_refusal(const InputError& error);
   // What to press, over the picture until the panel gives its first command.
   void show_hint(std::string text);
   // For the status line; what is not known is not shown.

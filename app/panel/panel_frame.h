@@ -33,7 +33,9 @@ struct Grip {
 // What the panel knows besides the session.
 struct PanelNotes {
   std::string error;  // shown until dismissed
-  std::string hint;   // shown over the picture until the first command
+  std::string refused_path,
+      refusal;       // of it the place of a value and what is wrong, if it is of one
+  std::string hint;  // shown over the picture until the first command
   std::optional<double> steps_per_second, eta_seconds;
   bool recording = false;
   std::optional<int> inspected;  // body that the last frame showed

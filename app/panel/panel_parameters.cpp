@@ -40,6 +40,8 @@ void show_parameter(PanelFrame& frame, const Parameter& p) {
   } else if (const auto word = w.combo(label, p.words, p.value.get<std::string>())) {
     given = *word;
   }
+  if (!frame.notes.error.empty() && frame.notes.refused_path == p.path)
+    w.refusal(p.label + " refused", capitalised(frame.notes.refusal) + ".");
   if (given) frame.command("set", {{"path", p.path}, {"value", *given}});
 }
 

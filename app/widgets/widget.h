@@ -18,7 +18,8 @@ struct Widget {
     text,      // value: the text
     section,   // value "open", "closed"
     plot,      // value: the last number, or why there is none
-    picture    // of the packing
+    picture,   // of the packing
+    refusal    // value: why the value above it was refused
   };
 
   std::string path;  // "Controls/Run"

@@ -279,6 +279,14 @@ void Widgets::caption(const std::string& text) {
   ImGui::PopTextWrapPos();
 }
 
+void Widgets::refusal(const std::string& name, const std::string& text) {
+  const Tint ink(ImGuiCol_Text, look_->error);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  record(name, Widget::Kind::refusal, text);
+}
+
 void Widgets::reading(const std::string& label, const std::string& value) {
   {
     const Tint ink(ImGuiCol_Text, look_->faint);

@@ -81,6 +81,7 @@ class Widgets {
 
   // Text without function.
   void caption(const std::string& text);                             // small, faint
+  void refusal(const std::string& name, const std::string& text);    // of the value above
   void reading(const std::string& label, const std::string& value);  // label left, value right
   void progress(double share);
   // A unit, with "_x" as an index. Returns its width [px]; draws nothing without `list`.

@@ -72,7 +72,7 @@ class Window {
     try {
       return timeline->refresh();
     } catch (const InputError& error) {
-      console_.panel().show_error(error.where() + ": " + error.what());
+      console_.panel().show_refusal(error);
       return true;
     }
   }

@@ -244,6 +244,26 @@ TEST_F(PanelTest, TheBannerStaysUntilItIsDismissed) {
   EXPECT_EQ(widget("Dismiss error"), nullptr);
 }
 
+TEST_F(PanelTest, SaysBesideTheControlWhyAValueWasRefused) {
+  load();
+  UiDriver& r = driver();
+  r.set("Parameters", "open");
+  try {
+    session().set("contact.friction", -1);
+    FAIL() << "was not refused";
+  } catch (const InputError& error) {
+    gui().show_refusal(error);
+  }
+  r.wait(1);
+  const Widget* refusal = widget("Parameters/Contacts/friction refused");
+  ASSERT_NE(refusal, nullptr);
+  EXPECT_NE(refusal->value.find("ust be"), std::string::npos) << refusal->value;
+  EXPECT_GT(refusal->rect.y, widget("Parameters/Contacts/friction")->rect.y);
+  EXPECT_LT(refusal->rect.y, widget("Parameters/Contacts/rolling friction")->rect.y);
+  r.press(Key::escape);
+  EXPECT_EQ(widget("Parameters/Contacts/friction refused"), nullptr);
+}
+
 TEST_F(PanelTest, TheHintGoesWithTheFirstCommand) {
   load();
   UiDriver& r = driver();
