@@ -1,6 +1,7 @@
 #include "app/commands/command_table.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 
 #include "app/base/nearest_name.h"
@@ -79,6 +80,12 @@ const SessionCommand& command_of(const Json& command, const std::string& place) 
     throw InputError(place, R"(has no text "command" that names what to do)");
   return named(session_commands(), name->get_ref<const std::string&>(), &SessionCommand::name,
                place + ".command", described(*name) + " is no command");
+}
+
+bool only_looks(const Json& command) {
+  constexpr auto kNames = std::to_array<std::string_view>({"view", "camera", "pick"});
+  return std::ranges::find(kNames, command.at("command").get_ref<const std::string&>()) !=
+         kNames.end();
 }
 
 Json session_schema() {

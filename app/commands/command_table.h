@@ -41,6 +41,9 @@ std::span<const SessionCommand> session_commands();
 // The command that an object {"command": NAME, ...} names. Throws InputError, with the nearest name.
 const SessionCommand& command_of(const Json& command, const std::string& place);
 
+// Whether a command changes nothing but what is seen, so that it can be performed while a step is under way.
+bool only_looks(const Json& command);
+
 // JSON Schema, draft 07, of a session file.
 Json session_schema();
 

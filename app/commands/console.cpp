@@ -91,11 +91,15 @@ UiDriver& Console::ui_driver() {
   return *ui_driver_;
 }
 
+void Console::carry_out(const Json& command) {
+  perform(command, "panel");
+  if (given) given(command);
+}
+
 void Console::carry_out(const std::vector<Json>& commands) {
-  for (const Json& command : commands) {
-    perform(command, "panel");
-    if (given) given(command);
-  }
+  std::vector<Json> all = std::exchange(waiting_, {});
+  all.insert(all.end(), commands.begin(), commands.end());
+  for (const Json& command : all) carry_out(command);
   panel().set_recording(recording != nullptr);
   if (Timeline* timeline = session_.timeline(); timeline && timeline->playing)
     timeline->play_frame();
@@ -110,17 +114,32 @@ void Console::carry_out(const std::vector<Json>& commands) {
     throw CommandFailure("the simulation stopped: " + session_.protocol().failure());
 }
 
-Image Console::panel_frame(const GuiInput& input, int width, int height) {
-  const std::vector<Json> commands = panel().frame(session_, input, width, height);
-  Image picture = panel().paint();
+template <class Do>
+void Console::tell_failure(Do what) {
   try {
-    carry_out(commands);
+    what();
   } catch (const InputError& error) {
     panel().show_refusal(error);
   } catch (const CommandFailure& error) {
     panel().show_error(error.what());
   }
+}
+
+Image Console::panel_frame(const GuiInput& input, int width, int height) {
+  const std::vector<Json> commands = panel().frame(session_, input, width, height);
+  Image picture = panel().paint();
+  tell_failure([&] { carry_out(commands); });
   return picture;
+}
+
+Image Console::look(const GuiInput& input, int width, int height) {
+  for (Json& command : panel().frame(session_, input, width, height)) {
+    if (only_looks(command))
+      tell_failure([&] { carry_out(command); });
+    else
+      waiting_.push_back(std::move(command));
+  }
+  return panel().paint();
 }
 
 Image Console::draw_panel(int width, int height, std::optional<double> scale) {

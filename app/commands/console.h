@@ -53,6 +53,10 @@ class Console {
   // One frame of the panel in a window, and its picture: as above, but what fails shows in a banner of
   // the panel. Throws RenderError.
   Image panel_frame(const GuiInput& input, int width, int height);
+  // The same while a step is under way, from Session::meanwhile: what only looks is done, and other commands wait for
+  // the next frame.
+  Image look(const GuiInput& input, int width, int height);
+  bool commands_wait() const { return !waiting_.empty(); }
   // Told of each command that a panel gave and that succeeded, and of the steps that its frames computed.
   std::function<void(const Json&)> given;
   std::function<void(std::int64_t)> computed;
@@ -73,6 +77,12 @@ class Console {
   ConsoleFolders folders_;
   Session session_;
   void carry_out(const std::vector<Json>& commands);
+  void carry_out(const Json& command);
+  // Tells in the panel what fails.
+  template <class Do>
+  void tell_failure(Do what);
+
+  std::vector<Json> waiting_;  // commands that came within a step
 
   std::unique_ptr<Renderer> renderer_;
   double scale_;

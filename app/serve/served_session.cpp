@@ -45,11 +45,8 @@ bool cuts_short(const ClientMessage& message) {
   return std::ranges::find(kNames, name_of(message.command)) != kNames.end();
 }
 
-// Commands that change nothing but what is seen.
-bool only_looks(const ClientMessage& message) {
-  if (message.command.is_null()) return false;
-  constexpr auto kNames = std::to_array<std::string_view>({"view", "camera", "pick"});
-  return std::ranges::find(kNames, name_of(message.command)) != kNames.end();
+bool looks(const ClientMessage& message) {
+  return !message.command.is_null() && only_looks(message.command);
 }
 
 // After which the controls of the page may look otherwise.
@@ -115,8 +112,7 @@ bool ServedSession::listen(const Session& session) {
 void ServedSession::look_up() {
   if (exchange_.something_waits()) take_messages(0ms);
   bool seen_otherwise = false;
-  for (; !waiting_.empty() && only_looks(waiting_.front().message); seen_otherwise = true)
-    answer_next();
+  for (; !waiting_.empty() && looks(waiting_.front().message); seen_otherwise = true) answer_next();
   if (seen_otherwise || Clock::now() - last_frame_ >= kPicturePeriod) publish_frame();
 }
 

@@ -36,19 +36,22 @@ class Window {
       interactions_.add_steps(steps);
       rate_.add(steps, console_.session().protocol());
     };
-    console_.session().stop_asked = [this](const Session&) { return watch_.interrupted(); };
+    // What is commanded within a step is done right after it.
+    console_.session().stop_asked = [this](const Session&) {
+      return closed_ || console_.commands_wait() || watch_.interrupted();
+    };
+    console_.session().meanwhile = [this] { show_within_step(); };
     begin();
   }
 
   int complete() {
-    const auto display = open_display("quicksand", options_.width, options_.height);
-    GuiInput input;
+    display_ = open_display("quicksand", options_.width, options_.height);
     int lively = kLively;  // frames until the picture rests
-    while (!console_.quit && !watch_.interrupted()) {
-      if (!display->poll(input, lively > 0 || moves() ? 1 : kIdle)) break;
-      if (display->something_happened() || run_has_grown()) lively = kLively;
+    while (!console_.quit && !closed_ && !watch_.interrupted()) {
+      if (!display_->poll(input_, lively > 0 || moves() ? 1 : kIdle)) break;
+      if (display_->something_happened() || run_has_grown()) lively = kLively;
       if (lively > 0 || moves()) {
-        show(*display, input);
+        show();
         --lively;
         if (Clock::now() - interactions_written_ > kRecordingPeriod) write_interactions();
       }
@@ -82,6 +85,7 @@ class Window {
       "Press space to run and to pause. Drag a grain to pull at it, turn the wheel to zoom.";
   static constexpr const char* kRunHint =
       "Press space to play and to pause, the arrows to go by one sample. Drag along the timeline.";
+  static constexpr std::chrono::milliseconds kLongestFreeze{50};
   static constexpr int kLively = 4;
   static constexpr int kIdle = 100;  // [ms]
   static constexpr std::chrono::seconds kRecordingPeriod{2};
@@ -98,12 +102,20 @@ class Window {
     interactions_.add(command);
   }
 
-  void show(Display& display, const GuiInput& input) {
-    const int width = display.width(), height = display.height();
+  void show() {
     const Session& session = console_.session();
     if (session.loaded() && !session.running) rate_.add(0, session.protocol());
     console_.panel().set_rate(rate_.per_second(), rate_.left());
-    display.present(console_.panel_frame(input, width, height));
+    shown_ = Clock::now();
+    display_->present(console_.panel_frame(input_, display_->width(), display_->height()));
+  }
+
+  // The window does not freeze while a step takes long.
+  void show_within_step() {
+    if (!display_ || closed_ || Clock::now() - shown_ < kLongestFreeze) return;
+    closed_ = !display_->poll(input_, 0);
+    display_->present(console_.look(input_, display_->width(), display_->height()));
+    shown_ = Clock::now();
   }
 
   // Now and then: a screen that goes away must not take what was done with it.
@@ -128,6 +140,10 @@ class Window {
   const WindowOptions& options_;
   RunFolder folder_;
   Console console_;
+  std::unique_ptr<Display> display_;
+  GuiInput input_;
+  bool closed_ = false;  // by the user
+  Clock::time_point shown_ = Clock::now();
   InteractionRecording interactions_;
   Clock::time_point interactions_written_ = Clock::now();
   Clock::time_point looked_ = Clock::now();  // for new samples of a run

@@ -29,6 +29,7 @@ class PanelFixture : public testing::Test {
                {"phases[0].interval", 0}}}});
   }
   Json perform(const Json& command) { return console_.perform(command); }
+  Console& console() { return console_; }
   Session& session() { return console_.session(); }
 
   // Makes the panel and its driver, by which commands are performed.
