@@ -22,11 +22,13 @@ struct PanelEntries {
   std::optional<double> drag_stiffness;  // force over distance [F_g/d]; from the scene if absent
 };
 
-// The mouse in the view: a grain that is being dragged.
+// The mouse in the view: a grain that is being dragged, or the picture.
 struct Grip {
   int body = -1;
   Vec2 start{0, 0};    // where the button went down [px]
   bool pulls = false;  // moved far enough to be more than a click
+  bool moves = false;  // the same beside the grains: the picture goes along
+  Vec2 last{0, 0};     // where the mouse was when the picture moved last [px]
   Vec2 force{0, 0};    // last commanded [F_g]
 };
 

@@ -1,4 +1,4 @@
-// The picture of the packing, with the mouse upon it: pick a grain, pull at it, zoom.
+// The picture of the packing, with the mouse upon it: point at a grain, pick it, pull at it; move and zoom.
 #include <imgui.h>
 
 #include <algorithm>
@@ -7,6 +7,8 @@
 #include "app/panel/panel_frame.h"
 #include "app/session/disk_at.h"
 #include "core/world/shaped_contact.h"
+#include "render/base/camera.h"
+#include "render/base/nice_numbers.h"
 
 namespace quicksand::gui {
 namespace {
@@ -60,6 +62,41 @@ void pull(PanelFrame& frame, Grip& grip, const Camera& camera, const Vec2& pixel
   frame.command("apply", {{"body", grip.body}, {"force", pair(force)}});
 }
 
+// The place under the mouse stays under it.
+void move_along(PanelFrame& frame, Grip& grip, const Camera& camera, const Vec2& pixel) {
+  const Vec2 by = camera.to_world(grip.last) - camera.to_world(pixel);
+  if (by.isZero(0)) return;
+  grip.last = pixel;
+  const WorldRect shown = view_window(frame.session.world(), frame.session.shown());
+  const Vec2 low = shown.low + by, high = shown.high + by;
+  if (std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff()) > kFarthestWindow) return;
+  frame.command("camera", {{"follow", "none"}, {"low", pair(low)}, {"high", pair(high)}});
+}
+
+// What is known of a body at a glance.
+void tell_body(const PanelFrame& frame, int body) {
+  const World& world = frame.session.world();
+  const auto k = static_cast<std::size_t>(body);
+  int touches = 0, bonds = 0;
+  double pressed = 0;
+  for (const Contact& contact : world.contacts) {
+    const auto [a, b] = world.rows(contact.pair);
+    if (a != body && b != body) continue;
+    ++touches;
+    if (world.impulse_dt > 0) pressed = std::max(pressed, contact.normal_force(world.impulse_dt));
+  }
+  for (const Bond& bond : world.bonds.list) {
+    const auto [a, b] = world.rows(bond.pair);
+    if (bond.state == BondState::active && (a == body || b == body)) ++bonds;
+  }
+  const bool intruder = world.disks.role[k] == Role::intruder;
+  frame.widgets.tooltip((intruder ? "intruder: " : "grain " + std::to_string(body) + ": ") +
+                        std::to_string(touches) + " contacts, " + std::to_string(bonds) +
+                        " active bonds\nspeed " +
+                        short_number(world.disks.velocity[k].head<2>().norm()) +
+                        " √(g d), pressed with at most " + short_number(pressed) + " F_g");
+}
+
 void take_mouse(PanelFrame& frame, const ViewPicture& picture, Grip& grip, const PixelRect& rect) {
   const World& world = frame.session.world();
   const ImGuiIO& io = ImGui::GetIO();
@@ -71,24 +108,34 @@ void take_mouse(PanelFrame& frame, const ViewPicture& picture, Grip& grip, const
                              {"at", pair(place)}});
   }
   if (ImGui::IsItemActivated()) {
-    grip = {.body = disk_at(world, picture.camera_at(pixel).to_world(pixel)), .start = pixel};
+    grip = {.body = disk_at(world, picture.camera_at(pixel).to_world(pixel)),
+            .start = pixel,
+            .last = pixel};
+    if (grip.body < 0 && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+      frame.command("camera", {{"fit", "box"}});
+  }
+  if (active && grip.body < 0) {
+    grip.moves = grip.moves || (pixel - grip.start).norm() > frame.widgets.px(kLeastDrag);
+    if (grip.moves) move_along(frame, grip, picture.camera_at(grip.start), pixel);
   }
   if (active && grip.body >= 0) {
-    const double least = frame.widgets.px(kLeastDrag);
     // What was computed is not pulled at.
-    const bool far = (pixel - grip.start).norm() > least && frame.session.timeline() == nullptr;
-    grip.pulls = grip.pulls || far;
+    grip.pulls = grip.pulls || ((pixel - grip.start).norm() > frame.widgets.px(kLeastDrag) &&
+                                frame.session.timeline() == nullptr);
     if (grip.pulls) pull(frame, grip, picture.camera_at(grip.start), pixel);
   }
   if (ImGui::IsItemDeactivated()) {
     if (grip.pulls) {
       frame.command("apply", {{"body", grip.body}, {"force", pair({0, 0})}});
-    } else {
+    } else if (!grip.moves) {
       const Vec2 place = picture.camera_at(grip.start).to_world(grip.start);
       frame.command("pick", {{"at", pair(place)}});
     }
     grip = {};
   }
+  if (!ImGui::IsItemHovered() || active) return;
+  const int under = disk_at(world, picture.camera_at(pixel).to_world(pixel));
+  if (under >= 0) tell_body(frame, under);
 }
 
 // Words on a ground of their own, in the middle of the picture's lower edge.

@@ -204,6 +204,45 @@ TEST_F(PanelTest, AClickPicksAGrain) {
   EXPECT_EQ(r.set("Inspect/drag stiffness", 5).size(), 0U);
 }
 
+TEST_F(PanelTest, ADragBesideTheGrainsMovesThePictureAndADoubleClickFitsIt) {
+  load();
+  UiDriver& r = driver();
+  const PixelRect picture = widget("Picture")->rect;
+  const Vec2 from(picture.x + 0.5 * picture.width, picture.y + 0.5 * picture.height);
+  const Vec2 place = gui().view_camera()->to_world(from);
+  const double scale = gui().view_camera()->scale();
+  const std::vector<Json> given = r.drag(from, Vec2(from + Vec2(60, -30)));
+  ASSERT_FALSE(given.empty());
+  for (const Json& command : given) EXPECT_EQ(command["command"], "camera") << command.dump();
+  r.wait(1);
+  const Vec2 now = gui().view_camera()->to_world(from + Vec2(60, -30));
+  EXPECT_NEAR((now - place).norm(), 0, 1e-6);
+  EXPECT_NEAR(gui().view_camera()->scale(), scale, 1e-9 * scale);
+  EXPECT_TRUE(session().view.window);
+  GuiInput pressed{.mouse = from};
+  pressed.buttons[0] = true;
+  const GuiInput released{.mouse = from};
+  for (const GuiInput& input : {released, pressed, released, pressed, released})
+    console().panel_frame(input, kWidth, kHeight);
+  EXPECT_FALSE(session().view.window);
+}
+
+TEST_F(PanelTest, PointingAtAGrainTellsWhatHoldsIt) {
+  load();
+  perform({{"command", "run"}, {"steps", 2}});
+  const auto after_frames = [&](const GuiInput& input) {
+    Image picture;
+    for (int frame = 0; frame < 3; ++frame) picture = console().panel_frame(input, kWidth, kHeight);
+    return picture;
+  };
+  const Image without = after_frames({});
+  GuiInput there;
+  there.mouse = pixel_at(console().panel(), session().world().disks.position[30]);
+  EXPECT_TRUE(after_frames(there).rgb != without.rgb);
+  there.mouse = pixel_at(console().panel(), {session().world().box.width / 2, 13.9});
+  EXPECT_TRUE(after_frames(there).rgb == without.rgb) << "there is no grain";
+}
+
 TEST_F(PanelTest, ADragPullsAtAGrainUntilItIsLetGo) {
   load();
   perform({{"command", "run"}, {"steps", 2}});
