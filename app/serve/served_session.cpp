@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "app/commands/command_table.h"
 #include "app/commands/transcript.h"
 #include "app/json/json_reader.h"
 #include "app/series/series.h"

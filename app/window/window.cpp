@@ -137,12 +137,12 @@ class Window {
   }
 
   InterruptWatch watch_;
+  bool closed_ = false;  // by the user
   const WindowOptions& options_;
   RunFolder folder_;
   Console console_;
   std::unique_ptr<Display> display_;
   GuiInput input_;
-  bool closed_ = false;  // by the user
   Clock::time_point shown_ = Clock::now();
   InteractionRecording interactions_;
   Clock::time_point interactions_written_ = Clock::now();

@@ -61,8 +61,9 @@ struct View {
   bool orientation = false;  // a mark on each disk that turns with it
   bool legend = true;        // what the colours mean
   bool scale_bar = true;
-  bool numbers = true;  // time and key numbers
-  bool detail = true;   // a close-up of the intruder where a tall box leaves room for it
+  bool numbers = true;          // time and key numbers
+  bool detail = true;           // a close-up of the intruder where a tall box leaves room for it
+  bool colours_of_run = false;  // colour_low and _high are of a whole run: the legend says so
 
   Fit fit = Fit::box;
   // Shown instead of what `fit` finds; keeps a film steady.
@@ -70,8 +71,6 @@ struct View {
   // What the first and the last colour stand for, of a colouring by a value with a unit [its unit]. Both 0: from the data.
   double colour_low = 0;
   double colour_high = 0;
-  bool colours_of_run =
-      false;  // whether that range is of all moments of a run, which the legend then says
   double force_scale = 0;  // force of a line 0.4 d wide [F_g]; 0: from the data
   // Whether an intruder comes sooner or later: the legend then has its words from the beginning, and nothing in it moves
   // when it comes.
