@@ -31,7 +31,7 @@ Json schema_of(const SessionCommand& command) {
   command.describe(schema);
   Json result = schema.take();
   result["properties"]["command"] = {{"const", command.name}, {"description", command.help}};
-  result["examples"] = {Json::parse(command.example)};
+  result["examples"] = Json::array({Json::parse(command.example)});
   return result;
 }
 
