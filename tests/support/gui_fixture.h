@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/commands/command_table.h"
 #include "app/commands/console.h"
 #include "app/gui/ui_driver.h"
 #include "tests/support/temporary_folder.h"
@@ -15,6 +16,18 @@ namespace quicksand::test {
 
 constexpr int kWidth = 900;  // of the pictures [px]
 constexpr int kHeight = 600;
+
+// A place of the world on whole pixels, as a mouse is [px].
+inline Vec2 pixel_at(const Gui& gui, const Vec2& place) {
+  return gui.view_camera()->to_pixel(place).array().round();
+}
+
+// Expects exactly this command, which the command table knows.
+inline void expect_command(const std::vector<Json>& given, const Json& expected) {
+  ASSERT_EQ(given.size(), 1U) << Json(given).dump();
+  EXPECT_EQ(given[0], expected) << given[0].dump();
+  EXPECT_NO_THROW(command_of(given[0], "command").check(given[0], "command"));
+}
 
 class PanelFixture : public testing::Test {
  protected:

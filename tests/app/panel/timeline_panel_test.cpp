@@ -1,5 +1,4 @@
 // The panel of a run that was computed before.
-#include "app/commands/command_table.h"
 #include "app/run/run_scene.h"
 #include "app/scene_json/scenario_json.h"
 #include "tests/support/gui_fixture.h"
@@ -21,25 +20,21 @@ class TimelinePanelTest : public PanelFixture {
   std::size_t shown() { return session().timeline()->shown(); }
 };
 
-void expect_given(const std::vector<Json>& given, const Json& expected) {
-  ASSERT_EQ(given.size(), 1U) << Json(given).dump();
-  EXPECT_EQ(given[0], expected) << given[0].dump();
-  EXPECT_NO_THROW(command_of(given[0], "command").check(given[0], "command"));
-}
-
 TEST_F(TimelinePanelTest, StepsPlaysAndJumps) {
   UiDriver& r = driver();
   const std::size_t last = shown();
-  expect_given(r.click("Timeline/Back"), {{"command", "show"}, {"by", -1}});
+  expect_command(r.click("Timeline/Back"), {{"command", "show"}, {"by", -1}});
   EXPECT_EQ(shown(), last - 1);
-  expect_given(r.press(Key::right), {{"command", "show"}, {"by", 1}});
-  expect_given(r.set("Timeline/phase", "0 deposit"), {{"command", "show"}, {"phase", 0}});
+  expect_command(r.press(Key::right), {{"command", "show"}, {"by", 1}});
+  expect_command(r.set("Timeline/phase", "0 deposit"), {{"command", "show"}, {"phase", 0}});
   EXPECT_EQ(shown(), 0U);
-  expect_given(r.set("Timeline/Speed", 0.5), {{"command", "play"}, {"on", false}, {"speed", 0.5}});
-  expect_given(r.set("Timeline/Loop", true), {{"command", "play"}, {"on", false}, {"loop", true}});
-  expect_given(r.click("Timeline/Play"), {{"command", "play"}, {"on", true}});
+  expect_command(r.set("Timeline/Speed", 0.5),
+                 {{"command", "play"}, {"on", false}, {"speed", 0.5}});
+  expect_command(r.set("Timeline/Loop", true),
+                 {{"command", "play"}, {"on", false}, {"loop", true}});
+  expect_command(r.click("Timeline/Play"), {{"command", "play"}, {"on", true}});
   EXPECT_TRUE(session().timeline()->playing);
-  expect_given(r.press("space"), {{"command", "play"}, {"on", false}});
+  expect_command(r.press("space"), {{"command", "play"}, {"on", false}});
 }
 
 TEST_F(TimelinePanelTest, ShowsTheMomentThatIsDraggedTo) {
@@ -67,7 +62,7 @@ TEST_F(TimelinePanelTest, InspectsButDoesNotPull) {
 TEST_F(TimelinePanelTest, GoesOnComputing) {
   UiDriver& r = driver();
   EXPECT_EQ(widget("Controls/Run"), nullptr);
-  expect_given(r.click("Timeline/Go on from here"), {{"command", "go_on"}});
+  expect_command(r.click("Timeline/Go on from here"), {{"command", "go_on"}});
   r.wait(1);
   EXPECT_EQ(widget("Timeline/Play"), nullptr);
   EXPECT_EQ(widget("Strip"), nullptr);
