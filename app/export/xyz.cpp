@@ -1,7 +1,10 @@
 // Disks as a frame of an extended XYZ file: their number, a line that describes the frame and the
 // columns, a line a disk. Readers look for some columns under names of their own, and some take only
-// symbols of chemical elements for a species: grains are Si, intruders are I.
+// symbols of chemical elements for a species: grains are Si, intruders are I. Readers know no shapes, so the outline
+// of an intruder of several parts follows as a string of points, O, with all else that the intruder has.
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 #include "app/export/formats.h"
 #include "app/json/json_reader.h"
@@ -39,23 +42,57 @@ std::string description(const ExportedWorld& world, const DataTable& table) {
          " Step=" + std::to_string(world.world.step);
 }
 
+// A point of the outline of a body.
+struct OutlinePoint {
+  int body = 0;
+  Vec2 place{0, 0};
+  double radius = 0;  // half of the distance to the next
+};
+
+std::vector<OutlinePoint> points_of(const std::vector<OutlinePiece>& outlines) {
+  constexpr double kApart = 0.1, kMost = 20000;  // [d], points
+  double length = 0;
+  for (const OutlinePiece& piece : outlines) length += (piece.to - piece.from).norm();
+  const double apart = std::max(kApart, length / kMost);
+  std::vector<OutlinePoint> points;
+  double left = 0;  // of the way to the next point
+  for (const OutlinePiece& piece : outlines) {
+    const double piece_length = (piece.to - piece.from).norm();
+    for (; left < piece_length; left += apart)
+      points.push_back(
+          {piece.body, piece.from + left / piece_length * (piece.to - piece.from), apart / 2});
+    left -= piece_length;
+  }
+  return points;
+}
+
+// The line of a disk, or of a point of its outline.
+std::string line_of(const ExportedWorld& world, const DataTable& table, int row,
+                    const OutlinePoint* point) {
+  const bool intruder = world.world.disks.role[static_cast<std::size_t>(row)] == Role::intruder;
+  std::string line = point ? "O" : intruder ? "I" : "Si";
+  for (const DataColumn& column : table.columns) {
+    for (int k = 0; k < column.size; ++k) {
+      double value = column.get(world, row, k);
+      if (point && column.name == kPosition) value = point->place[k];
+      if (point && column.name == "radius") value = point->radius;
+      line += ' ';
+      append_text(line, column, value);
+    }
+    if (column.size == 2) line += " 0";
+  }
+  return line + '\n';
+}
+
 }  // namespace
 
 void write_xyz(std::ostream& out, const ExportedWorld& world, const DataTable& table) {
   const int rows = table.rows(world);
-  out << rows << '\n' << description(world, table) << '\n';
-  std::string line;
-  for (int row = 0; row < rows; ++row) {
-    line = world.world.disks.role[static_cast<std::size_t>(row)] == Role::intruder ? "I" : "Si";
-    for (const DataColumn& column : table.columns) {
-      for (int k = 0; k < column.size; ++k) {
-        line += ' ';
-        append_text(line, column, column.get(world, row, k));
-      }
-      if (column.size == 2) line += " 0";
-    }
-    out << line << '\n';
-  }
+  const std::vector<OutlinePoint> points = points_of(world.outlines);
+  out << static_cast<std::size_t>(rows) + points.size() << '\n'
+      << description(world, table) << '\n';
+  for (int row = 0; row < rows; ++row) out << line_of(world, table, row, nullptr);
+  for (const OutlinePoint& point : points) out << line_of(world, table, point.body, &point);
 }
 
 }  // namespace quicksand

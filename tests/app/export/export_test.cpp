@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <map>
+#include <numbers>
 #include <sstream>
 
 #include "app/export/exporter.h"
@@ -189,6 +191,36 @@ TEST(Export, OutlinesGoAroundTheParts) {
     EXPECT_NEAR(area / exact, 1, 1e-4) << "a part of 48 pieces a turn";
     EXPECT_LT(area, exact);
   }
+}
+
+// Readers of XYZ know no shapes: points trace the outline.
+TEST(Export, XyzTracesTheOutlineOfAShapedIntruder) {
+  Scenario scenario;
+  scenario.box = {.width = 12, .height = 10, .floor = true};
+  World world = make_world(scenario);
+  const std::vector<ConvexPart> parts{{.corners = {{-1.5, 0}, {1.5, 0}}, .radius = 0.25}};
+  const int body = add_shape(world, {.position = {6, 5}, .role = Role::intruder}, parts);
+  const TemporaryFolder folder;
+  export_state(world, export_format("xyz"), folder.path() / "plate.xyz");
+  std::istringstream file(contents(folder.path() / "plate.xyz"));
+  std::string line;
+  std::getline(file, line);
+  const int count = std::stoi(line);
+  std::getline(file, line);
+  int lines = 0, points = 0;
+  for (; std::getline(file, line); ++lines) {
+    if (!line.starts_with("O ")) continue;
+    ++points;
+    std::istringstream words(line.substr(2));
+    double id = -1, x = 0, y = 0;
+    words >> id >> x >> y;
+    EXPECT_EQ(id, body);
+    const double beside = std::max(std::abs(x - 6) - 1.5, 0.0);  // beyond the straight flanks
+    EXPECT_NEAR(std::hypot(beside, y - 5), 0.25, 1e-3) << line;
+  }
+  EXPECT_EQ(lines, count);
+  const double outline = 2 * 3 + 2 * std::numbers::pi * 0.25;
+  EXPECT_NEAR(points, outline / 0.1, 2);
 }
 
 TEST(Export, AnEmptyWorldIsExportedInAllFormats) {
