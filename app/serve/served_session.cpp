@@ -25,7 +25,7 @@ using namespace std::chrono_literals;
 
 constexpr auto kIdle = 100ms;
 constexpr auto kFramePeriod = 16ms;  // of a session that runs: as long as a screen shows a picture
-constexpr auto kPicturePeriod = 33ms;  // between two pictures while it computes
+constexpr auto kPicturePeriod = 30ms;  // between two pictures while it computes
 constexpr auto kPlotsPeriod = 500ms;
 constexpr auto kLookPeriod = 500ms;  // for new samples of a run that another process computes
 constexpr const char* kRecordingFile = "recording.json";

@@ -41,8 +41,13 @@ ColouredGrains by_value(const World& world, const View& view, const std::string&
   return grains;
 }
 
+// Without the touching neighbours, whose search takes longer than all else of a picture's colours.
+NeighbourCounts bonds_of_each(const World& world) {
+  return count_neighbours(world, std::span<const Pair>());
+}
+
 ColouredGrains by_initial_bonds(const World& world, const View& view) {
-  const NeighbourCounts count = count_neighbours(world);
+  const NeighbourCounts count = bonds_of_each(world);
   const Colour none = palette(view.theme).no_value;
   ColouredGrains grains;
   grains.scale = {.title = "Initial bonds left",
@@ -60,7 +65,7 @@ ColouredGrains by_initial_bonds(const World& world, const View& view) {
 }
 
 ColouredGrains by_broken_bonds(const World& world, const View& view) {
-  const NeighbourCounts count = count_neighbours(world);
+  const NeighbourCounts count = bonds_of_each(world);
   const Colour holds = kCurveColours[0], broken = kCurveColours[1],
                none = palette(view.theme).no_value;
   ColouredGrains grains;
@@ -111,7 +116,7 @@ ColouredGrains colour_grains(const World& world, const View& view) {
   const Palette& colours = palette(view.theme);
   switch (view.colouring) {
     case Colouring::active_bonds:
-      return by_count(count_neighbours(world).active, colours.bonds, "Active bonds");
+      return by_count(bonds_of_each(world).active, colours.bonds, "Active bonds");
     case Colouring::coordination:
       return by_count(count_neighbours(world).touching, colours.counts, "Contacts");
     case Colouring::initial_bonds:
