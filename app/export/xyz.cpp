@@ -55,13 +55,14 @@ std::vector<OutlinePoint> points_of(const std::vector<OutlinePiece>& outlines) {
   for (const OutlinePiece& piece : outlines) length += (piece.to - piece.from).norm();
   const double apart = std::max(kApart, length / kMost);
   std::vector<OutlinePoint> points;
-  double left = 0;  // of the way to the next point
+  double begins = 0;  // of the piece, along all outlines
   for (const OutlinePiece& piece : outlines) {
     const double piece_length = (piece.to - piece.from).norm();
-    for (; left < piece_length; left += apart)
+    const auto next = [&] { return static_cast<double>(points.size()) * apart - begins; };
+    while (next() < piece_length)
       points.push_back(
-          {piece.body, piece.from + left / piece_length * (piece.to - piece.from), apart / 2});
-    left -= piece_length;
+          {piece.body, piece.from + next() / piece_length * (piece.to - piece.from), apart / 2});
+    begins += piece_length;
   }
   return points;
 }
