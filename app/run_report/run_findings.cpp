@@ -46,16 +46,17 @@ std::optional<Table> findings(std::span<const RunResults> runs,
 
 std::vector<Block> found_by_searches(std::span<const RunResults> runs,
                                      const std::vector<std::string>& names) {
-  static constexpr auto kForces = std::to_array<Finding>({{"kind", "phase"},
-                                                          {"body", "body"},
-                                                          {"x", "x [d]"},
-                                                          {"y", "y [d]"},
-                                                          {"depth", "depth [d]"},
-                                                          {"weight_above", "weight above [F_g]"},
-                                                          {"force_low", "did not move at [F_g]"},
-                                                          {"force_high", "moved at [F_g]"},
-                                                          {"trials", "trials"},
-                                                          {"undecided", "of these undecided"}});
+  static constexpr auto kForces =
+      std::to_array<Finding>({{"kind", "phase"},
+                              {"body", "body"},
+                              {"x", "x [d]"},
+                              {"y", "y [d]"},
+                              {"depth", "depth [d]"},
+                              {"weight_above", "weight above [F_g]"},
+                              {"force_low", "did not move at [F_g; vane: F_g d]"},
+                              {"force_high", "moved at [F_g; vane: F_g d]"},
+                              {"trials", "trials"},
+                              {"undecided", "of these undecided"}});
   static constexpr auto kSamples =
       std::to_array<Finding>({{"interval", "interval [√(d/g)]"},
                               {"grains", "grains"},

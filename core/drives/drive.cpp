@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/base/errors.h"
-#include "core/world/extent.h"
 
 namespace quicksand {
 
@@ -28,16 +27,6 @@ void set_free(World& world, int body) {
 void prescribe(World& world, int body, const Vec3& velocity) {
   world.disks.inverse_mass[body].setZero();
   world.disks.velocity[body] = velocity;
-}
-
-void begin_critical_drive(Stage& stage, SearchKind kind, int body, double first) {
-  begin_search(stage, kind);
-  const World& world = stage.world;
-  const double height = world.disks.position[body].y();
-  stage.state.search.bracket.first = first;
-  stage.state.search.targets = {{.body = body,
-                                 .depth = packing_top(world) - height,
-                                 .weight_above = weight_above(world, height)}};
 }
 
 void begin_way(Stage& stage, double way) {

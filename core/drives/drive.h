@@ -23,9 +23,6 @@ void set_free(World& world, int body);
 // The body moves with this velocity, whatever acts on it.
 void prescribe(World& world, int body, const Vec3& velocity);
 
-// The search for the smallest drive that brings this body to the end of its way begins, with this one.
-void begin_critical_drive(Stage& stage, SearchKind kind, int body, double first);
-
 // The trials of such a phase: each ends at the end of the way, or as the phase would.
 template <class Settings>
 SearchTrials drive_trials(const Settings& settings) {

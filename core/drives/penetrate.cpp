@@ -41,7 +41,7 @@ class Penetrate final : public RunningPhaseOf<PenetratePhase> {
       add_shape(world, placed, parts);
     begin_way(stage, depth(stage));
     if (settings().threshold)
-      begin_critical_drive(stage, SearchKind::penetrate, body(stage), settings().force);
+      begin_search_on(stage, SearchKind::penetrate, body(stage), settings().force);
   }
 
   void before_step(Stage& stage) override {

@@ -33,8 +33,7 @@ class Vane final : public RunningPhaseOf<VanePhase> {
     begin_way(stage, 0);
     world.disks.applied[intruder].setZero();
     set_free(world, intruder);
-    if (settings().threshold)
-      begin_critical_drive(stage, SearchKind::vane, intruder, settings().torque);
+    if (settings().threshold) begin_search_on(stage, SearchKind::vane, intruder, settings().torque);
   }
 
   void before_step(Stage& stage) override {

@@ -15,16 +15,9 @@ class Pull final : public RunningPhaseOf<PullPhase> {
 
   void begin(Stage& stage) override {
     stage.form_bonds(false);
-    begin_search(stage, SearchKind::pull);
-    Search& search = stage.state.search;
-    search.bracket.first = settings().trials.first_force;
-    const World& world = stage.world;
-    const int intruder = world.intruder();
-    if (intruder < 0) return;
-    const double height = world.disks.position[intruder].y();
-    search.targets = {{.body = intruder,
-                       .depth = packing_top(world) - height,
-                       .weight_above = weight_above(world, height)}};
+    const int intruder = stage.world.intruder();
+    if (intruder < 0) return begin_search(stage, SearchKind::pull);
+    begin_search_on(stage, SearchKind::pull, intruder, settings().trials.first_force);
   }
 
   void before_step(Stage& stage) override { begin_force_trial(stage, {0, 1, 0}); }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/phases/running_phase.h"
+#include "core/world/extent.h"
 #include "core/world/shaped_contact.h"
 
 namespace quicksand {
@@ -14,6 +15,16 @@ void begin_search(Stage& stage, SearchKind kind) {
   stage.state.search = {};
   stage.state.search.kind = kind;
   stage.state.search.base = std::make_shared<const World>(stage.world);
+}
+
+void begin_search_on(Stage& stage, SearchKind kind, int body, double first) {
+  begin_search(stage, kind);
+  const World& world = stage.world;
+  const double height = world.disks.position[body].y();
+  stage.state.search.bracket.first = first;
+  stage.state.search.targets = {{.body = body,
+                                 .depth = packing_top(world) - height,
+                                 .weight_above = weight_above(world, height)}};
 }
 
 void return_to_base(Stage& stage) {

@@ -17,6 +17,8 @@ SearchKind search_kind(const Phase& phase);
 SearchTrials threshold_trials(const PushPhase& push);
 
 void begin_search(Stage& stage, SearchKind kind);
+// The same for one body that is there; `first`: force or torque of the first trial [F_g or F_g d].
+void begin_search_on(Stage& stage, SearchKind kind, int body, double first);
 // The world as it was when the search began, but for the clock.
 void return_to_base(Stage& stage);
 void begin_trial(Stage& stage);
