@@ -88,6 +88,13 @@ bool only_looks(const Json& command) {
          kNames.end();
 }
 
+bool cuts_short(const Json& command) {
+  constexpr auto kNames =
+      std::to_array<std::string_view>({"pause", "load", "reset", "restore", "open", "quit"});
+  return std::ranges::find(kNames, command.at("command").get_ref<const std::string&>()) !=
+         kNames.end();
+}
+
 Json session_schema() {
   SessionFile file;
   Json commands;

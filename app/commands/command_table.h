@@ -43,6 +43,8 @@ const SessionCommand& command_of(const Json& command, const std::string& place);
 
 // Whether a command changes nothing but what is seen, so that it can be performed while a step is under way.
 bool only_looks(const Json& command);
+// Whether it ends a run under way, also in mid step: the step is given up. Others wait for the step's end.
+bool cuts_short(const Json& command);
 
 // JSON Schema, draft 07, of a session file.
 Json session_schema();

@@ -1,5 +1,6 @@
 #include "app/commands/console.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -141,6 +142,8 @@ Image Console::look(const GuiInput& input, int width, int height) {
   }
   return panel().paint();
 }
+
+bool Console::step_is_given_up() const { return std::ranges::any_of(waiting_, cuts_short); }
 
 Image Console::draw_panel(int width, int height, std::optional<double> scale) {
   constexpr int kSettling = 3;  // frames until the layout of a new size rests

@@ -57,6 +57,8 @@ class Console {
   // the next frame.
   Image look(const GuiInput& input, int width, int height);
   bool commands_wait() const { return !waiting_.empty(); }
+  // Whether one of these does not wait for the step's end, either.
+  bool step_is_given_up() const;
   // Told of each command that a panel gave and that succeeded, and of the steps that its frames computed.
   std::function<void(const Json&)> given;
   std::function<void(std::int64_t)> computed;

@@ -307,4 +307,6 @@ void Gui::set_rate(std::optional<double> steps_per_second, std::optional<double>
 
 void Gui::set_recording(bool on) { impl_->notes.recording = on; }
 
+void Gui::set_recent(std::vector<std::string> paths) { impl_->notes.recent = std::move(paths); }
+
 }  // namespace quicksand

@@ -58,6 +58,8 @@ class Gui {
   void set_rate(std::optional<double> steps_per_second, std::optional<double> eta_seconds);
   // Whether frames are recorded.
   void set_recording(bool on);
+  // Paths that can be opened again, the last first.
+  void set_recent(std::vector<std::string> paths);
 
  private:
   struct Impl;

@@ -2,6 +2,7 @@
 // widgets and adds the commands that they give.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,8 @@ struct PanelEntries {
   double pull_force = 10;     // first trial [F_g]
   double piston_force = 1e3;  // [F_g]
   std::string file = "state.cbor";
+  std::filesystem::path folder;          // whose files can be opened; the present one if empty
+  std::vector<std::string> files;        // of the list that is open
   std::optional<double> drag_stiffness;  // force over distance [F_g/d]; from the scene if absent
 };
 
@@ -40,7 +43,8 @@ struct PanelNotes {
   std::string hint;  // shown over the picture until the first command
   std::optional<double> steps_per_second, eta_seconds;
   bool recording = false;
-  std::optional<int> inspected;  // body that the last frame showed
+  std::vector<std::string> recent;  // what was opened before, the last first
+  std::optional<int> inspected;     // body that the last frame showed
 };
 
 struct PanelFrame {

@@ -4,8 +4,50 @@
 #include "app/base/assets.h"
 #include "app/base/status_line.h"
 #include "app/panel/panel_frame.h"
+#include "app/scene/opening.h"
+#include "core/base/errors.h"
 
 namespace quicksand::gui {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void open(PanelFrame& frame, const std::string& path) {
+  try {
+    frame.commands.push_back(opening_command(path));
+  } catch (const InputError& error) {
+    frame.notes.error = error.where() + ": " + error.what();
+  }
+}
+
+// Walks through folders. What is in them is read when the list opens, not at each picture.
+void show_files(PanelFrame& frame) {
+  Widgets& w = frame.widgets;
+  PanelEntries& entries = frame.entries;
+  const Widgets::Label label{"open", "Open",
+                             "A scene, a session, a saved state, or the folder of a run."};
+  if (!w.begin_list(label, "a file or run …")) {
+    entries.files.clear();
+    return;
+  }
+  if (entries.folder.empty()) entries.folder = fs::current_path();
+  if (entries.files.empty()) entries.files = openable_in(entries.folder);
+  w.caption(entries.folder.string());
+  std::string chosen;
+  for (const std::string& name : entries.files)
+    if (w.choice(name, false, name.ends_with('/'))) chosen = name;
+  if (chosen.ends_with('/')) {
+    entries.folder = (entries.folder / chosen.substr(0, chosen.size() - 1)).lexically_normal();
+    if (!entries.folder.has_filename()) entries.folder = entries.folder.parent_path();
+    entries.files.clear();
+  } else if (!chosen.empty()) {
+    open(frame, (entries.folder / chosen).string());
+  }
+  w.end_list(label, "a file or run …");
+}
+
+}  // namespace
 
 void show_scene(PanelFrame& frame) {
   Widgets& w = frame.widgets;
@@ -17,6 +59,11 @@ void show_scene(PanelFrame& frame) {
   if (const auto chosen = w.combo({"scene", "Scene", "Loads one of the example scenes."}, names,
                                   loaded ? name : "choose …")) {
     frame.command("load", {{"scene", *chosen}});
+  }
+  show_files(frame);
+  if (const std::vector<std::string>& recent = frame.notes.recent; !recent.empty()) {
+    const auto again = w.combo({"recent", "Recent", "What was opened before."}, recent, "choose …");
+    if (again) open(frame, *again);
   }
   w.end_section();
 }

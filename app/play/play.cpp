@@ -34,6 +34,7 @@ class Play {
       progress_.show(session.protocol());
       return watch_.interrupted();
     };
+    console_.session().meanwhile = [this] { return watch_.interrupted(); };
   }
 
   int complete() {

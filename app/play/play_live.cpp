@@ -98,6 +98,7 @@ int play_live(const std::filesystem::path& out) {
   std::signal(SIGPIPE, SIG_IGN);  // a reader that goes away ends the session, not the program
   Console console({folder.path, std::filesystem::current_path()});
   console.session().stop_asked = [&watch](const Session&) { return watch.interrupted(); };
+  console.session().meanwhile = [&watch] { return watch.interrupted(); };
   Input input;
   while (!console.quit && !watch.interrupted()) {
     const std::optional<Line> line = input.next();

@@ -165,6 +165,7 @@ class Run {
   RunEnd::How compute() {
     ProgressLine progress(StatusLine::style_of_stderr(options_.quiet));
     RunEnd::How how = RunEnd::How::finished;
+    clock().meanwhile = [this] { return watch_.interrupted(); };
     while (protocol().phase() != nullptr) {
       if (watch_.interrupted()) {
         how = RunEnd::How::interrupted;
@@ -173,6 +174,7 @@ class Run {
       progress.show(protocol());
       if (options_.watch) options_.watch(protocol());
       const Progress made = sampled_run_.advance();
+      if (made == Progress::given_up) continue;
       if (made == Progress::failed) {
         how = RunEnd::How::failed;
         break;

@@ -36,6 +36,7 @@ Progress SampledRun::advance() {
   samples_.phase = phase_name();
   phase_index_ = before.phase;
   const Progress progress = protocol_.advance();
+  if (progress == Progress::given_up) return progress;
   if (world().step != step_before) count(before);
   if (times_.due(world().time) || progress == Progress::phase_ended) sample();
   return progress;

@@ -5,11 +5,11 @@
 #include "app/base/exit_code.h"
 #include "app/base/interrupt.h"
 #include "app/run_folder/run_folder.h"
+#include "app/scene/opening.h"
 #include "app/serve/frame_message.h"
 #include "app/serve/served_session.h"
 #include "app/web/access.h"
 #include "app/web/server.h"
-#include "app/window/first_command.h"
 #include "core/base/whole_file.h"
 #include "render/base/external_program.h"
 #include "render/base/render_error.h"
@@ -73,7 +73,7 @@ int run_serve(const ServeOptions& options) {
   Exchange exchange;
   ServedSession live({folder.path, options.pixels}, exchange);
   live.interrupted = [&watch] { return watch.interrupted(); };
-  live.begin(first_command(options.file));
+  live.begin(opening_command(options.file));
   prepare_drawing(live.console());
   {
     const std::string host = !options.host.empty() ? options.host : options.address;

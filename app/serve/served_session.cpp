@@ -39,11 +39,8 @@ std::string_view name_of(const Json& command) {
   return command["command"].get_ref<const std::string&>();
 }
 
-// Those that end a run under way; others wait for its end.
-bool cuts_short(const ClientMessage& message) {
-  if (message.command.is_null()) return false;
-  constexpr auto kNames = std::to_array<std::string_view>({"pause", "load", "reset", "restore"});
-  return std::ranges::find(kNames, name_of(message.command)) != kNames.end();
+bool ends_run(const ClientMessage& message) {
+  return !message.command.is_null() && cuts_short(message.command);
 }
 
 bool looks(const ClientMessage& message) {
@@ -64,7 +61,10 @@ ServedSession::ServedSession(const ServedOptions& options, Exchange& exchange)
       exchange_(exchange),
       console_({options.folder, std::filesystem::current_path()}) {
   console_.session().stop_asked = [this](const Session& session) { return listen(session); };
-  console_.session().meanwhile = [this] { look_up(); };
+  console_.session().meanwhile = [this] {
+    look_up();
+    return run_is_to_end();
+  };
   console_.print = [this](const std::string& text) {
     tell(kEveryClient, {{"kind", "note"}, {"text", text}}, nullptr);
   };
@@ -104,9 +104,12 @@ void ServedSession::take_turn() {
 bool ServedSession::listen(const Session& session) {
   plots_are_old_ = picture_is_old_ = true;
   look_up();
-  if (interrupted && interrupted()) return true;
-  if (session.running) return !waiting_.empty();
-  return std::ranges::any_of(waiting_, cuts_short, &Waiting::message);
+  return run_is_to_end() || (session.running && !waiting_.empty());
+}
+
+bool ServedSession::run_is_to_end() const {
+  return (interrupted && interrupted()) ||
+         std::ranges::any_of(waiting_, ends_run, &Waiting::message);
 }
 
 // Also within a step, which may take long.

@@ -48,6 +48,7 @@ class ServedSession {
   };
 
   bool listen(const Session& session);
+  bool run_is_to_end() const;
   void look_up();
   void take_messages(std::chrono::milliseconds wait);
   void hear(const ClientText& text);

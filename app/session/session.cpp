@@ -202,7 +202,9 @@ RunStop Session::run(const RunUntil& until) {
     if (until.phase_end && protocol().state().phase != first_phase) return RunStop::phase_end;
     if (until.condition && until.condition(*this)) return RunStop::condition;
     if (stop_asked && stop_asked(*this)) return RunStop::cut_short;
-    failed_ = sampled_run_->advance() == Progress::failed;
+    const Progress progress = sampled_run_->advance();
+    if (progress == Progress::given_up) return RunStop::cut_short;
+    failed_ = progress == Progress::failed;
   }
 }
 

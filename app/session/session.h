@@ -35,7 +35,7 @@ enum class RunStop : std::uint8_t {
   condition,
   finished,  // the last phase ended
   failed,    // see Protocol::failure()
-  cut_short  // by Session::stop_asked
+  cut_short  // by Session::stop_asked, or by `meanwhile` within a step
 };
 std::string_view word_of(RunStop stop);
 
@@ -66,8 +66,8 @@ class Session {
   // Asked after every step; true cuts a run short. May be empty.
   std::function<bool(const Session&)> stop_asked;
   // Called now and then while a step is solved, when the world is still as it was before the step. May change views, not
-  // what is computed. May be empty.
-  std::function<void()> meanwhile;
+  // what is computed. True gives the step up, which cuts the run short. May be empty.
+  std::function<bool()> meanwhile;
 
   // A checkpoint with which run --continue goes on, too. Throw InputError.
   void save(const std::filesystem::path& file) const;

@@ -193,29 +193,43 @@ std::optional<std::string> Widgets::combo(const Label& label,
                                           const std::vector<std::string>& choices,
                                           const std::string& chosen,
                                           const std::vector<std::string>& helps) {
+  if (!begin_list(label, chosen)) return std::nullopt;
+  std::optional<std::string> given;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (choice(choices[i], choices[i] == chosen)) given = choices[i];
+    if (i < helps.size()) tooltip(helps[i]);
+  }
+  end_list(label, chosen);
+  return given;
+}
+
+bool Widgets::begin_list(const Label& label, const std::string& chosen) {
   line_label(label);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-  const bool open =
-      ImGui::BeginCombo(("###" + path(label.name)).c_str(), chosen.c_str(), ImGuiComboFlags_None);
-  std::optional<std::string> given;
-  if (open) {
-    // The popup is the present window now, the combo no longer the last item: it is written down below.
+  if (ImGui::BeginCombo(("###" + path(label.name)).c_str(), chosen.c_str(),
+                        ImGuiComboFlags_HeightLarge)) {
     prefix_ += label.name + "/";
-    for (std::size_t i = 0; i < choices.size(); ++i) {
-      if (ImGui::Selectable((choices[i] + "###" + path(choices[i])).c_str(),
-                            choices[i] == chosen)) {
-        given = choices[i];
-      }
-      record(choices[i], Widget::Kind::choice);
-      if (i < helps.size()) tooltip(helps[i]);
-    }
-    end_section();
-    if (close_lists_) ImGui::CloseCurrentPopup();
-    ImGui::EndCombo();
+    return true;
   }
   record(label.name, Widget::Kind::combo, chosen);
-  if (!open) tooltip(label.help);
+  tooltip(label.help);
+  return false;
+}
+
+bool Widgets::choice(const std::string& text, bool now, bool stays_open) {
+  const bool given = ImGui::Selectable(
+      (text + "###" + path(text)).c_str(), now,
+      stays_open ? ImGuiSelectableFlags_DontClosePopups : ImGuiSelectableFlags_None);
+  record(text, Widget::Kind::choice);
   return given;
+}
+
+void Widgets::end_list(const Label& label, const std::string& chosen) {
+  // Until here the popup was the present window, and the combo not the last item.
+  end_section();
+  if (close_lists_) ImGui::CloseCurrentPopup();
+  ImGui::EndCombo();
+  record(label.name, Widget::Kind::combo, chosen);
 }
 
 std::optional<double> Widgets::number(const Label& label, double value, bool integer) {

@@ -72,6 +72,11 @@ class Widgets {
   std::optional<std::string> combo(const Label& label, const std::vector<std::string>& choices,
                                    const std::string& chosen,
                                    const std::vector<std::string>& helps = {});
+  // A list that opens from a line with the chosen one. If true, its choices follow, then end_list().
+  bool begin_list(const Label& label, const std::string& chosen);
+  // Returns whether it is chosen now, which closes the list or not.
+  bool choice(const std::string& text, bool now = false, bool stays_open = false);
+  void end_list(const Label& label, const std::string& chosen);
   // By dragging, or typed after a click with control held.
   std::optional<double> number(const Label& label, double value, bool integer);
   std::optional<std::string> text(const Label& label, const std::string& value);

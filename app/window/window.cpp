@@ -10,9 +10,10 @@
 #include "app/commands/console.h"
 #include "app/commands/session_file.h"
 #include "app/run_folder/run_folder.h"
+#include "app/scene/opening.h"
 #include "app/window/display.h"
-#include "app/window/first_command.h"
 #include "app/window/interaction_recording.h"
+#include "app/window/recent_files.h"
 #include "app/window/step_rate.h"
 #include "core/base/errors.h"
 #include "core/base/whole_file.h"
@@ -31,7 +32,7 @@ class Window {
         folder_{options.out.empty() ? fs::path("out") / "window" : options.out},
         console_({folder_.path, fs::current_path()}, options.scale) {
     make_writable(folder_);
-    console_.given = [this](const Json& command) { interactions_.add(command); };
+    console_.given = [this](const Json& command) { remember(command); };
     console_.computed = [this](std::int64_t steps) {
       interactions_.add_steps(steps);
       rate_.add(steps, console_.session().protocol());
@@ -40,7 +41,10 @@ class Window {
     console_.session().stop_asked = [this](const Session&) {
       return closed_ || console_.commands_wait() || watch_.interrupted();
     };
-    console_.session().meanwhile = [this] { show_within_step(); };
+    console_.session().meanwhile = [this] {
+      show_within_step();
+      return closed_ || console_.step_is_given_up() || watch_.interrupted();
+    };
     begin();
   }
 
@@ -91,7 +95,8 @@ class Window {
   static constexpr std::chrono::seconds kRecordingPeriod{2};
 
   void begin() {
-    do_now(first_command(options_.file));
+    console_.panel().set_recent(recent_.paths());
+    do_now(opening_command(options_.file));
     // A recording shows what a session does, nothing for the hand.
     if (console_.recording) return;
     console_.panel().show_hint(console_.session().timeline() != nullptr ? kRunHint : kHint);
@@ -99,7 +104,12 @@ class Window {
 
   void do_now(const Json& command) {
     console_.perform(command, options_.file);
+    remember(command);
+  }
+
+  void remember(const Json& command) {
     interactions_.add(command);
+    if (recent_.add(command)) console_.panel().set_recent(recent_.paths());
   }
 
   void show() {
@@ -145,6 +155,7 @@ class Window {
   GuiInput input_;
   Clock::time_point shown_ = Clock::now();
   InteractionRecording interactions_;
+  RecentFiles recent_{RecentFiles::usual_place()};
   Clock::time_point interactions_written_ = Clock::now();
   Clock::time_point looked_ = Clock::now();  // for new samples of a run
   StepRate rate_;

@@ -98,6 +98,7 @@ bool InteriorPoint::finish(const ContactProblem& problem, const SolverSettings& 
 
 SolveReport InteriorPoint::relax(const ContactProblem& problem, const SolverSettings& settings,
                                  ContactState& state) {
+  WorkClock::look_up(clock_);
   SolveReport report;
   {
     const WorkClock::Span span(clock_, Work::sweeps);

@@ -29,6 +29,20 @@ void Protocol::take_up() { running_ = phase() ? running(*phase()) : nullptr; }
 
 Progress Protocol::advance() {
   if (!running_) return Progress::finished;
+  if (!clock().meanwhile) return go_on();
+  kept_ = {world_, state_, report_};
+  try {
+    return go_on();
+  } catch (const GivenUp&) {
+    std::swap(world_, kept_.world);
+    state_ = kept_.state;
+    report_ = kept_.report;
+    take_up();
+    return Progress::given_up;
+  }
+}
+
+Progress Protocol::go_on() {
   if (!state_.entered) enter();
   running_->before_step(stage_);
   if (running_->finished(stage_)) return end_phase();

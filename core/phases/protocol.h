@@ -15,7 +15,8 @@ enum class Progress : std::uint8_t {
   running,      // a step was made
   phase_ended,  // a step was made (or none was needed) and a phase ended
   finished,     // nothing left to do
-  failed        // the last step did not converge and the scene says stop, or was not finite
+  failed,       // the last step did not converge and the scene says stop, or was not finite
+  given_up      // WorkClock::meanwhile asked for it in mid step: all is as it was before the step
 };
 
 class Protocol {
@@ -40,7 +41,8 @@ class Protocol {
   // The force on the centre of a body from now on, besides its weight [F_g].
   void apply(int body, const Vec2& force);
 
-  // Where the time of the steps goes; who does other work in between may tell it, too.
+  // Where the time of the steps goes; who does other work in between may tell it, too. With `meanwhile` in it, steps can
+  // be given up, and each takes a copy of the world first.
   WorkClock& clock() { return stepper_.clock(); }
 
   // `watch` sees each contact problem of the steps to come before it is solved.
@@ -59,6 +61,7 @@ class Protocol {
   const std::string& failure() const { return failure_; }
 
  private:
+  Progress go_on();
   bool make_step(const Phase& phase);
   bool try_step(const StepSettings& step, int halvings_left);
   void enter();
@@ -72,6 +75,11 @@ class Protocol {
   ProtocolState state_;
   Stepper stepper_;
   StepReport report_;
+  struct Kept {
+    World world;
+    ProtocolState state;
+    StepReport report;
+  } kept_;       // of before a step that can be given up
   Stage stage_;  // of these three
   std::unique_ptr<RunningPhase> running_;
   std::string failure_;

@@ -37,6 +37,9 @@ inline constexpr std::array<std::string_view, static_cast<std::size_t>(Work::kin
 
 using WorkSeconds = std::array<double, static_cast<std::size_t>(Work::kinds)>;
 
+// Thrown out of a computation that WorkClock::meanwhile gives up.
+struct GivenUp {};
+
 class WorkClock {
  public:
   // From its beginning to its end this work is done, on a clock that may be null.
@@ -69,14 +72,14 @@ class WorkClock {
     std::int64_t not_converged = 0;
   } counts;
 
-  // Does what need not wait until a long computation ends. It must not change what is computed with, nor throw. May be
-  // empty.
-  std::function<void()> meanwhile;
-  // Where a computation has come to a place at which something else may be done.
+  // Does what need not wait until a long computation ends; true gives the computation up. It must not change what is
+  // computed with, nor throw. May be empty.
+  std::function<bool()> meanwhile;
+  // Where a computation has come to a place at which something else may be done. Throws GivenUp.
   static void look_up(WorkClock* clock) {
     if (!clock || !clock->meanwhile) return;
     const Span span(clock, Work::other);
-    clock->meanwhile();
+    if (clock->meanwhile()) throw GivenUp{};
   }
 
  private:

@@ -125,7 +125,7 @@ SolveReport ContactSolver::by_method(const ContactProblem& problem, const Solver
       return methods_->interior_point.solve(problem, settings, 1, state);
     case Method::gauss_seidel: {
       const WorkClock::Span span(clock_, Work::sweeps);
-      return solve_gauss_seidel(problem, settings, state);
+      return solve_gauss_seidel(problem, settings, state, clock_);
     }
   }
   return {};

@@ -68,6 +68,7 @@ SolveReport Stepper::solve_once(World& world, const StepSettings& step,
                                 const SolverSettings& settings, bool repeated, SolverStage from) {
   Scratch& s = *scratch_;
   if (step.nscd) {
+    WorkClock::look_up(&s.clock);
     // Its own stream, so that scenes draw the same places and sizes whatever the order of the sweeps.
     constexpr std::uint64_t kOfSweeps = 0x5357454550530000ULL;
     if (!world.sweep_random && step.nscd->order == SweepOrder::random)

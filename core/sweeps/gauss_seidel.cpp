@@ -15,7 +15,7 @@ constexpr int kSweepsBetweenChecks = 20;
 }  // namespace
 
 SolveReport solve_gauss_seidel(const ContactProblem& problem, const SolverSettings& settings,
-                               ContactState& state) {
+                               ContactState& state, WorkClock* clock) {
   std::vector<Vec3> inverse;
   inverse_delassus(problem, inverse);
   SolveReport report;
@@ -27,6 +27,7 @@ SolveReport solve_gauss_seidel(const ContactProblem& problem, const SolverSettin
   converged_now();
   if (!report.converged) report.stage = SolverStage::polish;
   while (!report.converged && report.iterations < settings.max_iterations) {
+    WorkClock::look_up(clock);
     const auto sweeps =
         std::min<std::int64_t>(kSweepsBetweenChecks, settings.max_iterations - report.iterations);
     with_components(problem, [&]<int Components> {

@@ -8,10 +8,10 @@
 #include <string>
 #include <thread>
 
+#include "app/scene/opening.h"
 #include "app/serve/served_session.h"
 #include "app/web/server.h"
 #include "app/web/web_socket_client.h"
-#include "app/window/first_command.h"
 #include "tests/support/temporary_folder.h"
 
 namespace quicksand::test {
@@ -21,7 +21,7 @@ class SessionServer {
   // `file`: a scene, or the folder of a run.
   explicit SessionServer(const std::string& file = "chain", ServerLimits limits = {})
       : live_({folder_.path(), false}, exchange_) {
-    live_.begin(first_command(file));
+    live_.begin(opening_command(file));
     server_.emplace(
         ServerOptions{.token = kToken, .folder = folder_.path(), .limits = limits},
         PageParts{{"/", {"text/html", std::make_shared<const std::string>("the page")}}},

@@ -234,8 +234,8 @@ Command add_campaign(CLI::App& program) {
       "same\n"
       "command again repeats no run that has finished; of more realizations, a longer list or "
       "more\n"
-      "values of the grid's first parameter it computes what is new. Ctrl-C ends all runs after "
-      "their present step.\n\n"
+      "values of the grid's first parameter it computes what is new. Ctrl-C ends all runs and "
+      "gives up their present steps.\n\n"
       "Examples:\n"
       "  quicksand campaign assets/campaigns/packing.json --threads 2\n"
       "  quicksand campaign assets/campaigns/packing.json --engine slurm --wait");

@@ -16,9 +16,9 @@ Command add_window(CLI::App& program) {
       ->add_option(
           "file", options->file,
           "scene, by name or path, the folder of a run that is walked through, finished or "
-          "still computing, or a session that is played before the window opens; the demo "
-          "if absent")
-      ->type_name("SCENE|DIR|SESSION");
+          "still computing, a saved state, or a session that is played before the window opens; "
+          "the demo if absent")
+      ->type_name("SCENE|DIR|STATE|SESSION");
   command
       ->add_option("--record", options->record,
                    "write what was done by hand as a session file that replays to the same state")

@@ -207,36 +207,48 @@ TEST_F(PanelTest, SaysBesideTheControlWhyAValueWasRefused) {
   EXPECT_EQ(widget("Parameters/Contacts/friction refused"), nullptr);
 }
 
-// A step that takes long: the panel goes on, what only looks is done at once, and what acts waits for the step's end.
+// A step that takes long: the panel goes on, what only looks is done at once, a pause gives the step up, and what else
+// acts waits for its end.
 TEST_F(PanelTest, LivesWithinAStep) {
   load();
   perform({{"command", "run"}, {"phase_end", true}});
+  perform({{"command", "set"}, {"path", "solver.method"}, {"value", "gauss_seidel"}});
+  perform({{"command", "set"}, {"path", "contact.friction"}, {"value", 0.25}});
   const GuiInput nothing;
   console().panel_frame(nothing, kWidth, kHeight);
   GuiInput zoom{.mouse = Vec2(0.7 * kWidth, 0.5 * kHeight), .wheel = 1};
+  GuiInput undo{.mouse = Vec2(-1, -1), .keys = {Key::control, Key::z}};
   GuiInput pause{.mouse = Vec2(-1, -1), .keys = {Key::space}};
   const double before = console().panel().view_camera()->scale();
   const std::int64_t first = session().world().step;
-  int frames = 0;
+  std::vector<GuiInput> given{nothing, zoom, undo};
+  std::size_t frames = 0;
   session().meanwhile = [&] {
-    if (++frames > 3) return;
-    const Image picture = console().look(frames == 1   ? nothing
-                                         : frames == 2 ? zoom
-                                                       : pause,
-                                         kWidth, kHeight);
-    EXPECT_EQ(picture.width, kWidth);
-    EXPECT_EQ(session().world().step, first) << "the world of before the step";
+    if (frames < given.size()) {
+      const Image picture = console().look(given[frames++], kWidth, kHeight);
+      EXPECT_EQ(picture.width, kWidth);
+      EXPECT_EQ(session().world().step, first + (frames > 3 ? 1 : 0))
+          << "the world of before the step";
+    }
+    return console().step_is_given_up();
   };
   session().stop_asked = [&](const Session&) { return console().commands_wait(); };
   session().running = true;
   session().steps_per_frame = 5;
   console().panel_frame(nothing, kWidth, kHeight);
-  ASSERT_GT(frames, 2);
-  EXPECT_EQ(session().world().step, first + 1) << "the pause ends the frame after the step";
+  ASSERT_EQ(frames, given.size());
+  EXPECT_EQ(session().world().step, first + 1) << "a change ends the frame after the step";
+  EXPECT_EQ(session().last_change(), "contact.friction");
+
+  given.push_back(pause);
+  console().panel_frame(nothing, kWidth, kHeight);
+  EXPECT_EQ(session().last_change(), "solver.method") << "done before the next step";
+  EXPECT_EQ(session().world().step, first + 1) << "the step was given up";
   EXPECT_TRUE(session().running);
   console().panel_frame(nothing, kWidth, kHeight);
   EXPECT_FALSE(session().running);
   EXPECT_FALSE(console().commands_wait());
+  EXPECT_EQ(session().world().step, first + 1);
   EXPECT_GT(console().panel().view_camera()->scale(), 1.05 * before);
 }
 

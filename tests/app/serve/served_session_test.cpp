@@ -126,15 +126,14 @@ TEST(ServedSession, ChangesTheViewWhileAStepIsSolved) {
     served.begin({{"command", "set"}, {"path", "solver.method"}, {"value", "interior_point"}});
     Session& session = served.console().session();
     bool asked = false;
-    const std::function<void()> look_up = session.meanwhile;
-    session.meanwhile = [&] {
-      if (!looks || asked) return;
+    const std::function<bool()> look_up = session.meanwhile;
+    const auto look_at_it = [&] {
       asked = true;
       exchange.want_frame_after(exchange.newest(Newest::frame).number);
       exchange.give({1, R"({"command": "view", "colour": "speed", "id": 7})"});
       exchange.give({1, R"({"command": "pick", "body": 1, "id": 8})"});
       const std::int64_t step = session.world().step;
-      look_up();
+      EXPECT_FALSE(look_up());
       EXPECT_EQ(session.world().step, step);
       EXPECT_EQ(session.view.colouring, Colouring::speed);
       const std::vector<ClientText> answers = exchange.take_answers();
@@ -143,11 +142,32 @@ TEST(ServedSession, ChangesTheViewWhileAStepIsSolved) {
       EXPECT_EQ(session.picked, 1);
       EXPECT_NE(exchange.newest(Newest::frame).bytes, nullptr);
     };
+    session.meanwhile = [&] {
+      if (looks && !asked) look_at_it();
+      return false;
+    };
     served.begin({{"command", "run"}, {"steps", 6}});
     EXPECT_EQ(asked, looks);
     hashes.push_back(world_hash(session.world()));
   }
   EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+// A pause does not wait for the end of a step that takes long, and what has been computed replays.
+TEST(ServedSession, GivesAStepUpForAPause) {
+  const TemporaryFolder folder;
+  Exchange exchange;
+  ServedSession served({folder.path()}, exchange);
+  served.begin({{"command", "load"}, {"scene", "chain"}});
+  served.begin({{"command", "set"}, {"path", "solver.method"}, {"value", "interior_point"}});
+  Session& session = served.console().session();
+  session.meanwhile = [&, look_up = session.meanwhile] {
+    exchange.give({1, R"({"command": "pause"})"});
+    return look_up();
+  };
+  const Json ended = served.console().perform({{"command", "run"}, {"steps", 6}});
+  EXPECT_EQ(ended["ended_by"], word_of(RunStop::cut_short));
+  EXPECT_EQ(session.world().step, 0);
 }
 
 // Its steps are not all counted before the slice that computes them ends.
