@@ -33,6 +33,7 @@ struct Bond {
   Pair pair;
   BondState state = BondState::active;
   bool initial = false;  // counted among the initial bonds (see Bonds::mark_initial)
+  bool operator==(const Bond&) const = default;
 };
 
 struct Bonds {

@@ -20,6 +20,8 @@ struct Contact {
   double turning =
       0;  // kappa by which the step of a bond was solved, see turning_rate(); not kept [g]
 
+  bool operator==(const Contact&) const = default;
+
   // Both given the step that the impulses were computed with: R_n, positive where it pushes apart, and the resultant
   // force on b [F_g].
   double normal_force(double dt) const { return impulse.x() / dt - cohesion; }

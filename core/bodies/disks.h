@@ -31,6 +31,7 @@ struct Disks {
   std::vector<double> mass;        // (nd) [grain masses]
   std::vector<Vec3> inverse_mass;  // (nd) (1/m, 1/m, 1/I), zero if fixed
   std::vector<Role> role;          // (nd)
+  bool operator==(const Disks&) const = default;
 
   int size() const { return static_cast<int>(position.size()); }
   double inertia(int i) const { return mass[i] * radius[i] * radius[i] / 2; }

@@ -21,6 +21,7 @@ struct Wall {
   // Inverse mass for (x, y, rotation): a wall with mass moves along its normal only, which must
   // then be parallel to x or y; others do not respond to forces.
   Vec3 inverse_mass() const;
+  bool operator==(const Wall&) const = default;
 };
 
 // What bodies that fall come to lie on.

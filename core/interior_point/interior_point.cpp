@@ -6,6 +6,7 @@
 
 #include "core/interior_point/path_tuning.h"
 #include "core/problem/residual.h"
+#include "core/problem/rest.h"
 
 namespace quicksand {
 
@@ -208,7 +209,7 @@ SolveReport InteriorPoint::solve(const ContactProblem& problem, const SolverSett
   // The start counts: what is handed on is never worse than what came in.
   path.measure();
   path.best = settings.distance(report.residual);
-  if (path.best <= SolverSettings::kAsItIs) return report;
+  if (taken_as_it_is(problem, settings, report.residual, state.velocity)) return report;
   matrix_.attach(problem);
   if (report.converged && finish(problem, settings, state, report)) return report;
   start(problem, shift, state);

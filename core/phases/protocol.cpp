@@ -30,7 +30,9 @@ void Protocol::take_up() { running_ = phase() ? running(*phase()) : nullptr; }
 Progress Protocol::advance() {
   if (!running_) return Progress::finished;
   if (!clock().meanwhile) return go_on();
-  kept_ = {world_, state_, report_};
+  kept_.world = world_;  // into the memory of the last one
+  kept_.state = state_;
+  kept_.report = report_;
   try {
     return go_on();
   } catch (const GivenUp&) {

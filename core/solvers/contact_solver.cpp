@@ -5,6 +5,7 @@
 
 #include "core/interior_point/interior_point.h"
 #include "core/problem/residual.h"
+#include "core/problem/rest.h"
 #include "core/solvers/local.h"
 #include "core/sweeps/gauss_seidel.h"
 #include "core/sweeps/relaxation.h"
@@ -56,7 +57,7 @@ SolveReport run_chain(const ContactProblem& problem, const SolverSettings& setti
   if (from > SolverStage::local) {
     const WorkClock::Span span(methods.clock, Work::residual);
     report.residual = residual(problem, state);
-    report.converged = settings.distance(report.residual) <= SolverSettings::kAsItIs;
+    report.converged = taken_as_it_is(problem, settings, report.residual, state.velocity);
   } else {
     const WorkClock::Span span(methods.clock, Work::local_solver);
     report = methods.local.solve(problem, settings, state);

@@ -7,6 +7,7 @@
 #include "core/problem/delassus.h"
 #include "core/problem/projection.h"
 #include "core/problem/residual.h"
+#include "core/problem/rest.h"
 
 namespace quicksand {
 
@@ -190,7 +191,7 @@ SolveReport LocalSolver::solve(const ContactProblem& problem, const SolverSettin
                                ContactState& state) {
   SolveReport report;
   report.residual = residual(problem, state);
-  report.converged = settings.distance(report.residual) <= SolverSettings::kAsItIs;
+  report.converged = taken_as_it_is(problem, settings, report.residual, state.velocity);
   // Without rolling friction no contact holds rigidly.
   if (report.converged || problem.components < 3) return report;
   const double admissible = settings.tolerance * problem.force_scale * problem.dt;

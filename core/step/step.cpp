@@ -5,10 +5,12 @@
 #include <cmath>
 
 #include "core/bodies/sorted_cursor.h"
+#include "core/problem/rest.h"
 #include "core/solvers/contact_solver.h"
 #include "core/step/assemble.h"
 #include "core/step/energy_criterion.h"
 #include "core/step/lengths.h"
+#include "core/step/resting_step.h"
 #include "core/world/neighbors.h"
 #include "core/world/shaped_contact.h"
 
@@ -37,6 +39,7 @@ struct Stepper::Scratch {
   EnergyCriterion energy_criterion;
   std::vector<BondBreak> breaks;
   std::vector<Pair> formed;
+  RestingStep resting;
 };
 
 Stepper::Stepper() : scratch_(std::make_unique<Scratch>()) {}
@@ -168,6 +171,11 @@ StepReport Stepper::advance(World& world, const StepSettings& step,
                             const SolverSettings& settings) {
   Scratch& s = *scratch_;
   const auto begin = std::chrono::steady_clock::now();
+  if (const StepReport* repeated = s.resting.repeated(world, step, settings)) {
+    world.time += step.dt;
+    ++world.step;
+    return *repeated;
+  }
   StepReport report;
   free_velocities(world, step.dt, s.free_velocity);
   report.bad_body = first_not_finite(s.free_velocity);
@@ -206,6 +214,9 @@ StepReport Stepper::advance(World& world, const StepSettings& step,
   if (!report.taken) return report;
 
   const WorkClock::Span moving(&s.clock, Work::motion);
+  const bool rests =
+      report.converged && !step.nscd && at_rest(s.problem, settings, s.state.velocity);
+  if (rests) std::ranges::fill(s.state.velocity, Vec3::Zero());
   if (step.nscd) report.sweeps = swept_step(s.problem, s.state, report.solve.residual);
   update_bonds(world, step, report);
   report.energy = energy_balance(world, s.contacts, s.problem, s.state.velocity, step.dt);
@@ -215,6 +226,7 @@ StepReport Stepper::advance(World& world, const StepSettings& step,
   world.time += step.dt;
   ++world.step;
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (rests) s.resting.ended(world, step, settings, report);
   return report;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <tuple>
 
 #include "core/base/fnv.h"
 #include "core/world/neighbors.h"
@@ -69,6 +70,15 @@ void remove_last_wall(World& world) {
       world.bonds.list, [&](const Bond& bond) { return bond.pair.b == body && bond.initial; });
   std::erase_if(world.bonds.list, [&](const Bond& bond) { return bond.pair.b == body; });
   std::erase_if(world.contacts, [&](const Contact& contact) { return contact.pair.b == body; });
+}
+
+bool same_but_for_time(const World& one, const World& other) {
+  const auto state = [](const World& w) {
+    return std::tie(w.bonding, w.rebonding, w.impulse_dt, w.gravity, w.drag, w.grain_law,
+                    w.wall_law, w.intruder_law, w.box, w.walls, w.shapes, w.bonds.list, w.contacts,
+                    w.disks);
+  };
+  return state(one) == state(other);
 }
 
 namespace {

@@ -71,6 +71,9 @@ std::vector<Pair> bondable_pairs(const World& world);
 // count as broken.
 void remove_last_wall(World& world);
 
+// Whether they differ in nothing that a step reads or changes but the time.
+bool same_but_for_time(const World& one, const World& other);
+
 // 64-bit hash of everything that decides the future of the world, bit by bit.
 std::uint64_t world_hash(const World& world);
 

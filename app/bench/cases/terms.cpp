@@ -41,6 +41,8 @@ Scenario heap(const Options& options) {
   for (int row = 0; row < rows; ++row)
     for (int k = 0; k < rows - row % 2; ++k)
       scene.disks.push_back({.position = {0.5 + 0.5 * (row % 2) + k, 0.5 + row * rise}});
+  // One that passes by above: of a world at rest no further step would be computed.
+  scene.disks.push_back({.position = {0.5, rows - 0.5}, .velocity = {1, 0}, .fixed = true});
   return scene;
 }
 
