@@ -89,6 +89,7 @@ class Window {
       "Press space to run and to pause. Drag a grain to pull at it, turn the wheel to zoom.";
   static constexpr const char* kRunHint =
       "Press space to play and to pause, the arrows to go by one sample. Drag along the timeline.";
+  static constexpr std::chrono::milliseconds kShortestFrame{20};  // within a step
   static constexpr std::chrono::milliseconds kLongestFreeze{50};
   static constexpr int kLively = 4;
   static constexpr int kIdle = 100;  // [ms]
@@ -120,10 +121,12 @@ class Window {
     display_->present(console_.panel_frame(input_, display_->width(), display_->height()));
   }
 
-  // The window does not freeze while a step takes long.
+  // The window does not freeze while a step takes long: it shows soon what a hand does.
   void show_within_step() {
-    if (!display_ || closed_ || Clock::now() - shown_ < kLongestFreeze) return;
+    const Clock::duration frozen = Clock::now() - shown_;
+    if (!display_ || closed_ || frozen < kShortestFrame) return;
     closed_ = !display_->poll(input_, 0);
+    if (!display_->something_happened() && frozen < kLongestFreeze) return;
     display_->present(console_.look(input_, display_->width(), display_->height()));
     shown_ = Clock::now();
   }

@@ -25,7 +25,8 @@ export class Timeline {
       return made;
     };
     this.strip = element("canvas", {"aria-hidden": "true"});
-    this.slider = element("input", {type: "range", min: 0, max: 0, step: 1, value: 0, "aria-label": "Sample", title: "Arrow keys go by one sample, Home and End to the ends"});
+    // Over time, as the strip is; by keys it goes from sample to sample.
+    this.slider = element("input", {type: "range", min: 0, max: 0, step: "any", value: 0, "aria-label": "Time", title: "Arrow keys go by one sample, Home and End to the ends"});
     this.play = button("Play", "Plays or pauses; also by the space bar on the picture", () => this.play_or_pause());
     this.speed = element("input", {type: "number", min: 0.01, max: 1000, step: "any", "aria-label": "Speed, samples a picture", title: "Samples between two pictures"});
     this.loop = element("input", {type: "checkbox"});
@@ -37,7 +38,8 @@ export class Timeline {
       button("Back", "One sample back", () => this.step(-1)), this.play, button("Forward", "One sample on", () => this.step(1)),
       element("label", {}, "Speed", this.speed), element("label", {}, this.loop, "Loop"), element("label", {}, "Phase", this.phase),
       this.place, this.go_on));
-    this.slider.addEventListener("input", () => this.show(Number(this.slider.value)));
+    this.slider.addEventListener("input", () => this.show_nearest(Number(this.slider.value)));
+    this.slider.addEventListener("keydown", (e) => this.press(e));
     this.speed.addEventListener("change", () => this.speed.validity.valid && this.speed.value &&
       commands.tried("play", {on: this.now.playing, speed: Number(this.speed.value)}));
     this.loop.addEventListener("change", () => commands.tried("play", {on: this.now.playing, loop: this.loop.checked}));
@@ -63,10 +65,23 @@ export class Timeline {
     this.showing = false;
   }
 
+  press(event) {
+    const ends = this.now.samples - 1, from = this.wanted ?? this.now.sample;
+    const to = {ArrowLeft: from - 1, ArrowDown: from - 1, ArrowRight: from + 1, ArrowUp: from + 1, Home: 0, End: ends}[event.key];
+    if (to === undefined) return;
+    event.preventDefault();
+    this.show(Math.min(ends, Math.max(0, to)));
+  }
+
   point(event) {
     if (!this.run) return;
     const {sample_times: times} = this.run, share = Math.min(1, Math.max(0, event.offsetX / this.strip.clientWidth));
-    const time = times[0] + share * (times.at(-1) - times[0]);
+    this.show_nearest(times[0] + share * (times.at(-1) - times[0]));
+  }
+
+  show_nearest(time) {
+    if (!this.run) return;
+    const {sample_times: times} = this.run;
     let best = 0;
     times.forEach((t, k) => { if (Math.abs(t - time) <= Math.abs(times[best] - time)) best = k; });
     this.show(best);
@@ -82,6 +97,7 @@ export class Timeline {
       const once = spans.filter((s, i) => spans.findIndex((other) => other.phase === s.phase) === i);
       this.phase.replaceChildren(...once.map(({phase}) => element("option", {value: phase}, `${phase} ${run.phase_names[phase]}`)));
     }
+    if (this.now) this.place_slider();
     this.draw();
   }
 
@@ -91,8 +107,8 @@ export class Timeline {
     this.now = now;
     this.part.hidden = !now;
     if (!now) return;
-    this.slider.max = now.samples - 1;
-    if (!this.showing) this.slider.value = now.sample;
+    this.time = frame.time;
+    this.place_slider();
     this.slider.setAttribute("aria-valuetext", `time ${short(frame.time)}, phase ${frame.phase_name}`);
     this.play.textContent = now.playing ? "Pause" : "Play";
     this.play.classList.toggle("first", !now.playing);
@@ -101,6 +117,13 @@ export class Timeline {
     if (document.activeElement !== this.phase) this.phase.value = frame.phase;
     this.place.textContent = `sample ${now.sample + 1} of ${now.samples}`;
     this.draw();
+  }
+
+  // What is being dragged stays where it is.
+  place_slider() {
+    const {run, time} = this, times = run?.sample_times ?? [time];
+    Object.assign(this.slider, {min: times[0], max: Math.max(time, times.at(-1))});
+    if (!this.showing) this.slider.value = time;
   }
 
   draw() {

@@ -235,6 +235,7 @@ def compared(browser, window, view):
     browser.run(f"quicksand.picture.look({window})")
     browser.wait("!quicksand.frame().fitted && !quicksand.picture.looking")
     browser.wait(f"quicksand.frame().theme === '{view['theme']}'")
+    browser.wait("quicksand.picture.canvas.width === document.getElementById('view').clientWidth", what="the new size")
     settle(browser)
     size = browser.run("return quicksand.picture.size()")
     # Over the packing stands a line with the names of scene and phase, which the page shows elsewhere.
@@ -251,7 +252,7 @@ def compared(browser, window, view):
 
 def looks_like_the_program(browser, server):
     browser.resize(900, 560)
-    browser.wait("innerWidth === 900 && quicksand.picture.canvas.width === document.getElementById('view').clientWidth")
+    browser.wait("innerWidth === 900")
     worst = min(compared(browser, [2, -1, 24, 14], view) for view in [
         {"colour": "active_bonds", "theme": "light", "bonds": True, "orientation": True},
         {"colour": "pressure", "theme": "dark", "forces": True, "bonds": False}])
@@ -363,7 +364,8 @@ def walks_through_a_run(browser, server):
         page.open(walk.address)
         page.wait("quicksand.frame().timeline && quicksand.timeline.run", what="the timeline")
         last = page.run("return quicksand.frame().timeline.samples") - 1
-        assert last > 2 and page.run("return Number(document.querySelector('#timeline input[type=range]').value)") == last
+        place = "const s = document.querySelector('#timeline input[type=range]'); return (s.value - s.min) / (s.max - s.min)"
+        assert last > 2 and abs(page.run(place) - 1) < 1e-3
         names = page.run("return [...document.querySelectorAll('#timeline button, #timeline input, #timeline select')]"
                          ".filter((e) => !(e.textContent || e.ariaLabel || e.labels?.length)).map((e) => e.outerHTML)")
         assert not names, f"controls without a name: {names}"
@@ -381,6 +383,7 @@ def walks_through_a_run(browser, server):
         for kind in ("mousePressed", "mouseReleased"):
             page.mouse(kind, x + width / 2, y, button="left", buttons=1, clickCount=1)
         page.wait(f"quicksand.frame().timeline.sample > 1 && quicksand.frame().timeline.sample < {last}", what="a place on the strip")
+        assert 0.3 < page.run(place) < 0.7, "the slider is where the strip was pressed"
         page.screenshot(FOLDER / "timeline.png")
         page.run("[...document.querySelectorAll('#timeline button')].find((b) => b.textContent === 'Play').click()")
         page.wait(f"quicksand.frame().timeline.sample === {last} && !quicksand.frame().timeline.playing", 60, "the end")
