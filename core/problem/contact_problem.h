@@ -54,7 +54,6 @@ struct ContactProblem {
   double dt = 0;              // [sqrt(d/g)]
   double force_scale = 1;     // forces are measured relative to this [F_g]
   double velocity_scale = 1;  // and velocities relative to this [sqrt(g d)]
-  bool from_rest = false;     // whether no body moved before the step
   int components = 3;  // modelled: 1 normal (of disks), 2 and friction, 3 and rolling friction
   std::vector<Vec3> inverse_mass;    // (nb) (1/m, 1/m, 1/I)
   std::vector<Vec3> free_velocity;   // (nb) velocity at the end of the step without contacts

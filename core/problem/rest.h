@@ -13,12 +13,14 @@ namespace quicksand {
 bool at_rest(const ContactProblem& problem, const SolverSettings& settings,
              const std::vector<Vec3>& velocity);
 
-// Whether a start with this residual and these velocities is taken as it is. The errors of all contacts of a long chain
-// add up in the velocity of its end; so what begins at rest must stay at rest, or it is solved.
+// Whether a start with this residual and these velocities is taken as it is: where it is exact, or nearly so and all
+// bodies rest. What is wrong at the contacts of a branch adds up in the velocity of its end, and would be handed on from
+// step to step.
 inline bool taken_as_it_is(const ContactProblem& problem, const SolverSettings& settings,
                            const Residual& residual, const std::vector<Vec3>& velocity) {
-  return settings.distance(residual) <= SolverSettings::kAsItIs &&
-         (!problem.from_rest || at_rest(problem, settings, velocity));
+  const double distance = settings.distance(residual);
+  return distance == 0 ||
+         (distance <= SolverSettings::kAsItIs && at_rest(problem, settings, velocity));
 }
 
 }  // namespace quicksand

@@ -22,8 +22,7 @@ struct SolverSettings {
 
   bool operator==(const SolverSettings&) const = default;
 
-  // A start is taken as it is where its distance from acceptance is this. One that is just acceptable is
-  // not: what is wrong with its velocities would be handed on from step to step.
+  // A start at rest is taken as it is where its distance from acceptance is this; see rest.h.
   static constexpr double kAsItIs = 1e-5;
 
   // At most 1 where a solution is accepted: both the residual and the gap error count. The interior

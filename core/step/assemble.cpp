@@ -275,9 +275,6 @@ void build_problem(const World& world, const std::vector<Contact>& contacts,
   for (const Wall& wall : world.walls) problem.inverse_mass.push_back(wall.inverse_mass());
   if (world.drag) apply_drag(*world.drag, world.disks, step.dt, problem.inverse_mass);
   problem.free_velocity = free_velocity;
-  const auto zero = [](const auto& velocity) { return velocity.isZero(0); };
-  problem.from_rest = std::ranges::all_of(world.disks.velocity, zero) &&
-                      std::ranges::all_of(world.walls, zero, &Wall::velocity);
 
   const auto has = [&](auto term) {
     return world.grain_law.*term || world.wall_law.*term || world.intruder_law.*term;

@@ -51,6 +51,25 @@ TEST_P(Rest, IsComputedOnce) {
   }
 }
 
+// A branch that turns about its root by so little that the start is within the error there, and its end is not.
+TEST(RestBegins, InALongBranchThatSways) {
+  Scenario scene = cantilever(Method::automatic, 30, 1e6);
+  scene.solver = {};
+  World world = make_world(scene);
+  Stepper stepper;
+  for (int k = 0; k < 20; ++k) stepper.advance(world, scene.step, scene.solver);
+  const double error = 1e-5 * scene.solver.tolerance * 1e6 * scene.step.dt;
+  const double spin = 0.3 * error;
+  for (int i = 1; i < world.disks.size(); ++i)
+    world.disks.velocity[i] = Vec3(0, spin * world.disks.position[i].x(), spin);
+  ASSERT_GT(world.disks.velocity.back().y(), 5 * error);
+  for (int k = 0; k < 10; ++k) stepper.advance(world, scene.step, scene.solver);
+  const std::int64_t before = solutions(stepper);
+  for (int k = 0; k < 10; ++k) stepper.advance(world, scene.step, scene.solver);
+  EXPECT_EQ(solutions(stepper), before);
+  for (const Vec3& v : world.disks.velocity) EXPECT_EQ(v, Vec3(0, 0, 0));
+}
+
 // Each of these changes what the next step does, which an untouched stepper must see.
 TEST(RestEnds, WhenSomebodyActs) {
   const std::vector<std::function<void(World&, Scenario&)>> acts{
