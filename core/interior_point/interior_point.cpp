@@ -209,7 +209,7 @@ SolveReport InteriorPoint::solve(const ContactProblem& problem, const SolverSett
   // The start counts: what is handed on is never worse than what came in.
   path.measure();
   path.best = settings.distance(report.residual);
-  if (taken_as_it_is(problem, settings, report.residual, state.velocity)) return report;
+  if (taken_as_it_is(problem, settings, report.residual, state)) return report;
   matrix_.attach(problem);
   if (report.converged && finish(problem, settings, state, report)) return report;
   start(problem, shift, state);

@@ -4,15 +4,49 @@
 
 namespace quicksand {
 
-bool at_rest(const ContactProblem& problem, const SolverSettings& settings,
-             const std::vector<Vec3>& velocity) {
-  constexpr double kArm = 0.5;         // of a grain: what turns moves as fast at its rim [d]
+namespace {
+
+// The momentum of a body that counts as none [m sqrt(g d)].
+double least_momentum(const ContactProblem& problem, const SolverSettings& settings) {
   constexpr double kRounding = 1e-13;  // some hundred roundings of an impulse
   const double share = std::max(SolverSettings::kAsItIs * settings.tolerance, kRounding);
-  const double momentum = share * problem.force_scale * problem.dt;
+  return share * problem.force_scale * problem.dt;
+}
+
+bool moves(const Vec3& velocity, const Vec3& inverse_mass, double momentum) {
+  constexpr double kArm = 0.5;  // of a grain: what turns moves as fast at its rim [d]
+  const Vec3 most = momentum * Vec3(1, 1, kArm).cwiseProduct(inverse_mass);
+  return (velocity.array().abs() > most.array()).any();
+}
+
+}  // namespace
+
+bool bring_to_rest(const ContactProblem& problem, const SolverSettings& settings,
+                   std::vector<Vec3>& velocity) {
+  const double momentum = least_momentum(problem, settings);
+  bool all = true;
   for (std::size_t i = 0; i < velocity.size(); ++i) {
-    const Vec3 most = momentum * Vec3(1, 1, kArm).cwiseProduct(problem.inverse_mass[i]);
-    if ((velocity[i].array().abs() > most.array()).any()) return false;
+    if (moves(velocity[i], problem.inverse_mass[i], momentum))
+      all = false;
+    else
+      velocity[i].setZero();
+  }
+  return all;
+}
+
+bool taken_as_it_is(const ContactProblem& problem, const SolverSettings& settings,
+                    const Residual& residual, const ContactState& state) {
+  const double distance = settings.distance(residual);
+  if (distance == 0 || distance > SolverSettings::kAsItIs) return distance == 0;
+  const double momentum = least_momentum(problem, settings);
+  // That of a body that is held or moved from outside is no error.
+  const auto errs = [&](int body) {
+    const Vec3& inverse_mass = problem.inverse_mass[body];
+    return !inverse_mass.isZero(0) && moves(state.velocity[body], inverse_mass, momentum);
+  };
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+    const ContactRow& row = problem.contacts[c];
+    if (state.impulse[c].x() > 0 && (errs(row.a) || errs(row.b))) return false;
   }
   return true;
 }

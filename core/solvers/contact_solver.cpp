@@ -57,7 +57,7 @@ SolveReport run_chain(const ContactProblem& problem, const SolverSettings& setti
   if (from > SolverStage::local) {
     const WorkClock::Span span(methods.clock, Work::residual);
     report.residual = residual(problem, state);
-    report.converged = taken_as_it_is(problem, settings, report.residual, state.velocity);
+    report.converged = taken_as_it_is(problem, settings, report.residual, state);
   } else {
     const WorkClock::Span span(methods.clock, Work::local_solver);
     report = methods.local.solve(problem, settings, state);

@@ -191,7 +191,7 @@ SolveReport LocalSolver::solve(const ContactProblem& problem, const SolverSettin
                                ContactState& state) {
   SolveReport report;
   report.residual = residual(problem, state);
-  report.converged = taken_as_it_is(problem, settings, report.residual, state.velocity);
+  report.converged = taken_as_it_is(problem, settings, report.residual, state);
   // Without rolling friction no contact holds rigidly.
   if (report.converged || problem.components < 3) return report;
   const double admissible = settings.tolerance * problem.force_scale * problem.dt;

@@ -33,7 +33,10 @@ Ends expect_same_run(const Scenario& scene, int most) {
   int looks = 0, given_up_at = 0;
   broken.clock().meanwhile = [&] { return ++looks == given_up_at; };
   for (Progress here = Progress::running; here < Progress::finished;) {
-    const Bytes before = checkpoint_of(broken);
+    // A file takes its time to reach the disk.
+    const bool all = unbroken.world().step % 16 == 0;
+    const Bytes before = all ? checkpoint_of(broken) : Bytes();
+    const std::uint64_t hash = world_hash(broken.world());
     here = unbroken.advance();
     Progress there = Progress::given_up;
     for (given_up_at = 1; there == Progress::given_up; ++given_up_at) {
@@ -42,7 +45,10 @@ Ends expect_same_run(const Scenario& scene, int most) {
       there = broken.advance();
       if (there != Progress::given_up) break;
       ++ends.given_up;
-      EXPECT_EQ(checkpoint_of(broken), before) << "given up at look " << given_up_at;
+      EXPECT_EQ(world_hash(broken.world()), hash) << "given up at look " << given_up_at;
+      if (all) {
+        EXPECT_EQ(checkpoint_of(broken), before) << "given up at look " << given_up_at;
+      }
     }
     EXPECT_EQ(here, there) << "in step " << unbroken.world().step;
     EXPECT_EQ(world_hash(unbroken.world()), world_hash(broken.world()))

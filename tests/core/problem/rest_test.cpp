@@ -1,0 +1,36 @@
+// Which starts are taken as they are: a step of those costs a residual, of all others a solution.
+#include "core/problem/rest.h"
+
+#include <gtest/gtest.h>
+
+#include "core/phases/protocol.h"
+#include "core/scene/make_world.h"
+#include "core/scene/scenario.h"
+#include "tests/support/core/scenes.h"
+
+namespace quicksand {
+namespace {
+
+// A chain that hangs, and beside it what `moves`: how many steps of twenty are solved by more than a look.
+std::int64_t solved(Disk moves) {
+  Scenario scene = hanging_chain(Method::automatic, 10, 100);
+  moves.position = {5, 0};
+  scene.disks.push_back(moves);
+  scene.phases = {{SettlePhase{.max_time = 1e3, .until_rest = false}, 1e-2}};
+  Protocol protocol(scene, make_world(scene));
+  for (int k = 0; k < 20; ++k) protocol.advance();
+  const WorkClock::Counts before = protocol.clock().counts;
+  for (int k = 0; k < 20; ++k) protocol.advance();
+  const WorkClock::Counts& after = protocol.clock().counts;
+  EXPECT_EQ(after.solutions, before.solutions + 20) << "it moves, so all steps are computed";
+  return after.solutions - before.solutions - (after.by_stage[0] - before.by_stage[0]);
+}
+
+TEST(StartTakenAsItIs, OfAChainBesideAGrainThatFalls) { EXPECT_EQ(solved({}), 0); }
+
+TEST(StartTakenAsItIs, OfAChainBesideAGrainThatIsMoved) {
+  EXPECT_EQ(solved({.velocity = {1, 0}, .fixed = true}), 0);
+}
+
+}  // namespace
+}  // namespace quicksand
