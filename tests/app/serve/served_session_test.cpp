@@ -115,6 +115,12 @@ TEST(ServedSession, TheSeriesThatIsFetchedHasARowASample) {
   EXPECT_EQ(rows, 1 + server.stop().console().session().history().size());
 }
 
+// Of which each first step is solved by factorisations, between which the session looks up.
+void load_computed_chain(ServedSession& served) {
+  served.begin({{"command", "load"}, {"scene", "chain"}});
+  served.begin({{"command", "set"}, {"path", "solver.method"}, {"value", "interior_point"}});
+}
+
 // What changes the view alone does not wait for the end of a step, and changes nothing of it.
 TEST(ServedSession, ChangesTheViewWhileAStepIsSolved) {
   std::vector<std::uint64_t> hashes;
@@ -122,8 +128,7 @@ TEST(ServedSession, ChangesTheViewWhileAStepIsSolved) {
     const TemporaryFolder folder;
     Exchange exchange;
     ServedSession served({folder.path()}, exchange);
-    served.begin({{"command", "load"}, {"scene", "chain"}});
-    served.begin({{"command", "set"}, {"path", "solver.method"}, {"value", "interior_point"}});
+    load_computed_chain(served);
     Session& session = served.console().session();
     bool asked = false;
     const std::function<bool()> look_up = session.meanwhile;
@@ -158,8 +163,7 @@ TEST(ServedSession, GivesAStepUpForAPause) {
   const TemporaryFolder folder;
   Exchange exchange;
   ServedSession served({folder.path()}, exchange);
-  served.begin({{"command", "load"}, {"scene", "chain"}});
-  served.begin({{"command", "set"}, {"path", "solver.method"}, {"value", "interior_point"}});
+  load_computed_chain(served);
   Session& session = served.console().session();
   session.meanwhile = [&, look_up = session.meanwhile] {
     exchange.give({1, R"({"command": "pause"})"});
