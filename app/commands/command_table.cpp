@@ -1,7 +1,7 @@
 #include "app/commands/command_table.h"
 
 #include <algorithm>
-#include <array>
+#include <initializer_list>
 #include <iterator>
 
 #include "app/base/nearest_name.h"
@@ -82,17 +82,19 @@ const SessionCommand& command_of(const Json& command, const std::string& place) 
                place + ".command", described(*name) + " is no command");
 }
 
-bool only_looks(const Json& command) {
-  constexpr auto kNames = std::to_array<std::string_view>({"view", "camera", "pick"});
-  return std::ranges::find(kNames, command.at("command").get_ref<const std::string&>()) !=
-         kNames.end();
+namespace {
+
+bool is_one_of(std::initializer_list<std::string_view> names, const Json& command) {
+  return std::ranges::find(names, command.at("command").get_ref<const std::string&>()) !=
+         names.end();
 }
 
+}  // namespace
+
+bool only_looks(const Json& command) { return is_one_of({"view", "camera", "pick"}, command); }
+
 bool cuts_short(const Json& command) {
-  constexpr auto kNames =
-      std::to_array<std::string_view>({"pause", "load", "reset", "restore", "open", "quit"});
-  return std::ranges::find(kNames, command.at("command").get_ref<const std::string&>()) !=
-         kNames.end();
+  return is_one_of({"pause", "load", "reset", "restore", "open", "quit"}, command);
 }
 
 Json session_schema() {

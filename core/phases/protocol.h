@@ -75,12 +75,12 @@ class Protocol {
   ProtocolState state_;
   Stepper stepper_;
   StepReport report_;
+  Stage stage_;  // of these three
   struct Kept {
     World world;
     ProtocolState state;
     StepReport report;
-  } kept_;       // of before a step that can be given up
-  Stage stage_;  // of these three
+  } kept_;  // the same three, before a step that can be given up
   std::unique_ptr<RunningPhase> running_;
   std::string failure_;
 };
