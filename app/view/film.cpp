@@ -2,14 +2,23 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <string>
 
 #include "core/base/whole_file.h"
 #include "core/scene/scenario.h"
 #include "render/film/animation.h"
 #include "render/film/video.h"
+#include "render/picture/frame.h"
+#include "render/picture/renderer.h"
 
 namespace quicksand {
+
+namespace {
+
+constexpr std::size_t kLongestQueue = 2;  // worlds in memory that wait to be drawn
+
+}  // namespace
 
 View view_of(const Scenario& scenario, View view) {
   view.fit = scenario.box.width > 0 && scenario.box.height > 0 ? Fit::box : Fit::content;
@@ -35,25 +44,36 @@ std::string join_frames(const RunFolder& folder) {
 
 Film::Film(const RunFolder& folder, const Scenario& scenario, const View& view, std::int64_t first)
     : folder_(folder),
-      view_(view_of(scenario, view)),
-      title_(scenario.name),
       sequence_(folder.frames(), first),
+      drawing_(kLongestQueue,
+               [this, view = view_of(scenario, view), title = scenario.name] {
+                 check(view);
+                 // Shared because a std::function can be copied; no one copies it.
+                 return [this, view, title,
+                         renderer = std::make_shared<Renderer>()](const Moment& moment) {
+                   const auto caption = std::to_array<std::string>({title, moment.phase});
+                   sequence_.add(renderer->draw(moment.world, view, caption));
+                 };
+               }),
       secured_(first) {}
 
-void Film::add(const World& world, const std::string& phase) {
-  const auto caption = std::to_array<std::string>({title_, phase});
-  sequence_.add(renderer_.draw(world, view_, caption));
+void Film::add(const World& world, const std::string& phase) { drawing_.add({world, phase}); }
+
+void Film::wait() {
+  drawing_.finish();
+  sequence_.finish();
 }
 
 void Film::secure() {
-  sequence_.finish();
-  if (secured_ == frames()) return;
-  for (; secured_ < frames(); ++secured_) bring_to_disk(frame_path(folder_.frames(), secured_));
+  wait();
+  if (secured_ == sequence_.next()) return;
+  for (; secured_ < sequence_.next(); ++secured_)
+    bring_to_disk(frame_path(folder_.frames(), secured_));
   bring_to_disk(folder_.frames());
 }
 
 std::string Film::finish() {
-  sequence_.finish();
+  wait();
   return join_frames(folder_);
 }
 

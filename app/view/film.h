@@ -1,4 +1,5 @@
-// The frames of a run and the film made of them.
+// The frames of a run and the film made of them. Pictures are drawn on one thread and packed on another, while
+// the next step is computed.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +8,9 @@
 #include "app/run_folder/run_folder.h"
 #include "core/scene/scenario.h"
 #include "core/world/world.h"
+#include "render/base/view.h"
+#include "render/film/background.h"
 #include "render/film/sequence.h"
-#include "render/picture/renderer.h"
 
 namespace quicksand {
 
@@ -23,23 +25,28 @@ std::string join_frames(const RunFolder& folder);
 class Film {
  public:
   // Frames are numbered from `first`. Throws RenderError if this system cannot draw, InputError if
-  // the folder cannot be written.
+  // it cannot draw the view, or the folder cannot be written.
   Film(const RunFolder& folder, const Scenario& scenario, const View& view, std::int64_t first);
 
+  // A picture of a copy of the world; waits where drawing is far behind. Throws InputError if an earlier one could
+  // not be drawn or written.
   void add(const World& world, const std::string& phase);
   // Waits until the frames so far are on the disk. Throws InputError if one could not be written.
   void secure();
   // Waits for the frames and joins them. Returns what is missing, in a sentence, or nothing.
   std::string finish();
 
-  std::int64_t frames() const { return sequence_.next(); }
-
  private:
+  struct Moment {
+    World world;
+    std::string phase;
+  };
+
+  void wait();
+
   RunFolder folder_;
-  View view_;
-  std::string title_;
-  Renderer renderer_;
   Sequence sequence_;
+  Background<Moment> drawing_;
   std::int64_t secured_;  // frames with smaller numbers are on the disk
 };
 

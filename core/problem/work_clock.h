@@ -23,9 +23,9 @@ enum class Work : std::uint8_t {
   failure_criterion,  // what is not its solutions
   motion,             // of the bodies, with bonds and the energy balance
   measures,
-  drawing,
+  drawing,  // what it keeps the computation for: pictures are drawn and packed on other threads
   writing,
-  waiting,  // for pictures that are being packed
+  waiting,  // for pictures that are still being drawn and packed, and joined to a film
   kinds
 };
 

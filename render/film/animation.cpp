@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/parallel.h"
 #include "core/base/whole_file.h"
 #include "render/film/frame_files.h"
 #include "render/image/image_difference.h"
@@ -18,6 +19,7 @@ namespace {
 
 constexpr int kChannels = 4;  // red, green, blue, opacity
 constexpr int kSmaller = 6;   // level of compression; 9 takes four times as long for 3 % less
+constexpr std::size_t kTogether = 16;      // frames in memory
 constexpr std::uint16_t kRate = 30;        // frames a second
 constexpr std::uint16_t kLastFrames = 60;  // for as many the last one stays
 
@@ -39,6 +41,13 @@ Image reduced(const Image& image, int side) {
 // Pixels from (left, top) up to, without, (right, bottom).
 struct Part {
   int left, top, right, bottom;
+};
+
+// From one frame to the next.
+struct Step {
+  Image now;
+  Part part{};
+  std::vector<std::uint8_t> rows;  // of the part, packed in the end
 };
 
 // Whether a pixel looks other than the one that is shown, by the rule of all pictures.
@@ -94,7 +103,7 @@ class AnimationFile {
     chunk("acTL", PngBytes().number(static_cast<std::uint32_t>(frames)).number(kForEver));
   }
 
-  // Draws a part over what is there.
+  // Draws a part over what is there; rows as packed() gives them.
   void add(const Part& part, const std::vector<std::uint8_t>& rows) {
     const bool first = written_ == 0, last = ++written_ == frames_;
     constexpr std::uint8_t kLeave = 0, kReplace = 0, kOver = 1;
@@ -107,7 +116,7 @@ class AnimationFile {
     chunk("fcTL", control);
     PngBytes data;
     if (!first) data.number(sequence_++);
-    data.bytes(packed(rows, kSmaller));
+    data.bytes(rows);
     chunk(first ? "IDAT" : "fdAT", data);
   }
 
@@ -143,13 +152,29 @@ VideoReport write_animation(const std::filesystem::path& frames,
     const int side = (std::max(first.width, first.height) - 1) / kLongestAnimatedSide + 1;
     Image shown(first.width / side, first.height / side);  // black
     AnimationFile film(path, shown.width, shown.height, count);
-    for (std::size_t k = 0; k < count; ++k) {
-      // A picture may change its size on the way.
-      Image now(shown.width, shown.height);
-      const std::size_t last = std::max<std::size_t>(count - 1, 1);
-      paste(now, reduced(read_png(files[k * (files.size() - 1) / last]), side), 0, 0);
-      const Part part = k == 0 ? Part{0, 0, now.width, now.height} : changed(shown, now);
-      film.add(part, turn(shown, now, part));
+    const std::size_t last = std::max<std::size_t>(count - 1, 1);
+    // Reading and packing take the time, and each frame's its own.
+    std::vector<Step> steps;
+    for (std::size_t begin = 0; begin < count; begin += steps.size()) {
+      steps.assign(std::min(kTogether, count - begin), {});
+      share_parts(static_cast<int>(steps.size()), [&](int part) {
+        const auto k = static_cast<std::size_t>(part);
+        Step& step = steps[k];
+        // A picture may change its size on the way.
+        step.now = Image(shown.width, shown.height);
+        paste(step.now, reduced(read_png(files[(begin + k) * (files.size() - 1) / last]), side), 0,
+              0);
+      });
+      for (std::size_t k = 0; k < steps.size(); ++k) {
+        const Image& now = steps[k].now;
+        steps[k].part = begin + k == 0 ? Part{0, 0, now.width, now.height} : changed(shown, now);
+        steps[k].rows = turn(shown, now, steps[k].part);
+      }
+      share_parts(static_cast<int>(steps.size()), [&](int part) {
+        std::vector<std::uint8_t>& rows = steps[static_cast<std::size_t>(part)].rows;
+        rows = packed(rows, kSmaller);
+      });
+      for (const Step& step : steps) film.add(step.part, step.rows);
     }
     film.finish();
     return {written, std::to_string(count) + " frames in " + path.string()};

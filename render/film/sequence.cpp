@@ -1,68 +1,19 @@
 #include "render/film/sequence.h"
 
-#include <array>
-#include <condition_variable>
-#include <cstdio>
-#include <deque>
-#include <exception>
-#include <mutex>
 #include <system_error>
-#include <thread>
-#include <utility>
-#include <vector>
 
 #include "core/base/errors.h"
 #include "render/film/frame_files.h"
 #include "render/image/png.h"
 
 namespace quicksand {
+namespace {
 
-// The second thread and what it shares with the first.
-struct Sequence::Writer {
-  static constexpr std::size_t kLongestQueue = 4;  // pictures in memory
+using Frame = std::pair<std::int64_t, Image>;
 
-  std::filesystem::path folder;
-  std::int64_t next = 0;
+constexpr std::size_t kLongestQueue = 4;  // pictures in memory
 
-  std::mutex mutex;
-  std::condition_variable changed;
-  std::deque<std::pair<std::int64_t, Image>> queue;
-  bool busy = false;
-  bool closing = false;
-  std::exception_ptr failure;
-  std::thread thread;
-
-  void work() {
-    std::unique_lock lock(mutex);
-    while (true) {
-      changed.wait(lock, [this] { return closing || !queue.empty(); });
-      if (queue.empty()) return;
-      const auto [number, image] = std::move(queue.front());
-      queue.pop_front();
-      busy = true;
-      const bool skip = failure != nullptr;
-      lock.unlock();
-      changed.notify_all();
-      std::exception_ptr error;
-      try {
-        if (!skip) write_png(frame_path(folder, number), image);
-      } catch (...) {
-        error = std::current_exception();
-      }
-      lock.lock();
-      busy = false;
-      if (error && !failure) failure = error;
-      changed.notify_all();
-    }
-  }
-
-  void rethrow() {
-    if (failure) std::rethrow_exception(failure);
-  }
-};
-
-Sequence::Sequence(std::filesystem::path folder, std::int64_t first)
-    : writer_(std::make_unique<Writer>()) {
+void make_frame_folder(const std::filesystem::path& folder, std::int64_t first) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error || !std::filesystem::is_directory(folder)) {
@@ -74,40 +25,16 @@ Sequence::Sequence(std::filesystem::path folder, std::int64_t first)
     std::filesystem::remove(path, error);
     if (error) throw InputError(path.string(), "cannot be replaced: " + error.message());
   }
-  writer_->folder = std::move(folder);
-  writer_->next = first;
-  writer_->thread = std::thread([writer = writer_.get()] { writer->work(); });
 }
 
-Sequence::~Sequence() {
-  {
-    const std::lock_guard lock(writer_->mutex);
-    writer_->closing = true;
-  }
-  writer_->changed.notify_all();
-  writer_->thread.join();
-}
+}  // namespace
 
-void Sequence::add(Image image) {
-  {
-    std::unique_lock lock(writer_->mutex);
-    writer_->changed.wait(lock, [this] {
-      return writer_->failure != nullptr || writer_->queue.size() < Writer::kLongestQueue;
-    });
-    writer_->rethrow();
-    writer_->queue.emplace_back(writer_->next++, std::move(image));
-  }
-  writer_->changed.notify_all();
-}
-
-void Sequence::finish() {
-  std::unique_lock lock(writer_->mutex);
-  writer_->changed.wait(lock, [this] { return writer_->queue.empty() && !writer_->busy; });
-  writer_->rethrow();
-}
-
-std::int64_t Sequence::next() const { return writer_->next; }
-
-std::filesystem::path Sequence::folder() const { return writer_->folder; }
+Sequence::Sequence(const std::filesystem::path& folder, std::int64_t first)
+    : next_(first), writer_(kLongestQueue, [folder, first] {
+        make_frame_folder(folder, first);
+        return [folder](const Frame& frame) {
+          write_png(frame_path(folder, frame.first), frame.second);
+        };
+      }) {}
 
 }  // namespace quicksand

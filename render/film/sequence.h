@@ -1,12 +1,13 @@
 // The frames of a film as numbered pictures: FOLDER/frame_000000.png, frame_000001.png ...
 //
-// Pictures are packed and written on a second thread while the next step is computed.
+// Pictures are packed and written on a thread of their own.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
+#include <utility>
 
+#include "render/film/background.h"
 #include "render/image/image.h"
 
 namespace quicksand {
@@ -15,24 +16,19 @@ class Sequence {
  public:
   // Makes the folder. Frames of an earlier run with numbers from `first` on are removed, so that
   // they do not end up in this film. Throws InputError if the folder cannot be made or written.
-  explicit Sequence(std::filesystem::path folder, std::int64_t first = 0);
-  // Writes what is queued; errors at this point are lost, so call finish() before.
-  ~Sequence();
-  Sequence(const Sequence&) = delete;
-  Sequence& operator=(const Sequence&) = delete;
+  explicit Sequence(const std::filesystem::path& folder, std::int64_t first = 0);
 
   // Queues a picture; waits if the disk is far behind. Throws InputError if an earlier one could
   // not be written.
-  void add(Image image);
+  void add(Image image) { writer_.add({next_++, std::move(image)}); }
   // Waits until all is written. Throws InputError if something could not be.
-  void finish();
+  void finish() { writer_.finish(); }
 
-  std::int64_t next() const;  // number of the next frame
-  std::filesystem::path folder() const;
+  std::int64_t next() const { return next_; }  // number of the next frame
 
  private:
-  struct Writer;
-  std::unique_ptr<Writer> writer_;
+  std::int64_t next_;
+  Background<std::pair<std::int64_t, Image>> writer_;
 };
 
 // FOLDER/frame_000012.png

@@ -16,6 +16,7 @@
 #include "app/view/history_view.h"
 #include "core/base/errors.h"
 #include "render/image/png.h"
+#include "render/picture/renderer.h"
 
 namespace quicksand {
 
