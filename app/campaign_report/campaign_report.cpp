@@ -49,8 +49,7 @@ Plot empty_plot(const ReportHistory& history, std::size_t k) {
           .x = {.label = words(history.x), .unit = unit_of(history.x)},
           .y = {.label = words(history.y),
                 .unit = unit_of(history.y),
-                .logarithmic = history.logarithmic},
-          .legend = LegendPlace::below};
+                .logarithmic = history.logarithmic}};
 }
 
 // A line in a band of one standard error.
@@ -201,8 +200,7 @@ class Writer {
     Plot plot{.name = "plot_" + std::to_string(k + 1),
               .title = shown.label,
               .x = {.label = x().label, .unit = x().unit, .logarithmic = x().logarithmic},
-              .y = {.label = shown.label, .unit = shown.unit, .logarithmic = shown.logarithmic},
-              .legend = LegendPlace::below};
+              .y = {.label = shown.label, .unit = shown.unit, .logarithmic = shown.logarithmic}};
     for (const ReportedValue& value : shown.values) {
       std::map<std::string, Curve> curves;  // by what else varies
       std::vector<std::string> order;

@@ -78,8 +78,7 @@ class Penetration : public PaperExperiment {
     Plot bonds{.name = "penetration_bonds",
                .title = "Bonds after the push",
                .x = force,
-               .y = {.label = "share", .low = 0, .high = 1.02},
-               .legend = LegendPlace::below};
+               .y = {.label = "share", .low = 0, .high = 1.02}};
     ours(bonds, "active of contacts", "active_bond_fraction");
     ours(bonds, "remaining of initial", "remaining_bond_fraction");
     bonds.curves.push_back(paper_curve("paper: active of contacts", "active_of_contacts"));
@@ -92,11 +91,8 @@ class Penetration : public PaperExperiment {
                .title = "Depth of the intruder",
                .x = force,
                .y = {.label = "depth", .unit = "d", .low = 0},
-               .references = {{.name = "height of the box",
-                               .low = height_,
-                               .high = height_,
-                               .role = Reference::Role::guide}},
-               .legend = LegendPlace::below};
+               .references = {
+                   {.name = "height of the box", .low = height_, .role = Reference::Role::guide}}};
     ours(depth, "depth", "depth");
     const PaperTargets targets = read_targets(shipped_targets());
     const Target& bottom = targets.at("penetration.1.0.depth");
@@ -114,8 +110,7 @@ class Penetration : public PaperExperiment {
     Plot contacts{.name = "penetration_coordination",
                   .title = "Contacts of a grain after the push",
                   .x = force,
-                  .y = {.label = "coordination number"},
-                  .legend = LegendPlace::below};
+                  .y = {.label = "coordination number"}};
     ours(contacts, "gap up to d_c", "coordination");
     ours(contacts, "gap up to 1e-3 d", "coordination_within_1e-3");
     ours(contacts, "gap up to 1e-2 d", "coordination_within_1e-2");

@@ -61,8 +61,7 @@ class Piston : public PaperExperiment {
               .title = "Compaction by the piston",
               .x = {.label = "height of the piston", .unit = "d"},
               .y = {.label = "coordination number"},
-              .y2 = Axis{.label = "active bonds of contacts", .low = 0, .high = 1.02},
-              .legend = LegendPlace::below};
+              .y2 = Axis{.label = "active bonds of contacts", .low = 0, .high = 1.02}};
     Curve coordination = while_falling(results, "coordination");
     coordination.name = "coordination number (left)";
     Curve active = while_falling(results, "active_bond_fraction");

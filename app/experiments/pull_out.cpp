@@ -53,8 +53,7 @@ class PullOut : public PaperExperiment {
               .title = "Pull-out force and weight above against the push force",
               .x = {.label = "push force", .unit = "F_c"},
               .y = {.label = "pull-out force", .unit = "F_c", .low = 0},
-              .y2 = Axis{.label = "weight above / total weight", .low = 0, .high = 1},
-              .legend = LegendPlace::below};
+              .y2 = Axis{.label = "weight above / total weight", .low = 0, .high = 1}};
     add_limit_of_paper(plot);
     add_with_band(plot, std::move(pull));
     add_with_band(plot, std::move(weight));

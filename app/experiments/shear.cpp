@@ -113,8 +113,7 @@ class Shear : public PaperExperiment {
     Plot plot{.name = name,
               .title = title,
               .x = {.label = "depth", .unit = "d", .low = 0},
-              .y = std::move(strength_axis),
-              .legend = LegendPlace::below};
+              .y = std::move(strength_axis)};
     for (const auto& [curve, strength] : all) add_strength(plot, *strength, curve);
     return plot;
   }

@@ -74,10 +74,9 @@ class Samples : public PaperExperiment {
         .title = "Samples: coordination number and volume fraction",
         .x = {.label = "volume fraction"},
         .y = {.label = "coordination number"},
-        .references =
-            {{.name = "paper: volume fraction (upright)", .low = 0.40, .high = 0.43, .of_x = true},
-             {.name = "paper: coordination number (level)", .low = 2.05, .high = 2.06}},
-        .legend = LegendPlace::below};
+        .references = {
+            {.name = "paper: volume fraction (upright)", .low = 0.40, .high = 0.43, .of_x = true},
+            {.name = "paper: coordination number (level)", .low = 2.05, .high = 2.06}}};
     std::vector<std::string> numbers;
     Curve points{.name = "depositions, numbered as in the table"};
     const std::vector<Setting> all = settings(scale_);

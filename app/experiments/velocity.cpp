@@ -50,7 +50,6 @@ class Velocity : public PaperExperiment {
     if (const auto found = findings.find("penetration.threshold_force"); found != findings.end())
       plot.references.push_back({.name = "smallest force that enters",
                                  .low = found->second.value,
-                                 .high = found->second.value,
                                  .of_x = true,
                                  .role = Reference::Role::guide});
     section.add(Figure{

@@ -60,8 +60,7 @@ void add_step_errors(std::span<const RunResults> runs, const std::vector<std::st
             .x = {.label = "residual [1], gap of bonds and overlap [d]",
                   .low = kLeastShown,
                   .logarithmic = true},
-            .y = {.label = "share of steps, a bin", .low = 0},
-            .legend = LegendPlace::below};
+            .y = {.label = "share of steps, a bin", .low = 0}};
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (!is_nscd(runs[i])) continue;
     const Json errors = runs[i].summary().value("step_errors", Json::object());

@@ -202,8 +202,7 @@ class BreakRules : public PaperExperiment {
     Plot plot{.name = "break_rule_" + std::string(known.plot) + "_" + share.target,
               .title = "Push with " + number_text(known.force) + " F_c: " + share.title,
               .x = {.label = "dt", .unit = "√(d/g)", .logarithmic = true},
-              .y = {.label = share.title, .low = 0, .high = 1.02},
-              .legend = LegendPlace::below};
+              .y = {.label = share.title, .low = 0, .high = 1.02}};
     const PaperTargets targets = read_targets(shipped_targets());
     const Target& target = targets.at(target_id(known, share));
     plot.references = {{.name = "paper", .low = *target.low, .high = *target.high}};

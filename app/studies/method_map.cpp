@@ -121,8 +121,7 @@ class MethodMap : public PaperExperiment {
               .title = "Pushed with " + number_text(push.force) + " F_c",
               .x = {.label = "time step", .unit = "sqrt(d/g)", .logarithmic = true},
               .y = {.label = kRemaining.label, .low = 0, .high = 1.02},
-              .references = {{.name = "paper", .low = paper, .high = paper}},
-              .legend = LegendPlace::below};
+              .references = {{.name = "paper", .low = paper}}};
     for (const Series& series : series_[p]) {
       Curve curve =
           curve_over(results, series.name, series.steps, series.pushes, kRemaining.quantity);

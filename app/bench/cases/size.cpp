@@ -138,8 +138,7 @@ void report_size(std::span<const Row> rows, const Options&, Section& section) {
       .name = "size",
       .title = "Cost against size",
       .x = {.label = "disks", .logarithmic = true},
-      .y = {.label = "CPU time of a step, deposit or picture", .unit = "s", .logarithmic = true},
-      .legend = LegendPlace::below};
+      .y = {.label = "CPU time of a step, deposit or picture", .unit = "s", .logarithmic = true}};
   BulletList exponents;
   for (const char* kind : kKinds) {
     Curve curve{.name = kind, .kind = Curve::Kind::line_points};

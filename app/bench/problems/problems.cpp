@@ -191,8 +191,7 @@ void report_problems(std::span<const Row> rows, const Options& options, Section&
   Plot plot{.name = "recorded_problems",
             .title = "Error of velocities against time, a point a problem",
             .x = {.label = "CPU time of a solution", .unit = "ms", .logarithmic = true},
-            .y = {.label = "velocity error", .unit = "g dt", .logarithmic = true},
-            .legend = LegendPlace::below};
+            .y = {.label = "velocity error", .unit = "g dt", .logarithmic = true}};
   for (const auto& [name, group] : groups) {
     table.rows.push_back(table_row(name, group));
     const std::string phase = name.substr(0, name.find(','));
