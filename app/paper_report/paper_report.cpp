@@ -186,7 +186,7 @@ Report paper_report(const PaperReport& made, const std::vector<Programme>& progr
     runs.add(Remark{Remark::Kind::note, "Figures without a finished run: " + names});
   }
   report.sections.push_back(std::move(runs));
-  report.provenance = provenance({.command = made.command({}), .seconds = seconds});
+  report.provenance = provenance(made.command({}), seconds);
   report.provenance.emplace_back("runs", commits);
   return report;
 }

@@ -123,7 +123,6 @@ class MarkdownWriter {
       table.pop_back();
       add(table);
     }
-    if (!block.caption.empty()) add("*" + markdown_text(block.caption) + "*");
   }
 
   void add(const std::string& text) { text_ += text + "\n\n"; }
