@@ -53,12 +53,12 @@ Plot empty_plot(const ReportHistory& history, std::size_t k) {
 }
 
 // A line in a band of one standard error.
-void add_mean(Plot& plot, const std::string& name, MeanHistory mean) {
+void add_mean(Plot& plot, const std::string& name, Curve mean) {
   if (mean.x.empty()) return;
   Curve band{.name = name, .kind = Curve::Kind::band, .x = mean.x};
   for (std::size_t i = 0; i < mean.x.size(); ++i) {
-    band.y_low.push_back(mean.y[i] - mean.error[i]);
-    band.y_high.push_back(mean.y[i] + mean.error[i]);
+    band.y_low.push_back(mean.y[i] - mean.y_error[i]);
+    band.y_high.push_back(mean.y[i] + mean.y_error[i]);
   }
   plot.curves.push_back(std::move(band));
   plot.curves.push_back({.kind = Curve::Kind::line,
@@ -211,9 +211,7 @@ class Writer {
         const std::string others = name_by(point, curve_paths_);
         const auto [curve, is_new] = curves.try_emplace(others);
         if (is_new) order.push_back(others);
-        curve->second.x.push_back(place.get<double>());
-        curve->second.y.push_back(found->value);
-        curve->second.y_error.push_back(found->standard_error.value_or(0));
+        add_point(curve->second, place.get<double>(), found);
       }
       for (const std::string& others : order) {
         Curve curve = std::move(curves[others]);
