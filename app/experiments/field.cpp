@@ -21,8 +21,7 @@ class FieldExperiment : public PaperExperiment {
     physical_ = *jobs.jobs()[runs_.loose.runs.front()].scenario.physical;
   }
 
-  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
-              Findings& findings) const override {
+  void report(const PaperResults& results, Section& section, Findings& findings) const override {
     const SiScale si = si_scale(physical_);
     const double depth = si.length * kCentimetre;
     const double stress = si.force / (si.length * si.length) * kKilopascals;

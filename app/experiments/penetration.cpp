@@ -1,6 +1,7 @@
 // An intruder pushed in with a constant force: depth, bonds, coordination numbers, by regions.
 #include "app/experiments/experiments.h"
 #include "app/json/json_reader.h"
+#include "app/paper/outcome_table.h"
 #include "core/base/errors.h"
 
 namespace quicksand {
@@ -10,20 +11,16 @@ namespace {
 // The forces of the paper's three snapshots; the last stands for its "strong" one.
 constexpr double kWeak = 0.33, kEqual = 1, kStrong = 3;
 
-struct Shown {
-  const char* quantity;
-  const char* title;
-};
-constexpr Shown kShown[] = {{"depth", "depth [d]"},
-                            {"active_bond_fraction", "active of contacts"},
-                            {"remaining_bond_fraction", "remaining of initial"},
-                            {"coordination", "coordination"},
-                            {"coordination_within_1e-3", "of gaps below 1e-3 d"},
-                            {"coordination_within_1e-2", "of gaps below 1e-2 d"},
-                            {"channel_active_bond_fraction", "channel: active"},
-                            {"channel_coordination", "channel: coordination"},
-                            {"intact_active_bond_fraction", "intact: active"},
-                            {"intact_coordination", "intact: coordination"}};
+constexpr FinalQuantity kShown[] = {{"depth", "depth [d]"},
+                                    {"active_bond_fraction", "active of contacts"},
+                                    {"remaining_bond_fraction", "remaining of initial"},
+                                    {"coordination", "coordination"},
+                                    {"coordination_within_1e-3", "of gaps below 1e-3 d"},
+                                    {"coordination_within_1e-2", "of gaps below 1e-2 d"},
+                                    {"channel_active_bond_fraction", "channel: active"},
+                                    {"channel_coordination", "channel: coordination"},
+                                    {"intact_active_bond_fraction", "intact: active"},
+                                    {"intact_coordination", "intact: coordination"}};
 
 class Penetration : public PaperExperiment {
  public:
@@ -32,32 +29,26 @@ class Penetration : public PaperExperiment {
     curve_ = jobs.push_curve(jobs.samples());
   }
 
-  void report(const PaperResults& results, const std::filesystem::path& pictures, Section& section,
-              Findings& findings) const override {
-    add_pictures(results, pictures, section);
-    Table table{.caption =
-                    "At the end of each push: at rest, or after its max_time. Channel: where the "
-                    "intruder has passed; intact: farther from its way than six of its diameters.",
-                .columns = {{"push force [F_c]", true}}};
-    for (const Shown& column : kShown) table.columns.push_back({column.title, true});
-    for (std::size_t k = 0; k < curve_.forces.size(); ++k) {
-      std::vector<Cell> row{{.text = number_text(curve_.forces[k])}};
-      for (const Shown& column : kShown)
-        row.push_back(cell_of(results.mean(curve_.pushes[k], column.quantity), all_));
-      table.rows.push_back(std::move(row));
-    }
-    section.add(std::move(table));
+  void report(const PaperResults& results, Section& section, Findings& findings) const override {
+    add_pictures(results, section);
+    std::vector<OutcomeRow> rows;
+    for (std::size_t k = 0; k < curve_.forces.size(); ++k)
+      rows.push_back({number_text(curve_.forces[k]), curve_.pushes[k]});
+    section.add(outcome_table(
+        results,
+        "At the end of each push: at rest, or after its max_time. Channel: where the "
+        "intruder has passed; intact: farther from its way than six of its diameters.",
+        {"push force [F_c]", true}, rows, kShown, all_));
     add_plots(results, section);
     for (std::size_t k = 0; k < curve_.forces.size(); ++k) compare(results, k, findings);
   }
 
  private:
-  void add_pictures(const PaperResults& results, const std::filesystem::path& folder,
-                    Section& section) const {
+  void add_pictures(const PaperResults& results, Section& section) const {
     for (std::size_t k = 0; k < curve_.forces.size(); ++k) {
       if (curve_.forces[k] != kWeak && curve_.forces[k] != kEqual && curve_.forces[k] != kStrong)
         continue;
-      add_snapshots(section, results, curve_.pushes[k], folder,
+      add_snapshots(section, results, curve_.pushes[k],
                     "pushed with " + number_text(curve_.forces[k]) + " × cohesion force");
     }
   }

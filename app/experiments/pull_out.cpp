@@ -16,8 +16,7 @@ class PullOut : public PaperExperiment {
     cohesion_ = *jobs.jobs()[pulls_[0].runs[0]].scenario.grain_law.cohesion_force;
   }
 
-  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
-              Findings& findings) const override {
+  void report(const PaperResults& results, Section& section, Findings& findings) const override {
     Curve pull{.name = "pull-out force (left)"};
     Curve weight = curve_over(results, "weight above the intruder's height, over the total (right)",
                               curve_.forces, curve_.pushes, "weight_above_level");

@@ -11,7 +11,7 @@
 namespace quicksand {
 
 void add_snapshots(Section& section, const PaperResults& results, const RunGroup& group,
-                   const std::filesystem::path& folder, const std::string& caption) {
+                   const std::string& caption) {
   const auto runs = results.runs(group);
   if (runs.empty()) return;
   try {
@@ -19,6 +19,7 @@ void add_snapshots(Section& section, const PaperResults& results, const RunGroup
     const StateFile state = read_state(run.state());
     const World& world = state.checkpoint.world;
     View view{.width = 640, .height = 960, .detail = false};
+    const std::filesystem::path& folder = results.pictures();
     std::filesystem::create_directories(folder);
     const std::string text[] = {caption};
     const std::filesystem::path ours = folder / (group.name + ".png"),

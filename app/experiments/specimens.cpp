@@ -60,8 +60,7 @@ class Samples : public PaperExperiment {
     for (const Setting& s : settings(scale_)) groups_.push_back(jobs.samples(s.tag, s.laws, s.set));
   }
 
-  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
-              Findings& findings) const override {
+  void report(const PaperResults& results, Section& section, Findings& findings) const override {
     Table table{.caption =
                     "Samples after deposition and settling. Volume fraction of the lower 70 %; "
                     "mean ± standard error over realizations.",

@@ -55,8 +55,7 @@ class StructureOfSamples : public PaperExperiment {
                {"after the piston", jobs.pistons(samples)}};
   }
 
-  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
-              Findings&) const override {
+  void report(const PaperResults& results, Section& section, Findings&) const override {
     Plot profile{.name = "structure_profile",
                  .title = "Volume fraction over height",
                  .x = {.label = "volume fraction", .low = 0},

@@ -8,7 +8,8 @@
 
 namespace quicksand {
 
-PaperResults::PaperResults(std::span<const Job> jobs) : results_(jobs.size()) {
+PaperResults::PaperResults(std::span<const Job> jobs, std::filesystem::path pictures)
+    : pictures_(std::move(pictures)), results_(jobs.size()) {
   for (std::size_t k = 0; k < jobs.size(); ++k) {
     const RunRecord record = read_record(jobs[k]);
     if (record.status == JobStatus::finished && !record.other_scene)

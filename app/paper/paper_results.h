@@ -2,6 +2,7 @@
 // left out of every mean, and the mean says over how many runs it is.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,7 +16,10 @@ namespace quicksand {
 
 class PaperResults {
  public:
-  explicit PaperResults(std::span<const Job> jobs);
+  // `pictures`: the folder of what reports draw of them.
+  explicit PaperResults(std::span<const Job> jobs, std::filesystem::path pictures = {});
+
+  const std::filesystem::path& pictures() const { return pictures_; }
 
   // Null if the run did not finish.
   const RunResults* run(std::size_t job) const;
@@ -37,6 +41,7 @@ class PaperResults {
                                  const std::string& quantity) const;
 
  private:
+  std::filesystem::path pictures_;
   std::vector<std::optional<RunResults>> results_;  // (jobs)
 };
 

@@ -81,8 +81,7 @@ class BreakRules : public PaperExperiment {
         for (const double dt : jobs.scale().time_steps) plan_setting(jobs, s, rule, dt);
   }
 
-  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
-              Findings&) const override {
+  void report(const PaperResults& results, Section& section, Findings&) const override {
     section.add(Paragraph{
         "The same specimens, pushed until everything rests, under each failure criterion and with "
         "smaller and smaller time steps. Where a rule still changes with the step its numbers are "

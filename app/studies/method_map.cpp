@@ -77,9 +77,10 @@ class MethodMap : public PaperExperiment {
           setting.sweeps = sweeps;
           setting.fast_step = dt;
           series.steps.push_back(dt);
-          series.pushes.push_back(
-              jobs.pushes_by(setting, samples, push.force,
-                             "sweeps_" + std::to_string(sweeps) + "_dt_" + number_text(dt)));
+          series.pushes.push_back(jobs.by(setting, samples.runs.size(), [&] {
+            return jobs.pushes(samples, push.force,
+                               "sweeps_" + std::to_string(sweeps) + "_dt_" + number_text(dt));
+          }));
         }
       }
       Series& exact = of_push.emplace_back(Series{"exact steps", {}, {}});
@@ -93,8 +94,7 @@ class MethodMap : public PaperExperiment {
     height_ = jobs.scale().height;
   }
 
-  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
-              Findings&) const override {
+  void report(const PaperResults& results, Section& section, Findings&) const override {
     section.add(Paragraph{"Specimens of " + number_text(width_) + " x " + number_text(height_) +
                           " d by exact steps, each pushed by NSCD with each number of sweeps and "
                           "each time step, and by "
