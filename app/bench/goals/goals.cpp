@@ -63,11 +63,7 @@ const std::vector<Case>& cases() {
 }
 
 std::vector<Task> goal_tasks(const Options& options) {
-  std::vector<Task> tasks;
-  for (const Case& one : cases())
-    tasks.push_back(
-        {one.name, [&one, options](std::vector<Row>& rows) { run_case(one, options, rows); }});
-  return tasks;
+  return tasks_of(cases(), options, run_case);
 }
 
 void report_goals(std::span<const Row> rows, const Options& options, Section& section) {

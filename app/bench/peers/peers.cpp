@@ -149,12 +149,7 @@ Plot scene_plot(std::span<const Row> rows, const std::string& scene) {
 }  // namespace
 
 std::vector<Task> peer_tasks(const Options& options) {
-  std::vector<Task> tasks;
-  for (const PeerScene& scene : peer_scenes(options))
-    tasks.push_back({scene.name, [scene, options](std::vector<Row>& rows) {
-                       measure_scene(scene, options, rows);
-                     }});
-  return tasks;
+  return tasks_of(peer_scenes(options), options, measure_scene);
 }
 
 void report_peers(std::span<const Row> rows, const Options&, Section& section) {

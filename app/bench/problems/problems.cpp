@@ -98,13 +98,6 @@ void measure(const std::vector<Recorded>& problems, const Options& options,
     }
 }
 
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0;
-  std::ranges::sort(values);
-  const double last = static_cast<double>(values.size() - 1);
-  return values[static_cast<std::size_t>(std::lround(share * last))];
-}
-
 template <class Of>
 std::vector<double> each(std::span<const Row* const> rows, Of of) {
   std::vector<double> values;
