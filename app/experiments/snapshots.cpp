@@ -1,5 +1,3 @@
-// Pictures of last states: by the number of active bonds, and in two colours, by whether all bonds of a grain hold. The
-// paper's own colours are not among the facts that we have of it.
 #include "app/experiments/experiments.h"
 #include "app/run_folder/state_file.h"
 #include "app/view/film.h"

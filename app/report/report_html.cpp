@@ -1,5 +1,5 @@
-// report.html: one file with everything in it. Plots are SVG pictures and frames PNG pictures, all
-// inside the page; it asks for nothing from elsewhere and runs no script.
+// Plots are SVG pictures and frames PNG pictures, all inside the page; it asks for nothing from elsewhere and runs no
+// script.
 #include <string>
 
 #include "app/base/assets.h"

@@ -1,4 +1,3 @@
-// report.md: GitHub's Markdown, with links to the plots and pictures beside it.
 #include <algorithm>
 #include <string>
 

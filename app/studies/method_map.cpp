@@ -1,8 +1,4 @@
 // From the paper's method to exact steps: what sweeps and time step do to the bonds that a push leaves.
-//
-// The same specimens, by exact steps, are pushed by NSCD with each number of sweeps and each time step, and by exact
-// steps with each time step. Where curves of NSCD meet, more sweeps change nothing; where a curve is level towards
-// small steps, smaller ones change nothing.
 #include <algorithm>
 
 #include "app/json/json_reader.h"

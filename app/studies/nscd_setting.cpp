@@ -1,11 +1,4 @@
 // Which setting of the paper's own method is used: a rule that is fixed before its results are known.
-//
-// One specimen a deposition, from a seed that is not among the realizations', and one push of it with F_c a setting.
-// Of all settings that one is taken whose structure (volume fraction, coordination number) and shares of bonds after
-// the push are nearest to the paper's: the least sum of squares of the distances from the paper's values or
-// intervals, each over a scale: 0.01 of both numbers of the structure, 0.05 of both shares. All other numbers are then predictions.
-#include <cmath>
-
 #include "app/json/json_reader.h"
 #include "app/paper/outcome_table.h"
 #include "app/plot/typeset_number.h"

@@ -2,15 +2,12 @@
 #include <malloc.h>
 
 #include <array>
-#include <cmath>
-#include <map>
 
 #include "app/bench/bench.h"
 #include "app/bench/cases/window.h"
 #include "app/bench/paper_states.h"
 #include "app/bench/statistics.h"
 #include "app/bench/step_problem.h"
-#include "core/measures/measures.h"
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
 #include "render/picture/renderer.h"

@@ -1,8 +1,6 @@
-// Cost of the model's terms: the same heap of touching disks at rest, with all terms and with one left
-// out, so that no term changes what moves and what is compared is the work alone.
+// Cost of the model's terms: the same heap of touching disks at rest, with all terms and with one left out.
 //
-// Instructions are those of whole processes under callgrind: N + 1 steps less one, over N. Where valgrind
-// is not installed there are seconds only.
+// Instructions are those of whole processes under callgrind.
 #include <cmath>
 #include <fstream>
 

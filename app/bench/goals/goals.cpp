@@ -1,6 +1,5 @@
 // The goals as a part of the benchmark: each case a task, each figure a row with its verdict.
 #include <algorithm>
-#include <array>
 
 #include "app/bench/goals/goal_cases.h"
 #include "app/bench/statistics.h"

@@ -1,10 +1,8 @@
 // Work against precision of one step: for every solver, the time to each residual and the velocity
 // error that it has there.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "app/bench/paper_states.h"
 #include "app/bench/precision/precision_problems.h"
 #include "app/bench/precision/velocity_error.h"
 #include "app/bench/statistics.h"
