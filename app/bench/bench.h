@@ -71,13 +71,16 @@ struct Task {
   std::function<void(std::vector<Row>&)> run{};
 };
 
+using TasksOf = std::vector<Task>(const Options& options);
+// Fills the section's blocks from the rows of the part.
+using ReportOf = void(std::span<const Row> rows, const Options& options, Section& section);
+
 struct Part {
   std::string_view name;  // the word of the command line
   std::string_view title;
   std::string_view what;
-  std::vector<Task> (*tasks)(const Options& options);
-  // Fills the section's blocks from the rows of the part.
-  void (*report)(std::span<const Row> rows, const Options& options, Section& section);
+  TasksOf* tasks;
+  ReportOf* report;
   bool by_default = true;  // whether it runs where no part is named
 };
 // In the order of the report.
@@ -89,31 +92,21 @@ struct Interrupted : std::runtime_error {
 };
 void stop_if_interrupted();
 
-std::vector<Task> precision_tasks(const Options& options);
-void report_precision(std::span<const Row> rows, const Options& options, Section& section);
-std::vector<Task> hard_tasks(const Options& options);
-void report_hard(std::span<const Row> rows, const Options& options, Section& section);
-std::vector<Task> error_tasks(const Options& options);
-void report_error(std::span<const Row> rows, const Options& options, Section& section);
-std::vector<Task> size_tasks(const Options& options);
-void report_size(std::span<const Row> rows, const Options& options, Section& section);
-std::vector<Task> term_tasks(const Options& options);
-void report_terms(std::span<const Row> rows, const Options& options, Section& section);
-std::vector<Task> shape_tasks(const Options& options);
-void report_shapes(std::span<const Row> rows, const Options& options, Section& section);
-std::vector<Task> goal_tasks(const Options& options);
-void report_goals(std::span<const Row> rows, const Options& options, Section& section);
-std::vector<Task> kernel_tasks(const Options& options);
-void report_kernels(std::span<const Row> rows, const Options& options, Section& section);
-std::vector<Task> thread_tasks(const Options& options);
-void report_threads(std::span<const Row> rows, const Options& options, Section& section);
-std::vector<Task> nscd_tasks(const Options& options);
-void report_nscd(std::span<const Row> rows, const Options& options, Section& section);
-std::vector<Task> problem_tasks(const Options& options);
-void report_problems(std::span<const Row> rows, const Options& options, Section& section);
-std::vector<Task> serve_tasks(const Options& options);
-void report_serve(std::span<const Row> rows, const Options& options, Section& section);
-std::vector<Task> peer_tasks(const Options& options);
-void report_peers(std::span<const Row> rows, const Options& options, Section& section);
+// A task for each of these, by its name.
+template <class All, class Measure>
+std::vector<Task> tasks_of(const All& all, const Options& options, Measure measure) {
+  std::vector<Task> tasks;
+  for (const auto& one : all)
+    tasks.push_back({one.name, [one, options, measure](std::vector<Row>& rows) {
+                       measure(one, options, rows);
+                     }});
+  return tasks;
+}
+
+TasksOf precision_tasks, hard_tasks, error_tasks, size_tasks, term_tasks, shape_tasks, goal_tasks,
+    kernel_tasks, thread_tasks, nscd_tasks, problem_tasks, serve_tasks, peer_tasks;
+ReportOf report_precision, report_hard, report_error, report_size, report_terms, report_shapes,
+    report_goals, report_kernels, report_threads, report_nscd, report_problems, report_serve,
+    report_peers;
 
 }  // namespace quicksand::bench

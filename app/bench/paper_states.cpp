@@ -1,6 +1,5 @@
 #include "app/bench/paper_states.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -9,7 +8,6 @@
 #include "app/scene/scene_file.h"
 #include "app/scene_json/scenario_json.h"
 #include "core/base/errors.h"
-#include "core/measures/measures.h"
 #include "core/phases/protocol.h"
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"

@@ -1,7 +1,6 @@
 // results.csv and results.json: every row, and what they were measured on.
 #pragma once
 
-#include <filesystem>
 #include <span>
 #include <string>
 

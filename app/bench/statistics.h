@@ -1,9 +1,11 @@
-// Medians, and the exponent of a power law.
+// Medians, quantiles, and the exponent of a power law.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "core/measures/linear_fit.h"
 
 namespace quicksand::bench {
 
@@ -15,15 +17,19 @@ inline double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
-// p of the least-squares fit y = c x^p.
-inline double exponent(const std::vector<double>& x, const std::vector<double>& y) {
-  const auto n = static_cast<double>(x.size());
-  double sx = 0, sy = 0, sxx = 0, sxy = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const double a = std::log(x[i]), b = std::log(y[i]);
-    sx += a, sy += b, sxx += a * a, sxy += a * b;
-  }
-  return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+// The value below which this share of them lies; 0 of none.
+inline double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  std::ranges::sort(values);
+  const double last = static_cast<double>(values.size() - 1);
+  return values[static_cast<std::size_t>(std::lround(share * last))];
+}
+
+// p of the least-squares fit y = c x^p; two x must differ.
+inline double exponent(std::vector<double> x, std::vector<double> y) {
+  for (double& value : x) value = std::log(value);
+  for (double& value : y) value = std::log(value);
+  return fit_line(x, y)->slope;
 }
 
 }  // namespace quicksand::bench

@@ -49,17 +49,16 @@ Plot empty_plot(const ReportHistory& history, std::size_t k) {
           .x = {.label = words(history.x), .unit = unit_of(history.x)},
           .y = {.label = words(history.y),
                 .unit = unit_of(history.y),
-                .logarithmic = history.logarithmic},
-          .legend = LegendPlace::below};
+                .logarithmic = history.logarithmic}};
 }
 
 // A line in a band of one standard error.
-void add_mean(Plot& plot, const std::string& name, MeanHistory mean) {
+void add_mean(Plot& plot, const std::string& name, Curve mean) {
   if (mean.x.empty()) return;
   Curve band{.name = name, .kind = Curve::Kind::band, .x = mean.x};
   for (std::size_t i = 0; i < mean.x.size(); ++i) {
-    band.y_low.push_back(mean.y[i] - mean.error[i]);
-    band.y_high.push_back(mean.y[i] + mean.error[i]);
+    band.y_low.push_back(mean.y[i] - mean.y_error[i]);
+    band.y_high.push_back(mean.y[i] + mean.y_error[i]);
   }
   plot.curves.push_back(std::move(band));
   plot.curves.push_back({.kind = Curve::Kind::line,
@@ -201,8 +200,7 @@ class Writer {
     Plot plot{.name = "plot_" + std::to_string(k + 1),
               .title = shown.label,
               .x = {.label = x().label, .unit = x().unit, .logarithmic = x().logarithmic},
-              .y = {.label = shown.label, .unit = shown.unit, .logarithmic = shown.logarithmic},
-              .legend = LegendPlace::below};
+              .y = {.label = shown.label, .unit = shown.unit, .logarithmic = shown.logarithmic}};
     for (const ReportedValue& value : shown.values) {
       std::map<std::string, Curve> curves;  // by what else varies
       std::vector<std::string> order;
@@ -213,9 +211,7 @@ class Writer {
         const std::string others = name_by(point, curve_paths_);
         const auto [curve, is_new] = curves.try_emplace(others);
         if (is_new) order.push_back(others);
-        curve->second.x.push_back(place.get<double>());
-        curve->second.y.push_back(found->value);
-        curve->second.y_error.push_back(found->standard_error.value_or(0));
+        add_point(curve->second, place.get<double>(), found);
       }
       for (const std::string& others : order) {
         Curve curve = std::move(curves[others]);

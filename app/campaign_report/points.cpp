@@ -35,9 +35,7 @@ std::vector<CampaignPoint> points_of(std::span<const Job> jobs,
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     if (points.empty() || points.back().values != jobs[i].values)
       points.push_back({.values = jobs[i].values});
-    CampaignPoint& point = points.back();
-    ++point.runs;
-    if (records[i].status == JobStatus::finished) point.finished.push_back(i);
+    if (records[i].status == JobStatus::finished) points.back().finished.push_back(i);
   }
   return points;
 }
@@ -49,11 +47,10 @@ std::optional<Measured> measured_at(const CampaignPoint& point, std::span<const 
     const Json found = value_at(records[i].summary, value.path);
     if (found.is_number()) values.push_back(value.factor * found.get<double>());
   }
-  if (values.empty()) return std::nullopt;
-  return measured_over(values);
+  return mean_over(values);
 }
 
-MeanHistory mean_history(std::span<const RunResults> runs, const ReportHistory& history) {
+Curve mean_history(std::span<const RunResults> runs, const ReportHistory& history) {
   constexpr std::size_t kBins = 40;
   std::vector<Samples> all;
   double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -61,7 +58,7 @@ MeanHistory mean_history(std::span<const RunResults> runs, const ReportHistory& 
     all.push_back(samples_of(run, history));
     for (const double x : all.back().x) low = std::min(low, x), high = std::max(high, x);
   }
-  MeanHistory mean;
+  Curve mean;
   if (!(high > low)) return mean;
   const double width = (high - low) / kBins;
   std::vector<std::vector<double>> values(kBins);  // a bin, a realization
@@ -76,13 +73,8 @@ MeanHistory mean_history(std::span<const RunResults> runs, const ReportHistory& 
     for (std::size_t k = 0; k < kBins; ++k)
       if (count[k] > 0) values[k].push_back(sum[k] / count[k]);
   }
-  for (std::size_t k = 0; k < kBins; ++k) {
-    if (values[k].empty()) continue;
-    const Measured measured = measured_over(values[k]);
-    mean.x.push_back(low + (static_cast<double>(k) + 0.5) * width);
-    mean.y.push_back(measured.value);
-    mean.error.push_back(measured.standard_error.value_or(0));
-  }
+  for (std::size_t k = 0; k < kBins; ++k)
+    add_point(mean, low + (static_cast<double>(k) + 0.5) * width, mean_over(values[k]));
   return mean;
 }
 

@@ -10,6 +10,7 @@
 #include "app/jobs/job.h"
 #include "app/jobs/run_record.h"
 #include "app/run_report/run_results.h"
+#include "app/targets/comparison.h"
 
 namespace quicksand {
 
@@ -17,7 +18,6 @@ namespace quicksand {
 struct CampaignPoint {
   ParameterValues values;
   std::vector<std::size_t> finished;  // indices of its jobs
-  std::size_t runs = 0;               // with those that have not finished
 };
 
 // In the order of the jobs.
@@ -27,12 +27,8 @@ std::vector<CampaignPoint> points_of(std::span<const Job> jobs, std::span<const 
 std::optional<Measured> measured_at(const CampaignPoint& point, std::span<const RunRecord> records,
                                     const ReportedValue& value);
 
-// y over x in bins of equal width.
-struct MeanHistory {
-  std::vector<double> x, y;   // (n) centres; means over the realizations of their means in a bin
-  std::vector<double> error;  // (n) standard errors, 0 of a single realization
-};
-MeanHistory mean_history(std::span<const RunResults> runs, const ReportHistory& history);
+// y over x in bins of equal width: over their centres the means over the realizations of their means in a bin.
+Curve mean_history(std::span<const RunResults> runs, const ReportHistory& history);
 
 // "cone, angle 30": a parameter's value as a reader wants it.
 std::string value_text(const Json& value);

@@ -18,10 +18,8 @@ class PaperExperiment {
     all_ = jobs.scale().realizations;
     ask_for_runs(jobs);
   }
-  // Fills the section's blocks and notes what is compared with the paper. `pictures` is a folder for
-  // what it draws.
-  virtual void report(const PaperResults& results, const std::filesystem::path& pictures,
-                      Section& section, Findings& findings) const = 0;
+  // Fills the section's blocks and notes what is compared with the paper.
+  virtual void report(const PaperResults& results, Section& section, Findings& findings) const = 0;
 
  protected:
   virtual void ask_for_runs(PaperJobs& jobs) = 0;
@@ -43,6 +41,6 @@ std::unique_ptr<PaperExperiment> make_velocity_experiment();
 // Draws the last state of the first run of the group that finished, in the colours of this program and in two, for
 // whether any bond of a grain is broken; nothing if there is none, or no system that can draw.
 void add_snapshots(Section& section, const PaperResults& results, const RunGroup& group,
-                   const std::filesystem::path& folder, const std::string& caption);
+                   const std::string& caption);
 
 }  // namespace quicksand

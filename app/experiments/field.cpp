@@ -21,8 +21,7 @@ class FieldExperiment : public PaperExperiment {
     physical_ = *jobs.jobs()[runs_.loose.runs.front()].scenario.physical;
   }
 
-  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
-              Findings& findings) const override {
+  void report(const PaperResults& results, Section& section, Findings& findings) const override {
     const SiScale si = si_scale(physical_);
     const double depth = si.length * kCentimetre;
     const double stress = si.force / (si.length * si.length) * kKilopascals;
@@ -37,8 +36,7 @@ class FieldExperiment : public PaperExperiment {
     Plot plot{.name = "field",
               .title = "Shear strength in SI units, simulated and in the field",
               .x = {.label = "depth", .unit = "cm", .low = 0},
-              .y = {.label = "shear strength", .unit = "kPa", .low = 0},
-              .legend = LegendPlace::below};
+              .y = {.label = "shear strength", .unit = "kPa", .low = 0}};
     const PaperTargets targets = read_targets(shipped_targets());
     const double slope = *targets.at("field.perturbed.slope").low;          // [kPa/cm]
     const double strength = *targets.at("field.unperturbed.strength").low;  // [kPa]
@@ -54,9 +52,8 @@ class FieldExperiment : public PaperExperiment {
                              .role = Curve::Role::paper,
                              .x = {0, deepest},
                              .y = {0, slope * deepest}});
-      plot.references.push_back({.name = "field, unperturbed: " + typeset(strength) + " kPa",
-                                 .low = strength,
-                                 .high = strength});
+      plot.references.push_back(
+          {.name = "field, unperturbed: " + typeset(strength) + " kPa", .low = strength});
     }
     section.add(Figure{std::move(plot), "The field's lines in black, the simulation's in colour."});
     if (compact.against_depth) {

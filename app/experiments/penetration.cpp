@@ -1,6 +1,7 @@
 // An intruder pushed in with a constant force: depth, bonds, coordination numbers, by regions.
 #include "app/experiments/experiments.h"
 #include "app/json/json_reader.h"
+#include "app/paper/outcome_table.h"
 #include "core/base/errors.h"
 
 namespace quicksand {
@@ -10,20 +11,16 @@ namespace {
 // The forces of the paper's three snapshots; the last stands for its "strong" one.
 constexpr double kWeak = 0.33, kEqual = 1, kStrong = 3;
 
-struct Shown {
-  const char* quantity;
-  const char* title;
-};
-constexpr Shown kShown[] = {{"depth", "depth [d]"},
-                            {"active_bond_fraction", "active of contacts"},
-                            {"remaining_bond_fraction", "remaining of initial"},
-                            {"coordination", "coordination"},
-                            {"coordination_within_1e-3", "of gaps below 1e-3 d"},
-                            {"coordination_within_1e-2", "of gaps below 1e-2 d"},
-                            {"channel_active_bond_fraction", "channel: active"},
-                            {"channel_coordination", "channel: coordination"},
-                            {"intact_active_bond_fraction", "intact: active"},
-                            {"intact_coordination", "intact: coordination"}};
+constexpr FinalQuantity kShown[] = {{"depth", "depth [d]"},
+                                    {"active_bond_fraction", "active of contacts"},
+                                    {"remaining_bond_fraction", "remaining of initial"},
+                                    {"coordination", "coordination"},
+                                    {"coordination_within_1e-3", "of gaps below 1e-3 d"},
+                                    {"coordination_within_1e-2", "of gaps below 1e-2 d"},
+                                    {"channel_active_bond_fraction", "channel: active"},
+                                    {"channel_coordination", "channel: coordination"},
+                                    {"intact_active_bond_fraction", "intact: active"},
+                                    {"intact_coordination", "intact: coordination"}};
 
 class Penetration : public PaperExperiment {
  public:
@@ -32,32 +29,26 @@ class Penetration : public PaperExperiment {
     curve_ = jobs.push_curve(jobs.samples());
   }
 
-  void report(const PaperResults& results, const std::filesystem::path& pictures, Section& section,
-              Findings& findings) const override {
-    add_pictures(results, pictures, section);
-    Table table{.caption =
-                    "At the end of each push: at rest, or after its max_time. Channel: where the "
-                    "intruder has passed; intact: farther from its way than six of its diameters.",
-                .columns = {{"push force [F_c]", true}}};
-    for (const Shown& column : kShown) table.columns.push_back({column.title, true});
-    for (std::size_t k = 0; k < curve_.forces.size(); ++k) {
-      std::vector<Cell> row{{.text = number_text(curve_.forces[k])}};
-      for (const Shown& column : kShown)
-        row.push_back(cell_of(results.mean(curve_.pushes[k], column.quantity), all_));
-      table.rows.push_back(std::move(row));
-    }
-    section.add(std::move(table));
+  void report(const PaperResults& results, Section& section, Findings& findings) const override {
+    add_pictures(results, section);
+    std::vector<OutcomeRow> rows;
+    for (std::size_t k = 0; k < curve_.forces.size(); ++k)
+      rows.push_back({number_text(curve_.forces[k]), curve_.pushes[k]});
+    section.add(outcome_table(
+        results,
+        "At the end of each push: at rest, or after its max_time. Channel: where the "
+        "intruder has passed; intact: farther from its way than six of its diameters.",
+        {"push force [F_c]", true}, rows, kShown, all_));
     add_plots(results, section);
     for (std::size_t k = 0; k < curve_.forces.size(); ++k) compare(results, k, findings);
   }
 
  private:
-  void add_pictures(const PaperResults& results, const std::filesystem::path& folder,
-                    Section& section) const {
+  void add_pictures(const PaperResults& results, Section& section) const {
     for (std::size_t k = 0; k < curve_.forces.size(); ++k) {
       if (curve_.forces[k] != kWeak && curve_.forces[k] != kEqual && curve_.forces[k] != kStrong)
         continue;
-      add_snapshots(section, results, curve_.pushes[k], folder,
+      add_snapshots(section, results, curve_.pushes[k],
                     "pushed with " + number_text(curve_.forces[k]) + " × cohesion force");
     }
   }
@@ -78,8 +69,7 @@ class Penetration : public PaperExperiment {
     Plot bonds{.name = "penetration_bonds",
                .title = "Bonds after the push",
                .x = force,
-               .y = {.label = "share", .low = 0, .high = 1.02},
-               .legend = LegendPlace::below};
+               .y = {.label = "share", .low = 0, .high = 1.02}};
     ours(bonds, "active of contacts", "active_bond_fraction");
     ours(bonds, "remaining of initial", "remaining_bond_fraction");
     bonds.curves.push_back(paper_curve("paper: active of contacts", "active_of_contacts"));
@@ -92,11 +82,8 @@ class Penetration : public PaperExperiment {
                .title = "Depth of the intruder",
                .x = force,
                .y = {.label = "depth", .unit = "d", .low = 0},
-               .references = {{.name = "height of the box",
-                               .low = height_,
-                               .high = height_,
-                               .role = Reference::Role::guide}},
-               .legend = LegendPlace::below};
+               .references = {
+                   {.name = "height of the box", .low = height_, .role = Reference::Role::guide}}};
     ours(depth, "depth", "depth");
     const PaperTargets targets = read_targets(shipped_targets());
     const Target& bottom = targets.at("penetration.1.0.depth");
@@ -114,8 +101,7 @@ class Penetration : public PaperExperiment {
     Plot contacts{.name = "penetration_coordination",
                   .title = "Contacts of a grain after the push",
                   .x = force,
-                  .y = {.label = "coordination number"},
-                  .legend = LegendPlace::below};
+                  .y = {.label = "coordination number"}};
     ours(contacts, "gap up to d_c", "coordination");
     ours(contacts, "gap up to 1e-3 d", "coordination_within_1e-3");
     ours(contacts, "gap up to 1e-2 d", "coordination_within_1e-2");

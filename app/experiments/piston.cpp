@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/experiments/experiments.h"
+#include "app/paper/outcome_table.h"
 
 namespace quicksand {
 
@@ -15,25 +16,21 @@ class Piston : public PaperExperiment {
     after_ = jobs.pistons(before_);
   }
 
-  void report(const PaperResults& results, const std::filesystem::path& pictures, Section& section,
-              Findings& findings) const override {
-    add_snapshots(section, results, before_, pictures, "before the piston");
-    add_snapshots(section, results, after_, pictures, "after the piston");
+  void report(const PaperResults& results, Section& section, Findings& findings) const override {
+    add_snapshots(section, results, before_, "before the piston");
+    add_snapshots(section, results, after_, "after the piston");
 
-    struct Line {
-      const char* quantity;
-      const char* title;
-    };
-    constexpr Line kLines[] = {{"packing_top", "height [d]"},
-                               {"volume_fraction", "volume fraction"},
-                               {"coordination", "coordination number"},
-                               {"coordination_within_1e-3", "the same, of gaps below 1e-3 d"},
-                               {"coordination_within_1e-2", "the same, of gaps below 1e-2 d"},
-                               {"active_bond_fraction", "active bonds of contacts"},
-                               {"remaining_bond_fraction", "remaining of initial bonds"}};
+    constexpr FinalQuantity kLines[] = {
+        {"packing_top", "height [d]"},
+        {"volume_fraction", "volume fraction"},
+        {"coordination", "coordination number"},
+        {"coordination_within_1e-3", "the same, of gaps below 1e-3 d"},
+        {"coordination_within_1e-2", "the same, of gaps below 1e-2 d"},
+        {"active_bond_fraction", "active bonds of contacts"},
+        {"remaining_bond_fraction", "remaining of initial bonds"}};
     Table table{.caption = "Before and after the piston, which is taken away at the end.",
                 .columns = {{"quantity"}, {"before", true}, {"after", true}}};
-    for (const Line& line : kLines)
+    for (const FinalQuantity& line : kLines)
       table.rows.push_back({{.text = line.title},
                             cell_of(results.mean(before_, line.quantity), all_),
                             cell_of(results.mean(after_, line.quantity), all_)});
@@ -61,8 +58,7 @@ class Piston : public PaperExperiment {
               .title = "Compaction by the piston",
               .x = {.label = "height of the piston", .unit = "d"},
               .y = {.label = "coordination number"},
-              .y2 = Axis{.label = "active bonds of contacts", .low = 0, .high = 1.02},
-              .legend = LegendPlace::below};
+              .y2 = Axis{.label = "active bonds of contacts", .low = 0, .high = 1.02}};
     Curve coordination = while_falling(results, "coordination");
     coordination.name = "coordination number (left)";
     Curve active = while_falling(results, "active_bond_fraction");

@@ -16,8 +16,7 @@ class PullOut : public PaperExperiment {
     cohesion_ = *jobs.jobs()[pulls_[0].runs[0]].scenario.grain_law.cohesion_force;
   }
 
-  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
-              Findings& findings) const override {
+  void report(const PaperResults& results, Section& section, Findings& findings) const override {
     Curve pull{.name = "pull-out force (left)"};
     Curve weight = curve_over(results, "weight above the intruder's height, over the total (right)",
                               curve_.forces, curve_.pushes, "weight_above_level");
@@ -53,8 +52,7 @@ class PullOut : public PaperExperiment {
               .title = "Pull-out force and weight above against the push force",
               .x = {.label = "push force", .unit = "F_c"},
               .y = {.label = "pull-out force", .unit = "F_c", .low = 0},
-              .y2 = Axis{.label = "weight above / total weight", .low = 0, .high = 1},
-              .legend = LegendPlace::below};
+              .y2 = Axis{.label = "weight above / total weight", .low = 0, .high = 1}};
     add_limit_of_paper(plot);
     add_with_band(plot, std::move(pull));
     add_with_band(plot, std::move(weight));

@@ -49,8 +49,7 @@ class Density : public PaperExperiment {
     for (const RunGroup& sample : samples_) curves_.push_back(jobs.push_curve(sample));
   }
 
-  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
-              Findings& findings) const override {
+  void report(const PaperResults& results, Section& section, Findings& findings) const override {
     section.add(Paragraph{
         by_drop_ ? "The denser specimen is made of grains that come faster by 5 √(gd). All laws "
                    "are the same."
@@ -82,8 +81,8 @@ class Density : public PaperExperiment {
                  "errors: what their density does is not measured."});
     else
       note(findings, "penetration.density_shift", shift(results));
-    section.add(
-        push_outcomes(results, "Pushes of both specimens, after everything rests.", rows, all_));
+    section.add(outcome_table(results, "Pushes of both specimens, after everything rests.",
+                              {"case"}, rows, kAfterPush, all_));
     section.add(Figure{std::move(plot), "Final depth against the push force."});
   }
 
@@ -154,12 +153,12 @@ class WaterDrag : public PaperExperiment {
     with_ = jobs.pushes(samples, kForce, "drag", {{"drag", {{"viscosity", kWater}}}});
   }
 
-  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
-              Findings& findings) const override {
-    section.add(push_outcomes(results,
+  void report(const PaperResults& results, Section& section, Findings& findings) const override {
+    section.add(outcome_table(results,
                               "Pushes with the cohesion force, with and without viscous drag of "
                               "water (Stokes' law on each grain).",
-                              {{"without drag", without_}, {"with drag", with_}}, all_));
+                              {"case"}, {{"without drag", without_}, {"with drag", with_}},
+                              kAfterPush, all_));
     note(findings, "penetration.drag_effect", largest_change(results));
   }
 

@@ -37,8 +37,7 @@ class Shear : public PaperExperiment {
     scene_ = jobs.jobs()[runs_.loose.runs.front()].scenario;
   }
 
-  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
-              Findings& findings) const override {
+  void report(const PaperResults& results, Section& section, Findings& findings) const override {
     const PaperStrength loose = paper_strength(results, runs_.loose),
                         weak = paper_strength(results, runs_.weak),
                         strong = paper_strength(results, runs_.strong),
@@ -113,8 +112,7 @@ class Shear : public PaperExperiment {
     Plot plot{.name = name,
               .title = title,
               .x = {.label = "depth", .unit = "d", .low = 0},
-              .y = std::move(strength_axis),
-              .legend = LegendPlace::below};
+              .y = std::move(strength_axis)};
     for (const auto& [curve, strength] : all) add_strength(plot, *strength, curve);
     return plot;
   }

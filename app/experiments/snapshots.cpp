@@ -1,5 +1,3 @@
-// Pictures of last states: by the number of active bonds, and in two colours, by whether all bonds of a grain hold. The
-// paper's own colours are not among the facts that we have of it.
 #include "app/experiments/experiments.h"
 #include "app/run_folder/state_file.h"
 #include "app/view/film.h"
@@ -11,7 +9,7 @@
 namespace quicksand {
 
 void add_snapshots(Section& section, const PaperResults& results, const RunGroup& group,
-                   const std::filesystem::path& folder, const std::string& caption) {
+                   const std::string& caption) {
   const auto runs = results.runs(group);
   if (runs.empty()) return;
   try {
@@ -19,6 +17,7 @@ void add_snapshots(Section& section, const PaperResults& results, const RunGroup
     const StateFile state = read_state(run.state());
     const World& world = state.checkpoint.world;
     View view{.width = 640, .height = 960, .detail = false};
+    const std::filesystem::path& folder = results.pictures();
     std::filesystem::create_directories(folder);
     const std::string text[] = {caption};
     const std::filesystem::path ours = folder / (group.name + ".png"),

@@ -60,8 +60,7 @@ class Samples : public PaperExperiment {
     for (const Setting& s : settings(scale_)) groups_.push_back(jobs.samples(s.tag, s.laws, s.set));
   }
 
-  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
-              Findings& findings) const override {
+  void report(const PaperResults& results, Section& section, Findings& findings) const override {
     Table table{.caption =
                     "Samples after deposition and settling. Volume fraction of the lower 70 %; "
                     "mean ± standard error over realizations.",
@@ -74,10 +73,9 @@ class Samples : public PaperExperiment {
         .title = "Samples: coordination number and volume fraction",
         .x = {.label = "volume fraction"},
         .y = {.label = "coordination number"},
-        .references =
-            {{.name = "paper: volume fraction (upright)", .low = 0.40, .high = 0.43, .of_x = true},
-             {.name = "paper: coordination number (level)", .low = 2.05, .high = 2.06}},
-        .legend = LegendPlace::below};
+        .references = {
+            {.name = "paper: volume fraction (upright)", .low = 0.40, .high = 0.43, .of_x = true},
+            {.name = "paper: coordination number (level)", .low = 2.05, .high = 2.06}}};
     std::vector<std::string> numbers;
     Curve points{.name = "depositions, numbered as in the table"};
     const std::vector<Setting> all = settings(scale_);

@@ -55,28 +55,23 @@ class StructureOfSamples : public PaperExperiment {
                {"after the piston", jobs.pistons(samples)}};
   }
 
-  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
-              Findings&) const override {
+  void report(const PaperResults& results, Section& section, Findings&) const override {
     Plot profile{.name = "structure_profile",
                  .title = "Volume fraction over height",
                  .x = {.label = "volume fraction", .low = 0},
-                 .y = {.label = "height", .unit = "d", .low = 0},
-                 .legend = LegendPlace::below};
+                 .y = {.label = "height", .unit = "d", .low = 0}};
     Plot angles{.name = "structure_bond_angles",
                 .title = "Angles between neighbouring bonds of a grain",
                 .x = {.label = "angle", .unit = "°", .low = 0, .high = 180},
-                .y = {.label = "density", .unit = "1/°", .low = 0},
-                .legend = LegendPlace::below};
+                .y = {.label = "density", .unit = "1/°", .low = 0}};
     Plot forces{.name = "structure_contact_forces",
                 .title = "Compressive forces in contacts",
                 .x = {.label = "force over its mean", .logarithmic = true},
-                .y = {.label = "density", .logarithmic = true},
-                .legend = LegendPlace::below};
+                .y = {.label = "density", .logarithmic = true}};
     Plot tensions{.name = "structure_bond_tensions",
                   .title = "Tensile forces in bonds",
                   .x = {.label = "force", .unit = "F_c", .logarithmic = true},
-                  .y = {.label = "density", .unit = "1/F_c", .logarithmic = true},
-                  .legend = LegendPlace::below};
+                  .y = {.label = "density", .unit = "1/F_c", .logarithmic = true}};
     Table counts{
         .caption =
             "What counts as a contact: neighbours of a grain, and active bonds over them (a "

@@ -22,8 +22,7 @@ class Velocity : public PaperExperiment {
     push_ = jobs.jobs()[curve_.pushes.front().runs.front()].scenario;
   }
 
-  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
-              Findings& findings) const override {
+  void report(const PaperResults& results, Section& section, Findings& findings) const override {
     const Curve curve = ploughing_speeds(results, "mean velocity", curve_, height_);
     std::vector<double> squares;
     for (const double speed : curve.y) squares.push_back(speed * speed);
@@ -50,7 +49,6 @@ class Velocity : public PaperExperiment {
     if (const auto found = findings.find("penetration.threshold_force"); found != findings.end())
       plot.references.push_back({.name = "smallest force that enters",
                                  .low = found->second.value,
-                                 .high = found->second.value,
                                  .of_x = true,
                                  .role = Reference::Role::guide});
     section.add(Figure{

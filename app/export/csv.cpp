@@ -1,4 +1,3 @@
-// Tables as comma-separated text.
 #include "app/export/formats.h"
 
 namespace quicksand {

@@ -98,10 +98,8 @@ std::vector<OutlinePiece> outlines_of(const World& world) {
 }  // namespace
 
 ExportedWorld::ExportedWorld(const World& exported)
-    : ExportedWorld(exported, touching_pairs(exported)) {}
-
-ExportedWorld::ExportedWorld(const World& exported, const std::vector<Pair>& touching)
     : world(exported),
+      touching(touching_pairs(exported)),
       counts(count_neighbours(exported, touching)),
       pressure(contact_pressure(exported)),
       links(links_of(exported, touching)),

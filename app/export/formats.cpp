@@ -1,7 +1,5 @@
 #include "app/export/formats.h"
 
-#include <algorithm>
-
 #include "app/base/nearest_name.h"
 #include "core/base/errors.h"
 

@@ -1,5 +1,3 @@
-// Tables as NumPy arrays of structs.
-//
 // A file is the magic text, the version 1.0, the length of the header as 16 bits, the header (a Python
 // dictionary, filled up with spaces so that the data begin at a multiple of 64 bytes), and the rows.
 #include <bit>

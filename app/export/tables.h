@@ -37,6 +37,7 @@ class ExportedWorld {
   explicit ExportedWorld(const World& world);
 
   const World& world;
+  const std::vector<Pair> touching;          // sorted
   const NeighbourCounts counts;              // (nd)
   const std::vector<double> pressure;        // (nd) [F_g/d]
   const std::vector<Link> links;             // sorted by pair
@@ -46,9 +47,6 @@ class ExportedWorld {
   Vec2 place(int disk) const;           // centre, inside periodic sides [d]
   Vec2 branch(const Link& link) const;  // from the centre of a to that of b, or to the wall [d]
   Vec2 wall_end(int wall, int which) const;  // where a picture lets the wall begin and end [d]
-
- private:
-  ExportedWorld(const World& world, const std::vector<Pair>& touching);
 };
 
 // A number, or a vector (x, y), of each row.

@@ -1,5 +1,3 @@
-// Tables as VTK XML PolyData, and ParaView's collections of them.
-//
 // An array is the base64 text of its length in bytes (UInt64) and its numbers. The values of points
 // belong to them as point data, those of lines as cell data.
 #include <bit>

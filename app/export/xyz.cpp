@@ -3,7 +3,6 @@
 // symbols of chemical elements for a species: grains are Si, intruders are I. Readers know no shapes, so the outline
 // of an intruder of several parts follows as a string of points, O, with all else that the intruder has.
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "app/export/formats.h"

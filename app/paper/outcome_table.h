@@ -1,6 +1,7 @@
 // Tables of what groups of runs end with.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,12 +14,21 @@ struct OutcomeRow {
   RunGroup runs;
 };
 
-// A row a group, with depth, shares of bonds and coordination number at the end of its pushes. `all`: realizations
-// that there should be.
-Table push_outcomes(const PaperResults& results, const std::string& caption,
-                    const std::vector<OutcomeRow>& rows, int all);
-// The same after the piston, with the volume fraction in place of the depth.
-Table piston_outcomes(const PaperResults& results, const std::string& caption,
-                      const std::vector<OutcomeRow>& rows, int all);
+struct FinalQuantity {
+  const char* quantity;
+  const char* title;  // of its column
+};
+inline constexpr FinalQuantity kAfterPush[] = {{"depth", "depth [d]"},
+                                               {"active_bond_fraction", "active of contacts"},
+                                               {"remaining_bond_fraction", "remaining of initial"},
+                                               {"coordination", "coordination"}};
+inline constexpr FinalQuantity kAfterPiston[] = {
+    {"volume_fraction", "volume fraction"}, kAfterPush[1], kAfterPush[2], kAfterPush[3]};
+
+// A row a group, its text in the column `first`, with the means of these quantities. `all`: realizations that there
+// should be.
+Table outcome_table(const PaperResults& results, const std::string& caption, const Column& first,
+                    const std::vector<OutcomeRow>& rows, std::span<const FinalQuantity> of,
+                    int all);
 
 }  // namespace quicksand

@@ -1,7 +1,6 @@
 #include "app/paper/paper_jobs.h"
 
 #include <cmath>
-#include <cstdio>
 
 #include "app/base/assets.h"
 #include "app/json/json_reader.h"
@@ -9,6 +8,7 @@
 #include "app/scene/scene_override.h"
 #include "app/scene_json/scenario_json.h"
 #include "core/base/errors.h"
+#include "core/base/format.h"
 #include "core/scene/validate.h"
 
 namespace quicksand {
@@ -46,11 +46,6 @@ void make_nscd(Json& scene, const PaperScale& scale, const std::string& file) {
     }
   }
   scene["step"]["dt"] = deposits ? setting.deposit_step : setting.fast_step;
-}
-
-std::string two_digits(std::size_t number) {
-  std::string text = std::to_string(number);
-  return text.size() < 2 ? "0" + text : text;
 }
 
 }  // namespace
@@ -111,8 +106,9 @@ RunGroup PaperJobs::add(const std::string& scene, const std::string& name, const
   Job job;
   job.values = changes;
   for (std::size_t k = 0; k < static_cast<std::size_t>(scale_.realizations); ++k) {
-    job.id = name + "/" + two_digits(k);
-    job.folder = {fs::absolute(out_ / "runs" / name / two_digits(k)).lexically_normal()};
+    const std::string number = format("%02zu", k);
+    job.id = name + "/" + number;
+    job.folder = {fs::absolute(out_ / "runs" / name / number).lexically_normal()};
     if (after) {
       job.after = after->runs[k];
       set_value(json, "start_from", jobs_[*job.after].folder.state().string(), file.string());
@@ -179,30 +175,14 @@ RunGroup PaperJobs::pulls(const RunGroup& pushes, double first_force_over_cohesi
   return add("pull", name, &pushes, {}, set);
 }
 
-template <class Plan>
-RunGroup PaperJobs::by(const NscdSetting& setting, std::size_t realizations, Plan plan) {
+RunGroup PaperJobs::by(const NscdSetting& setting, std::size_t realizations,
+                       const std::function<RunGroup()>& plan) {
   const PaperScale usual = scale_;
   make_nscd(scale_, setting);
   scale_.realizations = static_cast<int>(realizations);
   RunGroup group = plan();
   scale_ = usual;
   return group;
-}
-
-RunGroup PaperJobs::samples_by(const NscdSetting& setting, std::uint64_t seed,
-                               const std::string& tag) {
-  return by(setting, 1, [&] { return samples(tag, {}, {{"seed", seed}}); });
-}
-
-RunGroup PaperJobs::pushes_by(const NscdSetting& setting, const RunGroup& samples,
-                              double force_over_cohesion, const std::string& tag) {
-  return by(setting, samples.runs.size(),
-            [&] { return pushes(samples, force_over_cohesion, tag); });
-}
-
-RunGroup PaperJobs::pistons_by(const NscdSetting& setting, const RunGroup& samples,
-                               const std::string& tag, const PistonLoad& load) {
-  return by(setting, samples.runs.size(), [&] { return pistons(samples, tag, load); });
 }
 
 RunGroup PaperJobs::pistons(const RunGroup& samples) {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -112,19 +113,13 @@ class PaperJobs {
   RunGroup pistons(const RunGroup& samples, const std::string& tag, const PistonLoad& load);
   // With the load of the scale's method.
   RunGroup pistons(const RunGroup& samples);
-  // By NSCD with another setting than the scale's, of this seed alone or of all these specimens; `tag` as above.
-  RunGroup samples_by(const NscdSetting& setting, std::uint64_t seed, const std::string& tag);
-  RunGroup pushes_by(const NscdSetting& setting, const RunGroup& samples,
-                     double force_over_cohesion, const std::string& tag);
-  RunGroup pistons_by(const NscdSetting& setting, const RunGroup& samples, const std::string& tag,
-                      const PistonLoad& load);
   // `top`: about where the packing ends [d].
   RunGroup shears(const RunGroup& states, double top, double first_force);
+  // What `plan` asks for, by NSCD with another setting than the scale's, so many realizations.
+  RunGroup by(const NscdSetting& setting, std::size_t realizations,
+              const std::function<RunGroup()>& plan);
 
  private:
-  // What `plan` plans, with this setting.
-  template <class Plan>
-  RunGroup by(const NscdSetting& setting, std::size_t realizations, Plan plan);
   RunGroup add(const std::string& scene, const std::string& name, const RunGroup* after,
                ParameterValues laws, const ParameterValues& set);
 

@@ -8,7 +8,8 @@
 
 namespace quicksand {
 
-PaperResults::PaperResults(std::span<const Job> jobs) : results_(jobs.size()) {
+PaperResults::PaperResults(std::span<const Job> jobs, std::filesystem::path pictures)
+    : pictures_(std::move(pictures)), results_(jobs.size()) {
   for (std::size_t k = 0; k < jobs.size(); ++k) {
     const RunRecord record = read_record(jobs[k]);
     if (record.status == JobStatus::finished && !record.other_scene)
@@ -77,11 +78,6 @@ std::optional<Measured> PaperResults::critical_force(const RunGroup& group, doub
   return mean_over(forces);
 }
 
-std::optional<Measured> mean_over(std::span<const double> values, const std::string& note) {
-  if (values.empty()) return std::nullopt;
-  return measured_over(values, note);
-}
-
 void note(Findings& findings, const std::string& id, const std::optional<Measured>& found) {
   if (found) findings[id] = *found;
 }
@@ -110,13 +106,6 @@ void add_with_band(Plot& plot, Curve curve) {
   if (curve.kind == Curve::Kind::points) curve.kind = Curve::Kind::line_points;
   plot.curves.push_back(std::move(curve));
   plot.curves.push_back(std::move(band));
-}
-
-void add_point(Curve& curve, double x, const std::optional<Measured>& y) {
-  if (!y) return;
-  curve.x.push_back(x);
-  curve.y.push_back(y->value);
-  curve.y_error.push_back(y->standard_error.value_or(0));
 }
 
 Curve curve_over(const PaperResults& results, const std::string& name, std::span<const double> x,

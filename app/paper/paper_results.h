@@ -2,6 +2,7 @@
 // left out of every mean, and the mean says over how many runs it is.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,7 +16,10 @@ namespace quicksand {
 
 class PaperResults {
  public:
-  explicit PaperResults(std::span<const Job> jobs);
+  // `pictures`: the folder of what reports draw of them.
+  explicit PaperResults(std::span<const Job> jobs, std::filesystem::path pictures = {});
+
+  const std::filesystem::path& pictures() const { return pictures_; }
 
   // Null if the run did not finish.
   const RunResults* run(std::size_t job) const;
@@ -37,11 +41,9 @@ class PaperResults {
                                  const std::string& quantity) const;
 
  private:
+  std::filesystem::path pictures_;
   std::vector<std::optional<RunResults>> results_;  // (jobs)
 };
-
-// Mean and error of values, absent if there are none.
-std::optional<Measured> mean_over(std::span<const double> values, const std::string& note = {});
 
 // Notes a finding if there is one.
 void note(Findings& findings, const std::string& id, const std::optional<Measured>& found);
@@ -51,9 +53,6 @@ Cell cell_of(const std::optional<Measured>& measured, int all);
 
 // Adds a curve to a plot, with a band of one standard error in place of bars where it has two points and more.
 void add_with_band(Plot& plot, Curve curve);
-
-// With its error bar, if there is one to add.
-void add_point(Curve& curve, double x, const std::optional<Measured>& y);
 
 // Points with error bars: one x a group, y a final quantity. Groups without a value are left out.
 Curve curve_over(const PaperResults& results, const std::string& name, std::span<const double> x,

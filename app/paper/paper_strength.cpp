@@ -57,10 +57,7 @@ std::optional<double> PaperStrength::constant_down_to() const {
 }
 
 PaperStrength paper_strength(const PaperResults& results, const RunGroup& shears) {
-  struct AtDepth {
-    std::vector<double> forces, weights;
-  };
-  std::map<double, AtDepth> depths;
+  std::map<double, std::vector<double>> depths;  // forces at each
   std::vector<double> depth_of_grain, weight_of_grain, strength_of_grain;
   PaperStrength pooled;
   for (const RunResults* run : results.runs(shears)) {
@@ -75,17 +72,14 @@ PaperStrength paper_strength(const PaperResults& results, const RunGroup& shears
       weight_of_grain.push_back(found["weight_above"].get<double>());
       strength_of_grain.push_back(
           (found["force_low"].get<double>() + found["force_high"].get<double>()) / 2);
-      AtDepth& at = depths[depth_of_grain.back()];
-      at.forces.push_back(strength_of_grain.back());
-      at.weights.push_back(weight_of_grain.back());
+      depths[depth_of_grain.back()].push_back(strength_of_grain.back());
     }
   }
-  for (const auto& [depth, at] : depths) {
-    const Mean force = *mean_of(at.forces);
+  for (const auto& [depth, forces] : depths) {
+    const Mean force = *mean_of(forces);
     pooled.depth.push_back(depth);
     pooled.strength.push_back(force.value);
     pooled.error.push_back(force.error.value_or(0));
-    pooled.weight_above.push_back(mean_of(at.weights)->value);
   }
   pooled.against_depth = fit_line(depth_of_grain, strength_of_grain);
   pooled.against_weight = fit_line(weight_of_grain, strength_of_grain);

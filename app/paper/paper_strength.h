@@ -10,13 +10,12 @@
 namespace quicksand {
 
 struct PaperStrength {
-  std::vector<double> depth;         // below the top (n) [d]
-  std::vector<double> strength;      // mean (n) [F_g]
-  std::vector<double> error;         // of the mean (n) [F_g]; 0 for a single grain
-  std::vector<double> weight_above;  // of all grains above (n) [F_g]
-  int grains = 0;                    // with a critical force
-  int unbracketed = 0;  // of these, whose lower end only ran out of time (is_bracketed)
-  int never_moved = 0;  // without
+  std::vector<double> depth;     // below the top (n) [d]
+  std::vector<double> strength;  // mean (n) [F_g]
+  std::vector<double> error;     // of the mean (n) [F_g]; 0 for a single grain
+  int grains = 0;                // with a critical force
+  int unbracketed = 0;           // of these, whose lower end only ran out of time (is_bracketed)
+  int never_moved = 0;           // without
   std::optional<Line> against_depth;   // [F_g/d], [F_g]
   std::optional<Line> against_weight;  // slope: the effective friction coefficient [1]
 

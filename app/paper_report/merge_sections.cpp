@@ -44,7 +44,6 @@ void add_to(Plot& plot, Plot&& other) {
         plot.references.end())
       plot.references.push_back(std::move(reference));
   std::ranges::move(other.annotations, std::back_inserter(plot.annotations));
-  if (plot.legend == LegendPlace::none) return;
   plot.legend = LegendPlace::below;  // there is more in it
 }
 

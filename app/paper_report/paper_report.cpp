@@ -20,11 +20,11 @@ struct Found {
   std::vector<std::pair<const PaperFigure*, Section>> sections;
 };
 
-Found found_by(const Programme& programme, const PaperResults& results, const fs::path& pictures) {
+Found found_by(const Programme& programme, const PaperResults& results) {
   Found found{.numbers = {.method = programme.method, .findings = {}}, .sections = {}};
   for (const PlannedFigure& planned : programme.figures) {
     Section section{.title = std::string(planned.figure->title), .blocks = {}};
-    planned.experiment->report(results, pictures, section, found.numbers.findings);
+    planned.experiment->report(results, section, found.numbers.findings);
     found.sections.emplace_back(planned.figure, std::move(section));
   }
   return found;
@@ -154,8 +154,8 @@ Report paper_report(const PaperReport& made, const std::vector<Programme>& progr
   for (std::size_t p = 0; p < programmes.size(); ++p) {
     const Programme& programme = programmes[p];
     const std::vector<Job>& jobs = programme.jobs.jobs();
-    const PaperResults results(jobs);
-    found.push_back(found_by(programme, results, made.folder / "snapshots" / programme.method));
+    const PaperResults results(jobs, made.folder / "snapshots" / programme.method);
+    found.push_back(found_by(programme, results));
     methods.push_back(found.back().numbers);
     const PaperScale& scale = programme.jobs.scale();
     const fs::path folder = programmes.size() > 1 ? made.folder / programme.method : made.folder;
@@ -186,7 +186,7 @@ Report paper_report(const PaperReport& made, const std::vector<Programme>& progr
     runs.add(Remark{Remark::Kind::note, "Figures without a finished run: " + names});
   }
   report.sections.push_back(std::move(runs));
-  report.provenance = provenance({.command = made.command({}), .seconds = seconds});
+  report.provenance = provenance(made.command({}), seconds);
   report.provenance.emplace_back("runs", commits);
   return report;
 }

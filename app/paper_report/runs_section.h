@@ -3,7 +3,6 @@
 
 #include <span>
 #include <string>
-#include <vector>
 
 #include "app/jobs/job_pool.h"
 #include "app/paper/paper_results.h"

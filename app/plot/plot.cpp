@@ -7,7 +7,6 @@
 #include "app/json/json_reader.h"
 #include "app/plot/plot_rows.h"
 #include "app/plot/report_text.h"
-#include "app/run_folder/run_folder.h"
 #include "core/base/whole_file.h"
 #include "render/base/external_program.h"
 

@@ -2,7 +2,7 @@
 //
 // NAME.csv holds every number drawn, one row a point; NAME.gp is a gnuplot script that reads it and
 // can be changed by hand; NAME.png and NAME.svg are what gnuplot makes of both. All text is plain
-// (app/report/report_text.h). Equal plots give equal bytes.
+// (app/plot/report_text.h). Equal plots give equal bytes.
 #pragma once
 
 #include <filesystem>
@@ -25,9 +25,8 @@ struct Curve {
     points,  // with error bars where errors are given, also with lines
     line,    // through the points
     line_points,
-    steps,      // constant from a point to the next
-    histogram,  // bars centred on x
-    band        // filled from y_low to y_high
+    steps,  // constant from a point to the next
+    band    // filled from y_low to y_high
   };
   // Ours is drawn filled and in colour; the paper's black, open or dashed; a fit as a thin line in the
   // colour of the curve before it.
@@ -51,7 +50,7 @@ struct Reference {
 
   std::string name{};  // may be empty
   double low = 0;
-  double high = 0;  // equal to `low`: a line, else a filled band
+  double high = low;  // equal to `low`: a line, else a filled band
   bool of_x = false;
   Role role = Role::paper;
 };
@@ -62,14 +61,7 @@ struct Annotation {
   bool below = false;  // and not above
 };
 
-enum class LegendPlace : std::uint8_t {
-  top_right,
-  top_left,
-  bottom_right,
-  bottom_left,
-  below,
-  none
-};
+enum class LegendPlace : std::uint8_t { below, top_left, bottom_right };
 
 struct Plot {
   std::string name{};  // of the files: a to z, 0 to 9 and underscores
@@ -79,7 +71,7 @@ struct Plot {
   std::vector<Curve> curves{};
   std::vector<Reference> references{};
   std::vector<Annotation> annotations{};
-  LegendPlace legend = LegendPlace::top_right;
+  LegendPlace legend = LegendPlace::below;
 };
 
 struct PlotFiles {

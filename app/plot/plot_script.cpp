@@ -28,7 +28,6 @@ std::string label_of(const Axis& axis) {
 struct Extent {
   double low = HUGE_VAL;
   double high = -HUGE_VAL;
-  bool of_bars = false;  // gnuplot knows how wide and high they are
 
   bool empty() const { return low > high; }
   void add(double value, const Axis& axis) {
@@ -54,7 +53,7 @@ std::string range_of(const Axis& axis, const Extent& extent) {
                  text(axis.high, number_text(axis.logarithmic ? 10 * low : low + 1)));
   }
   const double from = axis.low.value_or(extent.low), to = axis.high.value_or(extent.high);
-  if (extent.of_bars || !(to > from) || (axis.logarithmic && from <= 0))
+  if (!(to > from) || (axis.logarithmic && from <= 0))
     return range(text(axis.low, "*"), text(axis.high, "*"));
   if (axis.logarithmic) {
     const double factor = std::pow(to / from, kMargin);
@@ -97,7 +96,6 @@ class Script {
         const bool second = curve.second_axis && plot.y2;
         for (const double value : {row.y, row.y_low, row.y_high})
           second ? y2_.add(value, *plot.y2) : y_.add(value, plot.y);
-        if (curve.kind == Curve::Kind::histogram) x_.of_bars = y_.of_bars = true;
       }
     }
     for (const Reference& reference : plot.references) {
@@ -112,8 +110,7 @@ class Script {
       head["colour_" + std::to_string(i + 1)] = style_sheet(kCurveColours[i]);
     add("head", head);
     if (!plot_.title.empty()) add("title", {{"title", gnuplot_text(plot_.title)}});
-    constexpr std::string_view kPlaces[] = {"top_right",   "top_left", "bottom_right",
-                                            "bottom_left", "below",    "none"};
+    constexpr std::string_view kPlaces[] = {"below", "top_left", "bottom_right"};
     add("legend_" + std::string(kPlaces[static_cast<int>(plot_.legend)]));
     axis("x", plot_.x, x_);
     add("x_axis");
@@ -224,8 +221,7 @@ class Script {
     const Curve& curve = plot_.curves[i];
     const bool of_paper = curve.role == Curve::Role::paper;
     const std::string number = "_" + std::to_string(places_[i] % kStyles + 1);
-    constexpr std::string_view kKinds[] = {"points", "line",      "line_points",
-                                           "steps",  "histogram", "band"};
+    constexpr std::string_view kKinds[] = {"points", "line", "line_points", "steps", "band"};
     return pieces_.fill(std::string(kKinds[static_cast<int>(curve.kind)]),
                         {{"colour", of_paper ? "paper" : "ours" + number},
                          {"marker", (of_paper ? "open" : "filled") + number},

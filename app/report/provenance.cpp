@@ -7,17 +7,17 @@
 
 namespace quicksand {
 
-std::vector<std::pair<std::string, std::string>> provenance(const ReportOrigin& origin) {
+std::vector<std::pair<std::string, std::string>> provenance(const std::string& command,
+                                                            std::optional<double> seconds) {
   const BuildInfo& build = build_info();
   const Machine computer = machine();
   std::vector<std::pair<std::string, std::string>> rows{
       {"program", "quicksand " + build.version +
                       (build.commit == "unknown" ? "" : ", commit " + build.commit)},
       {"compiler", build.compiler + ", " + build.build_type},
-      {"machine", computer.processor + ", " + std::to_string(computer.cores) + " cores"}};
-  if (!origin.command.empty()) rows.emplace_back("command", origin.command);
-  if (!origin.date.empty()) rows.emplace_back("date", origin.date);
-  if (origin.seconds) rows.emplace_back("computing time", duration_text(*origin.seconds));
+      {"machine", computer.processor + ", " + std::to_string(computer.cores) + " cores"},
+      {"command", command}};
+  if (seconds) rows.emplace_back("computing time", duration_text(*seconds));
   return rows;
 }
 

@@ -8,14 +8,10 @@
 
 namespace quicksand {
 
-struct ReportOrigin {
-  std::string command{};            // line that made the report
-  std::string date{};               // as the caller wants it; left out if empty
-  std::optional<double> seconds{};  // of all the computing in the report [s]
-};
-
-// Program, commit, compiler, machine and what the caller adds. Two calls give the same.
-std::vector<std::pair<std::string, std::string>> provenance(const ReportOrigin& origin);
+// Program, commit, compiler, machine, the command that made the report, and the time of all computing in it, where that
+// is known [s]. Two calls give the same.
+std::vector<std::pair<std::string, std::string>> provenance(const std::string& command,
+                                                            std::optional<double> seconds);
 
 // "quicksand report 'my run'": words that a shell would read otherwise in quotes.
 std::string command_text(const std::vector<std::string>& words);

@@ -15,12 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw InputError(folder.string(), "cannot be made: " + error.message());
-}
-
 // A copy, so that the report stays whole when runs go.
 std::string copy_picture(const fs::path& file, std::size_t number, const fs::path& folder) {
   constexpr std::string_view kSignature = "\x89PNG";
@@ -44,13 +38,13 @@ struct FileWriter {
       throw InputError(figure.plot.name, "is the name of two plots of one report");
     }
     const fs::path folder = files.folder / "plots";
-    make_folder(folder);
+    make_writable({folder});
     files.plots.push_back({figure.plot.name, write_plot(figure.plot, folder)});
   }
 
   void operator()(const Gallery& gallery) {
     const fs::path folder = files.folder / "pictures";
-    make_folder(folder);
+    make_writable({folder});
     for (const Gallery::Picture& picture : gallery.pictures) {
       files.pictures.push_back(copy_picture(picture.file, files.pictures.size() + 1, folder));
     }
@@ -60,16 +54,8 @@ struct FileWriter {
 }  // namespace
 
 std::string symbol_of(Cell::Mark mark) {
-  switch (mark) {
-    case Cell::Mark::inside:
-      return "✓ ";
-    case Cell::Mark::outside:
-      return "✗ ";
-    case Cell::Mark::undecided:
-      return "? ";
-    default:
-      return {};
-  }
+  constexpr const char* kSymbols[] = {"", "✓ ", "✗ ", "? "};
+  return kSymbols[static_cast<int>(mark)];
 }
 
 std::vector<Section> all_sections(const Report& report) {
@@ -82,7 +68,7 @@ std::vector<Section> all_sections(const Report& report) {
 }
 
 std::vector<std::string> write_report(const Report& report, const fs::path& folder) {
-  make_folder(folder);
+  make_writable({folder});
   ReportFiles files{folder, {}, {}};
   FileWriter writer{files, {}};
   for (const Section& section : report.sections) {

@@ -1,6 +1,6 @@
 // A report: what it says, independent of how it is written down.
 //
-// All text is plain and becomes markup only in the writers (app/report/report_text.h), so nothing in a
+// All text is plain and becomes markup only in the writers (app/plot/report_text.h), so nothing in a
 // name or a message can break a page. write_report leaves, in one folder:
 //   report.html   one file with everything in it, for reading and sending
 //   report.md     for a repository, with links to the files below
@@ -77,7 +77,6 @@ struct Gallery {
     std::string command{};  // that makes it again; under it
   };
   std::vector<Picture> pictures{};
-  std::string caption{};
 };
 
 using Block = std::variant<Paragraph, Remark, BulletList, Verbatim, Table, Figure, Gallery>;

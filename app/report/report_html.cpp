@@ -1,5 +1,5 @@
-// report.html: one file with everything in it. Plots are SVG pictures and frames PNG pictures, all
-// inside the page; it asks for nothing from elsewhere and runs no script.
+// Plots are SVG pictures and frames PNG pictures, all inside the page; it asks for nothing from elsewhere and runs no
+// script.
 #include <string>
 
 #include "app/base/assets.h"
@@ -27,16 +27,8 @@ std::string image(const std::string& attributes, const std::string& alternative,
 }
 
 std::string class_of(Cell::Mark mark) {
-  switch (mark) {
-    case Cell::Mark::inside:
-      return "inside";
-    case Cell::Mark::outside:
-      return "outside";
-    case Cell::Mark::undecided:
-      return "undecided";
-    default:
-      return {};
-  }
+  constexpr const char* kClasses[] = {"", "inside", "outside", "undecided"};
+  return kClasses[static_cast<int>(mark)];
 }
 
 std::string command_of(const std::string& command) {
@@ -142,7 +134,6 @@ class HtmlWriter {
           "\n";
     }
     add(element("div class=\"gallery\"", "\n" + inside));
-    if (!block.caption.empty()) add(element("p class=\"caption\"", html_text(block.caption)));
   }
 
   void add(const std::string& text) { text_ += text + "\n"; }

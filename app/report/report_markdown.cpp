@@ -1,4 +1,3 @@
-// report.md: GitHub's Markdown, with links to the plots and pictures beside it.
 #include <algorithm>
 #include <string>
 
@@ -123,7 +122,6 @@ class MarkdownWriter {
       table.pop_back();
       add(table);
     }
-    if (!block.caption.empty()) add("*" + markdown_text(block.caption) + "*");
   }
 
   void add(const std::string& text) { text_ += text + "\n\n"; }

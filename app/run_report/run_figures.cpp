@@ -17,11 +17,8 @@ struct TimeHistory {
 struct TimePlot {
   const char* name;
   const char* title;
-  const char* label;
-  const char* unit;
+  Axis y;
   std::vector<TimeHistory> histories;
-  bool logarithmic = false;
-  std::optional<double> low{}, high{};
   Curve::Kind kind = Curve::Kind::line;
   bool per_step = false;  // sums since the last sample, which are not equally long apart
   std::size_t compared = 1;
@@ -31,48 +28,35 @@ std::vector<TimePlot> time_plots() {
   return {
       {.name = "bonds",
        .title = "Bonds",
-       .label = "fraction",
-       .unit = "1",
+       .y = {.label = "fraction", .low = 0, .high = 1.05},
        .histories = {{"active_bond_fraction", "active bonds over contacts"},
                      {"remaining_bond_fraction", "remaining over initial bonds"}},
-       .low = 0,
-       .high = 1.05,
        .compared = 2},
       {.name = "coordination",
        .title = "Coordination number",
-       .label = "mean number of neighbours",
-       .unit = "1",
+       .y = {.label = "mean number of neighbours"},
        .histories = {{"coordination", "touching"},
                      {"coordination_loaded", "with a force or a bond"}}},
       {.name = "volume_fraction",
        .title = "Volume fraction of the lower 70 %",
-       .label = "volume fraction",
-       .unit = "1",
+       .y = {.label = "volume fraction"},
        .histories = {{"volume_fraction", "volume fraction"}}},
       {.name = "intruder",
        .title = "Height of the intruder",
-       .label = "height above the floor",
-       .unit = "d",
-       .histories = {{"intruder_y", "intruder's centre"}, {"packing_top", "top of the packing"}},
-       .low = 0},
+       .y = {.label = "height above the floor", .unit = "d", .low = 0},
+       .histories = {{"intruder_y", "intruder's centre"}, {"packing_top", "top of the packing"}}},
       {.name = "kinetic_energy",
        .title = "Kinetic energy",
-       .label = "energy",
-       .unit = "F_g d",
-       .histories = {{"kinetic_energy", "translation"}, {"rotational_energy", "rotation"}},
-       .logarithmic = true},
+       .y = {.label = "energy", .unit = "F_g d", .logarithmic = true},
+       .histories = {{"kinetic_energy", "translation"}, {"rotational_energy", "rotation"}}},
       {.name = "residual",
        .title = "Errors of the solver, worst since the last sample",
-       .label = "error",
-       .unit = "1",
-       .histories = {{"residual", "residual"}, {"gap_error", "gap error over its tolerance"}},
-       .logarithmic = true},
+       .y = {.label = "error", .logarithmic = true},
+       .histories = {{"residual", "residual"}, {"gap_error", "gap error over its tolerance"}}},
       {.name = "factorisations",
        .title = "Work of the solver, mean since the last sample",
-       .label = "factorisations per step",
-       .unit = "1",
+       .y = {.label = "factorisations per step", .low = 0},
        .histories = {{"factorisations", "factorisations"}},
-       .low = 0,
        .kind = Curve::Kind::steps,
        .per_step = true},
   };
@@ -128,7 +112,6 @@ std::vector<Reference> phase_guides(const RunResults& run, std::size_t first,
     if (phases[i] == phases[i - 1] || phases[i - 1] == "start") continue;
     guides.push_back({.name = phases[i],
                       .low = time[i - 1 - first],
-                      .high = time[i - 1 - first],
                       .of_x = true,
                       .role = Reference::Role::guide});
   }
@@ -140,10 +123,7 @@ struct DrivePlot {
   const char* phase;  // whose samples count
   const char* title;
   const char* way;  // column of series.csv
-  const char* way_label;
-  const char* way_unit;
-  const char* label;
-  const char* unit;
+  Axis x, y;
   double sign;  // of the load
   std::vector<TimeHistory> histories;
 };
@@ -152,10 +132,8 @@ std::vector<DrivePlot> drive_plots() {
   return {{.phase = "penetrate",
            .title = "Resistance over depth",
            .way = "depth",
-           .way_label = "depth of the lowest point",
-           .way_unit = "d",
-           .label = "upward force",
-           .unit = "F_g",
+           .x = {.label = "depth of the lowest point", .unit = "d"},
+           .y = {.label = "upward force", .unit = "F_g"},
            .sign = 1,
            .histories = {{"resistance", "all"},
                          {"resistance_front", "front"},
@@ -164,10 +142,8 @@ std::vector<DrivePlot> drive_plots() {
           {.phase = "vane",
            .title = "Torque over angle",
            .way = "intruder_angle",
-           .way_label = "angle",
-           .way_unit = "rad",
-           .label = "torque against the turning",
-           .unit = "F_g d",
+           .x = {.label = "angle", .unit = "rad"},
+           .y = {.label = "torque against the turning", .unit = "F_g d"},
            .sign = -1,
            .histories = {{"intruder_torque", "torque"}}}};
 }
@@ -178,9 +154,8 @@ std::optional<Plot> plot_of_drive(const DrivePlot& described, std::span<const Ru
   const bool single = runs.size() == 1;
   Plot plot{.name = std::string(described.phase) + "_load",
             .title = described.title,
-            .x = {.label = described.way_label, .unit = described.way_unit},
-            .y = {.label = described.label, .unit = described.unit},
-            .legend = LegendPlace::below};
+            .x = described.x,
+            .y = described.y};
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const std::vector<std::string>& phases = runs[r].phases();
     for (const TimeHistory& history : described.histories) {
@@ -226,12 +201,8 @@ std::vector<Figure> run_figures(std::span<const RunResults> runs, const std::str
     Plot plot{.name = first ? described.name : histories.front().quantity,
               .title = described.title,
               .x = {.label = since, .unit = "sqrt(d/g)"},
-              .y = {.label = single ? described.label : histories.front().name,
-                    .unit = described.unit,
-                    .low = described.low,
-                    .high = described.high,
-                    .logarithmic = described.logarithmic},
-              .legend = LegendPlace::below};
+              .y = described.y};
+    if (!single) plot.y.label = histories.front().name;
     for (std::size_t r = 0; r < runs.size(); ++r)
       for (const TimeHistory& history : histories)
         if (has_values(runs[r], history.quantity))

@@ -60,8 +60,7 @@ void add_step_errors(std::span<const RunResults> runs, const std::vector<std::st
             .x = {.label = "residual [1], gap of bonds and overlap [d]",
                   .low = kLeastShown,
                   .logarithmic = true},
-            .y = {.label = "share of steps, a bin", .low = 0},
-            .legend = LegendPlace::below};
+            .y = {.label = "share of steps, a bin", .low = 0}};
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (!is_nscd(runs[i])) continue;
     const Json errors = runs[i].summary().value("step_errors", Json::object());
@@ -90,11 +89,6 @@ void add_step_errors(std::span<const RunResults> runs, const std::vector<std::st
                              "deepest overlap that it leaves."});
 }
 
-std::string value_text(const RunResults& run, const std::string& key) {
-  const auto found = run.summary().find(key);
-  return found == run.summary().end() ? "-" : cell_text(*found);
-}
-
 std::vector<Column> columns_of(const std::vector<std::string>& first,
                                const std::vector<std::string>& names) {
   std::vector<Column> columns;
@@ -113,7 +107,8 @@ Table final_values(std::span<const RunResults> runs, const std::vector<std::stri
     if (quantity.help.find("since the last sample") != std::string_view::npos) continue;
     const std::string unit = typeset_unit(quantity.unit);
     std::vector<Cell> row{{std::string(quantity.name)}, {unit}};
-    for (const RunResults& run : runs) row.push_back({value_text(run, std::string(quantity.name))});
+    for (const RunResults& run : runs)
+      row.push_back({cell_text(run.summary().value(quantity.name, Json()))});
     row.push_back({std::string(quantity.help)});
     table.rows.push_back(std::move(row));
   }
@@ -124,7 +119,8 @@ Table computing(std::span<const RunResults> runs, const std::vector<std::string>
   Table table{.columns = columns_of({"", "unit"}, names)};
   for (const Named& entry : kComputing) {
     std::vector<Cell> row{{entry.text}, {typeset_unit(entry.unit)}};
-    for (const RunResults& run : runs) row.push_back({value_text(run, entry.key)});
+    for (const RunResults& run : runs)
+      row.push_back({cell_text(run.summary().value(entry.key, Json()))});
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -278,26 +274,24 @@ std::vector<std::string> run_warnings(const RunResults& run) {
         typeset(number_or(run, "bonds_broken_in_unconverged_steps", 0)) +
         " bonds failed in them by the gap criterion, as the method has it. The results depend on "
         "sweeps and time step; the section on computing shows by how much the steps are off.");
-    std::ranges::move(search_warnings(summary, summary.value("phases_finished", 0)),
-                      std::back_inserter(warnings));
-    return warnings;
-  }
-  if (unconverged > 0) {
-    warnings.push_back(typeset(unconverged) + " steps did not converge; the worst residual is " +
-                       typeset(number_or(run, "worst_residual", 0), 2) + ".");
-  }
-  const double broken = number_or(run, "bonds_broken_in_unconverged_steps", 0);
-  if (broken > 0) {
-    warnings.push_back(typeset(broken) + " bonds broke in steps that did not converge.");
-  }
-  const double withheld = number_or(run, "bond_breaks_withheld", 0);
-  if (withheld > 0) {
-    warnings.push_back(typeset(withheld) +
-                       " breaks of bonds were withheld in steps that did not converge.");
-  }
-  const double overlap = number_or(run, "worst_overlap", 0);
-  if (overlap > StrictBounds{}.max_overlap) {
-    warnings.push_back("Bodies overlapped by up to " + typeset(overlap, 2) + " d.");
+  } else {
+    if (unconverged > 0) {
+      warnings.push_back(typeset(unconverged) + " steps did not converge; the worst residual is " +
+                         typeset(number_or(run, "worst_residual", 0), 2) + ".");
+    }
+    const double broken = number_or(run, "bonds_broken_in_unconverged_steps", 0);
+    if (broken > 0) {
+      warnings.push_back(typeset(broken) + " bonds broke in steps that did not converge.");
+    }
+    const double withheld = number_or(run, "bond_breaks_withheld", 0);
+    if (withheld > 0) {
+      warnings.push_back(typeset(withheld) +
+                         " breaks of bonds were withheld in steps that did not converge.");
+    }
+    const double overlap = number_or(run, "worst_overlap", 0);
+    if (overlap > StrictBounds{}.max_overlap) {
+      warnings.push_back("Bodies overlapped by up to " + typeset(overlap, 2) + " d.");
+    }
   }
   std::ranges::move(search_warnings(summary, summary.value("phases_finished", 0)),
                     std::back_inserter(warnings));

@@ -8,6 +8,7 @@
 
 #include "app/base/nearest_name.h"
 #include "app/json/json_reader.h"
+#include "app/series/read_series.h"
 #include "core/base/errors.h"
 #include "render/film/frame_files.h"
 
@@ -17,20 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells(1);
-  for (const char c : line) {
-    if (c == ',') {
-      cells.emplace_back();
-    } else {
-      cells.back() += c;
-    }
-  }
-  return cells;
-}
-
 // NaN for an empty cell; nothing for what is no number.
-std::optional<double> number_of(const std::string& cell) {
+std::optional<double> number_of(std::string_view cell) {
   if (cell.empty()) return std::nan("");
   double value = 0;
   const char* end = cell.data() + cell.size();
@@ -70,18 +59,19 @@ void RunResults::read_series() {
   std::istringstream text(read_text(folder_.series()));
   std::string line;
   std::getline(text, line);
-  const std::vector<std::string> names = cells_of(line);
+  std::vector<std::string> names;
+  for (const std::string_view name : cells_of(line)) names.emplace_back(name);
   std::vector<std::vector<double>> values(names.size());
   std::vector<bool> words(names.size(), false);  // columns that hold words
   for (int number = 2; std::getline(text, line); ++number) {
-    const std::vector<std::string> cells = cells_of(line);
+    const std::vector<std::string_view> cells = cells_of(line);
     if (cells.size() != names.size()) {
       throw InputError(folder_.series().string() + ": line " + std::to_string(number),
                        "has " + std::to_string(cells.size()) + " values, the first line names " +
                            std::to_string(names.size()));
     }
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      if (names[i] == "phase") phases_.push_back(cells[i]);
+      if (names[i] == "phase") phases_.emplace_back(cells[i]);
       const std::optional<double> value = number_of(cells[i]);
       if (!value) words[i] = true;
       values[i].push_back(value.value_or(std::nan("")));
@@ -126,18 +116,6 @@ std::vector<fs::path> RunResults::frames() const {
   if (!fs::is_directory(folder_.frames(), error)) return paths;
   for (const auto& [number, path] : frame_files(folder_.frames())) paths.push_back(path);
   return paths;
-}
-
-Measured measured_over(std::span<const RunResults> runs, const std::string& quantity) {
-  std::vector<double> values;
-  for (const RunResults& run : runs) {
-    const std::optional<double> value = run.final_value(quantity);
-    if (!value) {
-      throw InputError(run.folder().summary().string(), "has no value for \"" + quantity + "\"");
-    }
-    values.push_back(*value);
-  }
-  return measured_over(values);
 }
 
 }  // namespace quicksand

@@ -11,7 +11,6 @@
 
 #include "app/json/json_text.h"
 #include "app/run_folder/run_folder.h"
-#include "app/targets/comparison.h"
 
 namespace quicksand {
 
@@ -52,8 +51,5 @@ class RunResults {
   std::vector<std::string> phases_;
   std::map<std::string, std::vector<double>> columns_;  // those of numbers
 };
-
-// Mean and standard error of a final value over runs. Throws InputError if a run does not have it.
-Measured measured_over(std::span<const RunResults> runs, const std::string& quantity);
 
 }  // namespace quicksand

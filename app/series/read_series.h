@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 #include "app/series/quantities.h"
@@ -12,5 +13,8 @@ namespace quicksand {
 // Rows with time, step, phase and the plotted quantities, evenly thinned to at most `most`. A row without end is left
 // out, as a run that still computes has one; so are columns that the file lacks. Empty if there is no such file.
 std::vector<Row> read_series(const std::filesystem::path& file, std::size_t most);
+
+// The cells of a line, into which they point.
+std::vector<std::string_view> cells_of(std::string_view line);
 
 }  // namespace quicksand

@@ -81,8 +81,7 @@ class BreakRules : public PaperExperiment {
         for (const double dt : jobs.scale().time_steps) plan_setting(jobs, s, rule, dt);
   }
 
-  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
-              Findings&) const override {
+  void report(const PaperResults& results, Section& section, Findings&) const override {
     section.add(Paragraph{
         "The same specimens, pushed until everything rests, under each failure criterion and with "
         "smaller and smaller time steps. Where a rule still changes with the step its numbers are "
@@ -202,8 +201,7 @@ class BreakRules : public PaperExperiment {
     Plot plot{.name = "break_rule_" + std::string(known.plot) + "_" + share.target,
               .title = "Push with " + number_text(known.force) + " F_c: " + share.title,
               .x = {.label = "dt", .unit = "√(d/g)", .logarithmic = true},
-              .y = {.label = share.title, .low = 0, .high = 1.02},
-              .legend = LegendPlace::below};
+              .y = {.label = share.title, .low = 0, .high = 1.02}};
     const PaperTargets targets = read_targets(shipped_targets());
     const Target& target = targets.at(target_id(known, share));
     plot.references = {{.name = "paper", .low = *target.low, .high = *target.high}};

@@ -53,11 +53,10 @@ class Choices : public PaperExperiment {
     press("ten times the mass", "heavy", {.mass = load.mass * 10});
   }
 
-  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
-              Findings&) const override {
-    section.add(push_outcomes(
+  void report(const PaperResults& results, Section& section, Findings&) const override {
+    section.add(outcome_table(
         results, "Pushes of the same specimens with the cohesion force under other choices.",
-        pushes_, all_));
+        {"case"}, pushes_, kAfterPush, all_));
     const PaperTargets targets = read_targets(shipped_targets());
     const auto paper = [&](const char* id) { return paper_text(targets.at(id)); };
     section.add(Paragraph{"The paper has " + paper("penetration.1.0.active_of_contacts") +
@@ -67,8 +66,8 @@ class Choices : public PaperExperiment {
     section.add(pull_outcomes(results));
     section.add(Paragraph{"The paper's largest pull-out force is " +
                           paper("penetration.pull_out_over_push") + " times the push force."});
-    section.add(piston_outcomes(results, "The same specimens after the piston, under other loads.",
-                                pistons_, all_));
+    section.add(outcome_table(results, "The same specimens after the piston, under other loads.",
+                              {"case"}, pistons_, kAfterPiston, all_));
     section.add(Paragraph{
         "The paper has a volume fraction of " + paper("piston.after.volume_fraction") + ", " +
         paper("piston.active_of_contacts") + " active of contacts, " +

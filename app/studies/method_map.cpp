@@ -1,8 +1,4 @@
 // From the paper's method to exact steps: what sweeps and time step do to the bonds that a push leaves.
-//
-// The same specimens, by exact steps, are pushed by NSCD with each number of sweeps and each time step, and by exact
-// steps with each time step. Where curves of NSCD meet, more sweeps change nothing; where a curve is level towards
-// small steps, smaller ones change nothing.
 #include <algorithm>
 
 #include "app/json/json_reader.h"
@@ -77,9 +73,10 @@ class MethodMap : public PaperExperiment {
           setting.sweeps = sweeps;
           setting.fast_step = dt;
           series.steps.push_back(dt);
-          series.pushes.push_back(
-              jobs.pushes_by(setting, samples, push.force,
-                             "sweeps_" + std::to_string(sweeps) + "_dt_" + number_text(dt)));
+          series.pushes.push_back(jobs.by(setting, samples.runs.size(), [&] {
+            return jobs.pushes(samples, push.force,
+                               "sweeps_" + std::to_string(sweeps) + "_dt_" + number_text(dt));
+          }));
         }
       }
       Series& exact = of_push.emplace_back(Series{"exact steps", {}, {}});
@@ -93,8 +90,7 @@ class MethodMap : public PaperExperiment {
     height_ = jobs.scale().height;
   }
 
-  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
-              Findings&) const override {
+  void report(const PaperResults& results, Section& section, Findings&) const override {
     section.add(Paragraph{"Specimens of " + number_text(width_) + " x " + number_text(height_) +
                           " d by exact steps, each pushed by NSCD with each number of sweeps and "
                           "each time step, and by "
@@ -121,8 +117,7 @@ class MethodMap : public PaperExperiment {
               .title = "Pushed with " + number_text(push.force) + " F_c",
               .x = {.label = "time step", .unit = "sqrt(d/g)", .logarithmic = true},
               .y = {.label = kRemaining.label, .low = 0, .high = 1.02},
-              .references = {{.name = "paper", .low = paper, .high = paper}},
-              .legend = LegendPlace::below};
+              .references = {{.name = "paper", .low = paper}}};
     for (const Series& series : series_[p]) {
       Curve curve =
           curve_over(results, series.name, series.steps, series.pushes, kRemaining.quantity);

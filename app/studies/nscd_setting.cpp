@@ -1,12 +1,6 @@
 // Which setting of the paper's own method is used: a rule that is fixed before its results are known.
-//
-// One specimen a deposition, from a seed that is not among the realizations', and one push of it with F_c a setting.
-// Of all settings that one is taken whose structure (volume fraction, coordination number) and shares of bonds after
-// the push are nearest to the paper's: the least sum of squares of the distances from the paper's values or
-// intervals, each over a scale: 0.01 of both numbers of the structure, 0.05 of both shares. All other numbers are then predictions.
-#include <cmath>
-
 #include "app/json/json_reader.h"
+#include "app/paper/outcome_table.h"
 #include "app/plot/typeset_number.h"
 #include "app/studies/figures.h"
 
@@ -43,7 +37,9 @@ class NscdSettings : public PaperExperiment {
   void ask_for_runs(PaperJobs& jobs) override {
     for (const Deposition& d : kDepositions) {
       const std::string tag = std::string("setting_") + d.tag;
-      const RunGroup samples = jobs.samples_by(d.setting, kSeed, tag);
+      const RunGroup samples = jobs.by(d.setting, 1, [&] {
+        return jobs.samples(tag, {}, {{"seed", kSeed}});
+      });
       for (const double step : kFastSteps) {
         NscdSetting setting = d.setting;
         setting.fast_step = step;
@@ -51,14 +47,14 @@ class NscdSettings : public PaperExperiment {
         NscdSetting pushing = setting;
         pushing.sweeps = NscdSetting{}.sweeps;
         if (setting == NscdSetting{}) plan_pistons(jobs, samples);
-        tried_.push_back({setting, samples,
-                          jobs.pushes_by(pushing, samples, kPushForce, "dt_" + number_text(step))});
+        tried_.push_back({setting, samples, jobs.by(pushing, samples.runs.size(), [&] {
+                            return jobs.pushes(samples, kPushForce, "dt_" + number_text(step));
+                          })});
       }
     }
   }
 
-  void report(const PaperResults& results, const std::filesystem::path&, Section& section,
-              Findings&) const override {
+  void report(const PaperResults& results, Section& section, Findings&) const override {
     section.add(Paragraph{
         "Rule, fixed beforehand: one specimen a deposition, of a seed that is not among those of "
         "the realizations, and one push with F_c a time step; the setting with the least misfit is "
@@ -121,23 +117,20 @@ class NscdSettings : public PaperExperiment {
 
  private:
   void plan_pistons(PaperJobs& jobs, const RunGroup& samples) {
-    for (const double stop : kPistonStops) {
-      PistonLoad load = nscd_piston();
+    const auto press = [&](const std::string& difference, const std::string& tag, double stop,
+                           PistonLoad load) {
       load.volume_fraction = stop;
-      pistons_.push_back(
-          {"", jobs.pistons_by(NscdSetting{}, samples, "stop_" + number_text(stop), load)});
-    }
-    // As much force on five times the mass passes the same states more slowly.
-    PistonLoad heavy = nscd_piston();
-    heavy.volume_fraction = kOtherLoadsStop;
-    heavy.mass *= 5;
-    pistons_.push_back(
-        {", five times the mass", jobs.pistons_by(NscdSetting{}, samples, "heavy", heavy)});
-    PistonLoad slow = nscd_piston();
-    slow.volume_fraction = kOtherLoadsStop;
+      pistons_.push_back({number_text(stop) + difference,
+                          jobs.by(NscdSetting{}, samples.runs.size(),
+                                  [&] { return jobs.pistons(samples, tag, load); })});
+    };
+    for (const double stop : kPistonStops)
+      press("", "stop_" + number_text(stop), stop, nscd_piston());
+    PistonLoad heavy = nscd_piston(), slow = heavy;
+    heavy.mass *= 5;  // as much force passes the same states more slowly
     slow.ramp *= 1.5;
-    pistons_.push_back(
-        {", ramp longer by half", jobs.pistons_by(NscdSetting{}, samples, "slow", slow)});
+    press(", five times the mass", "heavy", kOtherLoadsStop, heavy);
+    press(", ramp longer by half", "slow", kOtherLoadsStop, slow);
   }
 
   void report_pistons(const PaperResults& results, const PaperTargets& targets,
@@ -148,40 +141,28 @@ class NscdSettings : public PaperExperiment {
                   "away on the way. Rule: where, of these shares of the box below it, the specimen "
                   "of the setting in use keeps the share of initial bonds nearest to the paper's "
                   "after it has settled; the other numbers are predictions."});
-    Table table{.caption = "The specimen after the piston, by where the piston is taken away.",
-                .columns = {{"filled below the piston"},
-                            {"remaining of initial bonds", true},
-                            {"active of contacts", true},
-                            {"coordination (d_c)", true},
-                            {"coordination (1e-3 d)", true},
-                            {"coordination (1e-2 d)", true},
-                            {"volume fraction", true},
-                            {"height [d]", true}}};
-    table.rows.push_back({{"paper"},
-                          {paper_text(targets.at("piston.remaining_of_initial"))},
-                          {paper_text(targets.at("piston.active_of_contacts"))},
-                          {paper_text(targets.at("piston.after.coordination"))},
-                          {},
-                          {},
-                          {paper_text(targets.at("piston.after.volume_fraction"))},
-                          {}});
-    for (std::size_t k = 0; k < pistons_.size(); ++k) {
-      const double stop = k < std::size(kPistonStops) ? kPistonStops[k] : kOtherLoadsStop;
-      std::vector<Cell> row{{number_text(stop) + pistons_[k].difference}};
-      for (const char* quantity : {"remaining_bond_fraction", "active_bond_fraction",
-                                   "coordination", "coordination_within_1e-3",
-                                   "coordination_within_1e-2", "volume_fraction", "packing_top"})
-        row.push_back(cell_of(results.mean(pistons_[k].runs, quantity), 1));
-      table.rows.push_back(std::move(row));
-    }
+    constexpr FinalQuantity kShown[] = {{"remaining_bond_fraction", "remaining of initial bonds"},
+                                        {"active_bond_fraction", "active of contacts"},
+                                        {"coordination", "coordination (d_c)"},
+                                        {"coordination_within_1e-3", "coordination (1e-3 d)"},
+                                        {"coordination_within_1e-2", "coordination (1e-2 d)"},
+                                        {"volume_fraction", "volume fraction"},
+                                        {"packing_top", "height [d]"}};
+    Table table =
+        outcome_table(results, "The specimen after the piston, by where the piston is taken away.",
+                      {"filled below the piston"}, pistons_, kShown, 1);
+    table.rows.insert(table.rows.begin(), {{"paper"},
+                                           {paper_text(targets.at("piston.remaining_of_initial"))},
+                                           {paper_text(targets.at("piston.active_of_contacts"))},
+                                           {paper_text(targets.at("piston.after.coordination"))},
+                                           {},
+                                           {},
+                                           {paper_text(targets.at("piston.after.volume_fraction"))},
+                                           {}});
     section.add(std::move(table));
   }
 
-  struct Pressed {
-    std::string difference;
-    RunGroup runs;
-  };
-  std::vector<Pressed> pistons_;
+  std::vector<OutcomeRow> pistons_;
   struct Tried {
     NscdSetting setting;
     RunGroup samples, pushes;

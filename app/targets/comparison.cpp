@@ -104,6 +104,18 @@ Measured measured_over(std::span<const double> values, std::string note) {
   return {mean.value, mean.error, static_cast<int>(values.size()), std::move(note)};
 }
 
+std::optional<Measured> mean_over(std::span<const double> values, const std::string& note) {
+  if (values.empty()) return std::nullopt;
+  return measured_over(values, note);
+}
+
+void add_point(Curve& curve, double x, const std::optional<Measured>& y) {
+  if (!y) return;
+  curve.x.push_back(x);
+  curve.y.push_back(y->value);
+  curve.y_error.push_back(y->standard_error.value_or(0));
+}
+
 std::string method_title(const std::string& method) { return method == "nscd" ? "NSCD" : method; }
 
 Verdict verdict_on(const Target& target, const Measured& measured) {

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "app/plot/plot.h"
 #include "app/report/report.h"
 #include "app/targets/evidence.h"
 #include "app/targets/paper_targets.h"
@@ -26,6 +27,11 @@ struct Measured {
 
 // Mean, standard error and number of the values; there must be one.
 Measured measured_over(std::span<const double> values, std::string note = {});
+// Absent if there are none.
+std::optional<Measured> mean_over(std::span<const double> values, const std::string& note = {});
+
+// With its error bar, if there is one to add.
+void add_point(Curve& curve, double x, const std::optional<Measured>& y);
 
 // By id of the target in assets/paper/targets.json.
 using Findings = std::map<std::string, Measured>;

@@ -26,18 +26,12 @@ guide_band = "fs transparent solid 0.07 noborder fc rgb '#000000'"
 grey = "textcolor rgb '#444444'"
 #% title
 set title {{title}} offset 0, 0.7
-#% legend_top_right
-set key inside top right Left reverse samplen 3 spacing 1.2
 #% legend_top_left
 set key inside top left Left reverse samplen 3 spacing 1.2
 #% legend_bottom_right
 set key inside bottom right Left reverse samplen 3 spacing 1.2
-#% legend_bottom_left
-set key inside bottom left Left reverse samplen 3 spacing 1.2
 #% legend_below
 set key below center horizontal Left reverse samplen 3 spacing 1.2 height 1
-#% legend_none
-unset key
 #% axis
 # Axis {{axis}}
 set {{axis}}label {{label}}
@@ -102,8 +96,6 @@ with lines @{{dash}} @{{colour}}
 with {{bars}} @{{dash}} @{{marker}} @{{colour}}
 #% steps
 with steps @{{dash}} @{{colour}}
-#% histogram
-with boxes fs transparent solid 0.3 border lw 1.2 @{{colour}}
 #% band
 with filledcurves fs transparent solid 0.2 noborder @{{colour}}
 #% share_x

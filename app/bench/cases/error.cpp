@@ -186,8 +186,7 @@ Plot cost_plot(const std::vector<Found>& all, const std::string& observable, con
   Plot plot{.name = name,
             .title = observable + " against the reference run",
             .x = {.label = "CPU time of the push, mean", .unit = "s", .logarithmic = true},
-            .y = {.label = "mean deviation", .unit = "%"},
-            .legend = LegendPlace::below};
+            .y = {.label = "mean deviation", .unit = "%"}};
   const auto add = [&](const std::string& text, const std::string& rule, bool usual_tolerance) {
     Curve curve{.name = text};
     for (const Found& found : all) {

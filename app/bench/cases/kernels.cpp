@@ -1,7 +1,5 @@
 // How far the kernels that a step spends its time in are from what the machine can do: their operations
 // or bytes a second against those of a dense product and of a stream, compiled with the same flags.
-//
-// Bytes are those that must pass at least once: what a kernel reads again, or looks up, is its own fault.
 #include <algorithm>
 #include <cmath>
 #include <limits>

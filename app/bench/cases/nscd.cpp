@@ -1,10 +1,8 @@
 // Standard nonsmooth contact dynamics: what an update of a contact costs, and how many sweeps a chain needs.
 #include "core/sweeps/nscd.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
 
 #include "app/bench/bench.h"

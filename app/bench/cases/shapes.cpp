@@ -64,12 +64,7 @@ std::vector<double> seconds_of(std::span<const Row> rows, const char* name) {
 }  // namespace
 
 std::vector<Task> shape_tasks(const Options& options) {
-  std::vector<Task> tasks;
-  for (const Probe& probe : probes())
-    tasks.push_back({probe.name, [&probe, options](std::vector<Row>& rows) {
-                       measure_probe(probe, options, rows);
-                     }});
-  return tasks;
+  return tasks_of(probes(), options, measure_probe);
 }
 
 void report_shapes(std::span<const Row> rows, const Options&, Section& section) {

@@ -2,14 +2,12 @@
 #include <malloc.h>
 
 #include <array>
-#include <cmath>
-#include <map>
 
 #include "app/bench/bench.h"
 #include "app/bench/cases/window.h"
 #include "app/bench/paper_states.h"
 #include "app/bench/statistics.h"
-#include "core/measures/measures.h"
+#include "app/bench/step_problem.h"
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
 #include "render/picture/renderer.h"
@@ -33,11 +31,6 @@ Scenario wide_scene(const Options& options, std::int64_t disks) {
   scene.box.width = static_cast<double>(disks) / kDisksPerWidth;
   scene.solver.tolerance = 1e-5;
   return scene;
-}
-
-Phase settling() {
-  constexpr double kForever = 1e9;
-  return {.kind = SettlePhase{.max_time = kForever, .until_rest = false}};
 }
 
 // Steps of a phase from a state, with what a protocol and its world hold at the end.
@@ -75,12 +68,13 @@ void measure_size(std::int64_t disks, const Options& options, std::vector<Row>& 
   rows.push_back(bulk);
   const World world = deposit.world();
 
-  scene.phases = {settling()};
+  constexpr double kForever = 1e9;
+  scene.phases = {watching(kForever)};
   measure_steps("rest", scene, world, kSettling, 10, options, rows);
   scene.phases = {{.kind = PushPhase{.force = 1e4}, .dt = 1e-3}};
   measure_steps("push", scene, world, 2, 5, options, rows);
   // Without bonds the whole network falls in.
-  scene.phases = {settling()};
+  scene.phases = {watching(kForever)};
   scene.grain_law.cohesion_force.reset();
   World loose = world;
   take_laws(loose, scene);
@@ -138,8 +132,7 @@ void report_size(std::span<const Row> rows, const Options&, Section& section) {
       .name = "size",
       .title = "Cost against size",
       .x = {.label = "disks", .logarithmic = true},
-      .y = {.label = "CPU time of a step, deposit or picture", .unit = "s", .logarithmic = true},
-      .legend = LegendPlace::below};
+      .y = {.label = "CPU time of a step, deposit or picture", .unit = "s", .logarithmic = true}};
   BulletList exponents;
   for (const char* kind : kKinds) {
     Curve curve{.name = kind, .kind = Curve::Kind::line_points};

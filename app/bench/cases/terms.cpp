@@ -1,8 +1,6 @@
-// Cost of the model's terms: the same heap of touching disks at rest, with all terms and with one left
-// out, so that no term changes what moves and what is compared is the work alone.
+// Cost of the model's terms: the same heap of touching disks at rest, with all terms and with one left out.
 //
-// Instructions are those of whole processes under callgrind: N + 1 steps less one, over N. Where valgrind
-// is not installed there are seconds only.
+// Instructions are those of whole processes under callgrind.
 #include <cmath>
 #include <fstream>
 
@@ -12,11 +10,9 @@
 #include "app/run_folder/run_folder.h"
 #include "app/scene_json/scenario_json.h"
 #include "core/base/whole_file.h"
-#include "core/measures/measures.h"
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
 #include "render/base/external_program.h"
-#include "render/picture/renderer.h"
 
 namespace quicksand::bench {
 
@@ -140,28 +136,6 @@ void measure_variant(const Variant& variant, const Options& options, std::vector
   std::filesystem::remove_all(folder);
 }
 
-void measure_looking(const Options& options, std::vector<Row>& rows) {
-  const World world = make_world(heap(options));
-  Renderer renderer;
-  renderer.draw(world, {});
-  for (int repeat = 0; repeat < options.repeats_or(5); ++repeat) {
-    Row row{.name = "measures of a state",
-            .what = "looking",
-            .repeat = repeat,
-            .size = world.disks.size()};
-    const Stopwatch measuring;
-    const Sample sample = measure(world);
-    row.seconds = measuring.elapsed();
-    row.contacts = sample.contacts;
-    rows.push_back(row);
-    row.name = "a frame of 1280 x 720";
-    const Stopwatch drawing;
-    renderer.draw(world, {});
-    row.seconds = drawing.elapsed();
-    rows.push_back(row);
-  }
-}
-
 std::vector<double> of(std::span<const Row> rows, const std::string& name, const char* what) {
   std::vector<double> values;
   for (const Row& row : rows) {
@@ -180,14 +154,7 @@ std::string with_saving(double value, double of_all, const char* pattern) {
 }  // namespace
 
 std::vector<Task> term_tasks(const Options& options) {
-  std::vector<Task> tasks;
-  for (const Variant& variant : variants())
-    tasks.push_back({variant.name, [&variant, options](std::vector<Row>& rows) {
-                       measure_variant(variant, options, rows);
-                     }});
-  tasks.push_back({"measures and frames",
-                   [options](std::vector<Row>& rows) { measure_looking(options, rows); }});
-  return tasks;
+  return tasks_of(variants(), options, measure_variant);
 }
 
 void report_terms(std::span<const Row> rows, const Options&, Section& section) {
@@ -225,13 +192,6 @@ void report_terms(std::span<const Row> rows, const Options&, Section& section) {
     section.add(
         Remark{Remark::Kind::note, "valgrind is not installed: no instructions were counted."});
   }
-  BulletList looking;
-  for (const char* name : {"measures of a state", "a frame of 1280 x 720"}) {
-    const std::vector<double> values = of(rows, name, "looking");
-    if (!values.empty())
-      looking.items.push_back(std::string(name) + format(": %.3g ms", 1e3 * median(values)));
-  }
-  section.add(std::move(looking));
 }
 
 }  // namespace quicksand::bench

@@ -1,7 +1,5 @@
 // The hanging chain and the clamped beam: weak structures whose solution is known. Both hold, so every
 // velocity is zero, which is the reference.
-#include <algorithm>
-
 #include "app/bench/cases/window.h"
 #include "app/bench/goals/goal_cases.h"
 #include "app/bench/precision/precision_problems.h"

@@ -1,6 +1,5 @@
 // The goals as a part of the benchmark: each case a task, each figure a row with its verdict.
 #include <algorithm>
-#include <array>
 
 #include "app/bench/goals/goal_cases.h"
 #include "app/bench/statistics.h"
@@ -63,11 +62,7 @@ const std::vector<Case>& cases() {
 }
 
 std::vector<Task> goal_tasks(const Options& options) {
-  std::vector<Task> tasks;
-  for (const Case& one : cases())
-    tasks.push_back(
-        {one.name, [&one, options](std::vector<Row>& rows) { run_case(one, options, rows); }});
-  return tasks;
+  return tasks_of(cases(), options, run_case);
 }
 
 void report_goals(std::span<const Row> rows, const Options& options, Section& section) {

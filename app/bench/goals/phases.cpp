@@ -1,20 +1,16 @@
-// Deposition, rest and ploughing: steps per second over a phase, its preparation not counted.
+// Deposition, rest, ploughing and a piston: steps per second over a phase, its preparation not counted.
 #include <limits>
 
 #include "app/bench/cases/window.h"
 #include "app/bench/goals/goal_cases.h"
 #include "app/bench/paper_states.h"
+#include "core/measures/measures.h"
 #include "core/scene/make_world.h"
+#include "core/world/extent.h"
 
 namespace quicksand::bench {
 
 namespace {
-
-// A phase of as many steps in which nothing is added and which no rest ends.
-Phase watching(std::int64_t steps, double dt) {
-  return {.kind = SettlePhase{.max_time = static_cast<double>(steps) * dt, .until_rest = false},
-          .dt = dt};
-}
 
 Figure steps_per_second(double goal) {
   return {.what = "steps", .unit = "1/s", .goal = goal, .more_is_better = true};
@@ -31,6 +27,20 @@ void add(const Window& window, const Scenario& scene, int repeat, Figure& figure
     figure.valid = false;
     outcome.notes.push_back(window.failure);
   }
+}
+
+// The settled packing with a piston on its top; contacts made from now on are plain.
+World under_piston(const Options& options) {
+  constexpr double kPressure = 3e5 / 51, kMassPerWidth = 500.0 / 51;  // [F_g/d], [m/d]
+  World world = settled(options).world;
+  world.walls.push_back({.point = {0, packing_top(world)},
+                         .normal = {0, -1},
+                         .mass = kMassPerWidth * world.box.width,
+                         .force = kPressure * world.box.width,
+                         .role = WallRole::piston});
+  world.bonding = false;
+  world.bonds.mark_initial();
+  return world;
 }
 
 }  // namespace
@@ -58,7 +68,7 @@ Outcome deposition(const Options& options) {
 Outcome rest(const Options& options) {
   Scenario scene = paper_scene(options, options.method);
   const std::int64_t steps = options.quick ? 200 : 2000;
-  scene.phases = {watching(steps, scene.step.dt)};
+  scene.phases = {watching(static_cast<double>(steps) * scene.step.dt)};
   const World world = at_rest(options).world;
   Outcome outcome;
   Figure figure = steps_per_second(2000);
@@ -93,6 +103,39 @@ Outcome plough(const Options& options) {
   outcome.figures = {figure};
   const StepProblem step = next_problem(start.world, step_settings);
   compare_with_gauss_seidel(step, scene.solver, options, outcome);
+  return outcome;
+}
+
+// Collapse under a piston, the hardest case: a loose packing is crushed to a dense one, bonds break
+// everywhere, and at its end the contacts are more than what their forces can be told from.
+Outcome piston(const Options& options) {
+  constexpr double kStep = 5e-3, kLongest = 20;  // [sqrt(d/g)]
+  constexpr double kCoordination = 3.2;          // at the end
+  Scenario scene = paper_scene(options, options.method);
+  scene.step.max_turn.reset();
+  scene.phases = {watching(kLongest, kStep)};
+  const World start = under_piston(options);
+  const WindowSettings settings{
+      .steps = 4000, .patience = options.quick ? 4.0 : 600.0, .reached = [](const World& world) {
+        return world.step % 10 == 0 && measure(world).coordination >= kCoordination;
+      }};
+  Outcome outcome;
+  Figure figure = steps_per_second(25);
+  World end;
+  for (int repeat = 0; repeat < options.repeats_or(1); ++repeat) {
+    Protocol protocol(scene, start);
+    const Window window = measure_window(protocol, settings, options);
+    end = protocol.world();
+    const double z = measure(end).coordination;
+    outcome.notes.push_back(format("coordination number %.3f after t = %.3f and %lld steps", z,
+                                   end.time - start.time,
+                                   static_cast<long long>(window.run.steps)));
+    add(window, scene, repeat, figure, outcome);
+    figure.valid = figure.valid && window.run.unconverged == 0 && z >= kCoordination;
+  }
+  outcome.figures = {figure};
+  compare_with_gauss_seidel(next_problem(end, step_in_phase(scene, 0)), scene.solver, options,
+                            outcome);
   return outcome;
 }
 

@@ -8,11 +8,9 @@ namespace quicksand::bench {
 std::vector<Task> hard_tasks(const Options& options) {
   std::vector<HardCase> cases = structure_cases(options);
   std::ranges::move(motion_cases(options), std::back_inserter(cases));
-  std::vector<Task> tasks;
-  tasks.reserve(cases.size());
-  for (const HardCase& one : cases)
-    tasks.push_back({one.name, [one](std::vector<Row>& rows) { rows.push_back(one.run()); }});
-  return tasks;
+  return tasks_of(cases, options, [](const HardCase& one, const Options&, std::vector<Row>& rows) {
+    rows.push_back(one.run());
+  });
 }
 
 void report_hard(std::span<const Row> rows, const Options&, Section& section) {

@@ -1,7 +1,6 @@
 #include "app/bench/hard/hard_run.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/scene/make_world.h"
 #include "core/scene/validate.h"

@@ -133,8 +133,7 @@ Plot scene_plot(std::span<const Row> rows, const std::string& scene) {
   Plot plot{.name = "peers_" + file_name_text(scene),
             .title = scene,
             .x = {.label = "error: what rigid disks at rest would not do", .logarithmic = true},
-            .y = {.label = "CPU time", .unit = "s", .logarithmic = true},
-            .legend = LegendPlace::below};
+            .y = {.label = "CPU time", .unit = "s", .logarithmic = true}};
   for (const Row& row : rows) {
     if (row.name != scene || !row.error || row.seconds.cpu <= 0) continue;
     plot.x.unit = row.unit;
@@ -150,12 +149,7 @@ Plot scene_plot(std::span<const Row> rows, const std::string& scene) {
 }  // namespace
 
 std::vector<Task> peer_tasks(const Options& options) {
-  std::vector<Task> tasks;
-  for (const PeerScene& scene : peer_scenes(options))
-    tasks.push_back({scene.name, [scene, options](std::vector<Row>& rows) {
-                       measure_scene(scene, options, rows);
-                     }});
-  return tasks;
+  return tasks_of(peer_scenes(options), options, measure_scene);
 }
 
 void report_peers(std::span<const Row> rows, const Options&, Section& section) {

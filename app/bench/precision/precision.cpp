@@ -1,10 +1,8 @@
 // Work against precision of one step: for every solver, the time to each residual and the velocity
 // error that it has there.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "app/bench/paper_states.h"
 #include "app/bench/precision/precision_problems.h"
 #include "app/bench/precision/velocity_error.h"
 #include "app/bench/statistics.h"
@@ -74,7 +72,7 @@ void measure_sweeps(const StepProblem& step, const Reference& reference, const O
     row.seconds += watch.elapsed();
     const Residual reached = residual(step.problem, state);
     row.residual = reached.natural;
-    row.gap_error = 0.1 * reached.gap;  // judged in tenths of d_c
+    row.gap_error = kGapUnit * reached.gap;
     row.error = velocity_distance(step.problem, state.velocity, reference.velocity);
     for (; next >= kTightest && reached.natural <= decade(next); --next) {
       row.tolerance = decade(next);
@@ -108,12 +106,7 @@ void measure_problem(const PrecisionProblem& problem, const Options& options,
 }  // namespace
 
 std::vector<Task> precision_tasks(const Options& options) {
-  std::vector<Task> tasks;
-  for (const PrecisionProblem& problem : precision_problems())
-    tasks.push_back({problem.name, [&problem, options](std::vector<Row>& rows) {
-                       measure_problem(problem, options, rows);
-                     }});
-  return tasks;
+  return tasks_of(precision_problems(), options, measure_problem);
 }
 
 }  // namespace quicksand::bench

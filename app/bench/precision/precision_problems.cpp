@@ -16,42 +16,6 @@ StepProblem cold(StepProblem step) {
   return step;
 }
 
-StepProblem standing_cold(const Options& options) {
-  return cold(next_problem(at_rest(options).world, paper_scene(options).step));
-}
-
-StepProblem sagging_warm(const Options& options) {
-  return next_problem(settled(options).world, paper_scene(options).step);
-}
-
-StepProblem falling_cold(const Options& options) {
-  return cold(
-      next_problem(fresh_deposit(options, options.quick ? 400 : 5000), paper_scene(options).step));
-}
-
-StepProblem ploughed(const Options& options) {
-  const Checkpoint state = ploughing(options);
-  return next_problem(state.world, step_in_phase(paper_scene(options), state.protocol.phase));
-}
-
-StepProblem collapse_under_way(const Options& options) {
-  return next_problem(collapsing(options).world, step_in_phase(collapse_scene(options), 2));
-}
-
-StepProblem dense_heap(const Options& options) {
-  return next_problem(dense(options).world, dense_scene(options).step);
-}
-
-StepProblem chain(const Options& options) {
-  const Scenario scene = chain_scene(options.quick ? 100 : 1000);
-  return cold(next_problem(make_world(scene), scene.step));
-}
-
-StepProblem beam(const Options&) {
-  const Scenario scene = cantilever_scene();
-  return cold(next_problem(make_world(scene), scene.step));
-}
-
 // A disk of mass 1e4 where it first touches the heap.
 StepProblem heavy_disk(const Options& options) {
   constexpr double kMass = 1e4, kRadius = 1.5;
@@ -93,15 +57,34 @@ Scenario cantilever_scene(const std::vector<std::string>& more) {
 const std::vector<PrecisionProblem>& precision_problems() {
   static const std::vector<PrecisionProblem> all{
       {"intact, cold", "a network at rest takes up its weight from no contact force",
-       standing_cold},
+       [](const Options& o) { return cold(next_problem(at_rest(o).world, paper_scene(o).step)); }},
       {"intact, falling", "the same of a deposit without dynamics, whose branches fall",
-       falling_cold},
-      {"intact, warm", "a network that sags, from the impulses of the step before", sagging_warm},
-      {"intruder mid-way", "the intruder ploughs half-way down, warm", ploughed},
-      {"collapse mid-way", "the channel falls in behind the intruder, warm", collapse_under_way},
-      {"dense cohesionless", "a heap without cohesion settles, warm", dense_heap},
-      {"chain", "a hanging chain takes up its weight, cold", chain},
-      {"cantilever 31", "a clamped beam takes up its weight, cold", beam},
+       [](const Options& o) {
+         return cold(next_problem(fresh_deposit(o, o.quick ? 400 : 5000), paper_scene(o).step));
+       }},
+      {"intact, warm", "a network that sags, from the impulses of the step before",
+       [](const Options& o) { return next_problem(settled(o).world, paper_scene(o).step); }},
+      {"intruder mid-way", "the intruder ploughs half-way down, warm",
+       [](const Options& o) {
+         const Checkpoint state = ploughing(o);
+         return next_problem(state.world, step_in_phase(paper_scene(o), state.protocol.phase));
+       }},
+      {"collapse mid-way", "the channel falls in behind the intruder, warm",
+       [](const Options& o) {
+         return next_problem(collapsing(o).world, step_in_phase(collapse_scene(o), 2));
+       }},
+      {"dense cohesionless", "a heap without cohesion settles, warm",
+       [](const Options& o) { return next_problem(dense(o).world, dense_scene(o).step); }},
+      {"chain", "a hanging chain takes up its weight, cold",
+       [](const Options& o) {
+         const Scenario scene = chain_scene(o.quick ? 100 : 1000);
+         return cold(next_problem(make_world(scene), scene.step));
+       }},
+      {"cantilever 31", "a clamped beam takes up its weight, cold",
+       [](const Options&) {
+         const Scenario scene = cantilever_scene();
+         return cold(next_problem(make_world(scene), scene.step));
+       }},
       {"mass ratio 1e4", "a disk of mass 1e4 is laid on the heap", heavy_disk},
       {"F_c/F_g = 1e6", "the falling deposit with bonds a hundred times as strong, cold",
        strong_bonds}};

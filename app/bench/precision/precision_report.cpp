@@ -124,14 +124,10 @@ Plot error_plot(const Problem& problem) {
       .name = "precision_" + file_name_text(problem.reference->name),
       .title = problem.reference->name + ", " + std::to_string(problem.reference->size) + " disks",
       .x = {.label = "velocity error, worst of a disk", .unit = "g dt", .logarithmic = true},
-      .y = {.label = "CPU time", .unit = "ms", .logarithmic = true},
-      .legend = LegendPlace::below};
+      .y = {.label = "CPU time", .unit = "ms", .logarithmic = true}};
   for (const char* method : kMethods) plot.curves.push_back(frontier(problem, method));
-  plot.references.push_back({.name = "free fall",
-                             .low = 1,
-                             .high = 1,
-                             .of_x = true,
-                             .role = quicksand::Reference::Role::guide});
+  plot.references.push_back(
+      {.name = "free fall", .low = 1, .of_x = true, .role = quicksand::Reference::Role::guide});
   return plot;
 }
 

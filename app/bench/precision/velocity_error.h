@@ -6,7 +6,6 @@
 // of g dt, the velocity of free fall over a step.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "app/bench/bench.h"

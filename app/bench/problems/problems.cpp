@@ -98,13 +98,6 @@ void measure(const std::vector<Recorded>& problems, const Options& options,
     }
 }
 
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0;
-  std::ranges::sort(values);
-  const double last = static_cast<double>(values.size() - 1);
-  return values[static_cast<std::size_t>(std::lround(share * last))];
-}
-
 template <class Of>
 std::vector<double> each(std::span<const Row* const> rows, Of of) {
   std::vector<double> values;
@@ -191,8 +184,7 @@ void report_problems(std::span<const Row> rows, const Options& options, Section&
   Plot plot{.name = "recorded_problems",
             .title = "Error of velocities against time, a point a problem",
             .x = {.label = "CPU time of a solution", .unit = "ms", .logarithmic = true},
-            .y = {.label = "velocity error", .unit = "g dt", .logarithmic = true},
-            .legend = LegendPlace::below};
+            .y = {.label = "velocity error", .unit = "g dt", .logarithmic = true}};
   for (const auto& [name, group] : groups) {
     table.rows.push_back(table_row(name, group));
     const std::string phase = name.substr(0, name.find(','));

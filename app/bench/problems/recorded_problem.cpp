@@ -2,6 +2,7 @@
 
 #include <libdeflate.h>
 
+#include <array>
 #include <cstring>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -86,29 +87,11 @@ void read_vectors(const json& column, std::size_t count, std::vector<Vec3>& v) {
 constexpr std::size_t kNumbers = 13;
 template <class Row>
 auto& number(Row& row, std::size_t k) {
-  switch (k) {
-    case 0:
-    case 1:
-      return row.normal[static_cast<int>(k)];
-    case 2:
-    case 3:
-      return row.spin_a[static_cast<int>(k - 2)];
-    case 4:
-    case 5:
-      return row.spin_b[static_cast<int>(k - 4)];
-    case 6:
-    case 7:
-    case 8:
-      return row.offset[static_cast<int>(k - 6)];
-    case 9:
-      return row.arm;
-    case 10:
-      return row.friction;
-    case 11:
-      return row.rolling;
-    default:
-      return row.gap_tolerance;
-  }
+  const std::array all{&row.normal[0],    &row.normal[1], &row.spin_a[0], &row.spin_a[1],
+                       &row.spin_b[0],    &row.spin_b[1], &row.offset[0], &row.offset[1],
+                       &row.offset[2],    &row.arm,       &row.friction,  &row.rolling,
+                       &row.gap_tolerance};
+  return *all[k];
 }
 
 json as_json(const RecordedProblem& recorded) {

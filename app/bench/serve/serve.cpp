@@ -63,12 +63,6 @@ std::vector<double> delays(const Served& served, const std::atomic<bool>& ends) 
   return found;
 }
 
-double percentile95(std::vector<double> values) {
-  if (values.empty()) return 0;
-  std::ranges::sort(values);
-  return values[std::min(values.size() - 1, values.size() * 95 / 100)];
-}
-
 void measure(const Options& options, const Checkpoint& state, const Scenario& scene,
              std::vector<Row>& rows) {
   const double seconds = options.quick ? 1 : 8;
@@ -101,7 +95,7 @@ void measure(const Options& options, const Checkpoint& state, const Scenario& sc
   std::vector<double> waits;
   served.steps_per_second(seconds,
                           [&](const std::atomic<bool>& ends) { waits = delays(served, ends); });
-  add("delay", "1", percentile95(waits), "ms");
+  add("delay", "1", quantile(waits, 0.95), "ms");
 }
 
 double value_of(std::span<const Row> rows, const std::string& name, const char* what,

@@ -102,7 +102,7 @@ Report report_of(const Request& request, const std::vector<Row>& rows, double se
     if (!failures.items.empty()) section.add(std::move(failures));
     report.sections.push_back(std::move(section));
   }
-  report.provenance = provenance({.command = command_of(request), .seconds = seconds});
+  report.provenance = provenance(command_of(request), seconds);
   report.provenance.emplace_back("load of the machine at the end",
                                  format("%.1f running processes, ours included", machine().load));
   return report;

@@ -43,7 +43,7 @@ void add_film_page(Report& page, const RunFolder& run, const std::filesystem::pa
 
 int write(Report page, const std::vector<std::string>& words, std::optional<double> seconds,
           const std::filesystem::path& out) {
-  page.provenance = provenance({.command = command_text(words), .seconds = seconds});
+  page.provenance = provenance(command_text(words), seconds);
   for (const std::string& problem : write_report(page, out)) {
     std::fprintf(stderr, "quicksand: %s\n", problem.c_str());
   }

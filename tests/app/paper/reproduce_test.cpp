@@ -38,7 +38,7 @@ TEST_F(Reproduce, AnAdiabaticSequenceIsTheMeanOfThoseThatGotThere) {
   leave(slower.runs[1], {deposit(0.01, 0.4, nullptr), deposit(0.05, 0.4, 0)});
   Section section;
   Findings findings;
-  samples->report(PaperResults(jobs.jobs()), folder_.path(), section, findings);
+  samples->report(PaperResults(jobs.jobs()), section, findings);
   EXPECT_DOUBLE_EQ(findings.at("unperturbed.interval_effect").value, -0.05);
   const Table& table = std::get<Table>(section.blocks.back());
   ASSERT_EQ(table.rows.size(), 3U);
@@ -63,7 +63,7 @@ TEST_F(Reproduce, DragIsJudgedByWhatItChangesMost) {
   leave(wet, 0.5);
   Section section;
   Findings findings;
-  drag->report(PaperResults(jobs.jobs()), folder_.path(), section, findings);
+  drag->report(PaperResults(jobs.jobs()), section, findings);
   EXPECT_NEAR(findings.at("penetration.drag_effect").value, 0.25, 1e-12);
   EXPECT_EQ(findings.at("penetration.drag_effect").note, "of active bonds");
 }
@@ -94,7 +94,7 @@ class DensityOfSamples : public Reproduce {
     }
     Section section;
     Findings findings;
-    density->report(PaperResults(jobs.jobs()), folder_.path(), section, findings);
+    density->report(PaperResults(jobs.jobs()), section, findings);
     const auto found = findings.find("penetration.density_shift");
     return found == findings.end() ? std::nullopt : std::optional(found->second.value);
   }
@@ -164,7 +164,7 @@ TEST_F(Reproduce, StrengthsOfTwoCohesionForcesAreComparedAtTheSameDepth) {
   leave(runs.strong, {{4, 1400}, {8, 1800}, {12, 2200}});
   Section section;
   Findings findings;
-  shear->report(PaperResults(jobs.jobs()), folder_.path(), section, findings);
+  shear->report(PaperResults(jobs.jobs()), section, findings);
   EXPECT_NEAR(findings.at("shear.unperturbed.cohesion_effect").value, 10, 1e-12);
   std::string said;
   for (const Block& block : section.blocks)
@@ -225,7 +225,7 @@ TEST_F(Reproduce, TheExponentOfTheVelocityTakesTheThresholdThatWasSearchedFor) {
   }
   Section section;
   Findings findings;
-  experiment->report(PaperResults(jobs.jobs()), folder_.path(), section, findings);
+  experiment->report(PaperResults(jobs.jobs()), section, findings);
   EXPECT_NEAR(findings.at("penetration.threshold_force").value, 0.04, 1e-12);
   EXPECT_EQ(findings.at("penetration.threshold_force").n, 2);
   EXPECT_NEAR(findings.at("drag_law.exponent").value, 0.6, 1e-3);
@@ -242,7 +242,7 @@ TEST_F(Reproduce, NamesTheBreakRuleThatComesNearestToThePaper) {
   const auto said = [&] {
     Section section;
     Findings findings;
-    experiment->report(PaperResults(jobs.jobs()), folder_.path(), section, findings);
+    experiment->report(PaperResults(jobs.jobs()), section, findings);
     std::string all;
     for (const Block& block : section.blocks)
       if (const auto* paragraph = std::get_if<Paragraph>(&block))

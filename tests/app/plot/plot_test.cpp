@@ -30,7 +30,7 @@ Plot small_plot() {
                          .x = {0.5, 1.5},
                          .y = {1, 2.5},
                          .x_error = {0.05, 0.1}});
-  plot.references.push_back({.name = "largest ratio", .low = 3, .high = 3});
+  plot.references.push_back({.name = "largest ratio", .low = 3});
   plot.references.push_back({.name = "interval", .low = 0.4, .high = 0.43});
   return plot;
 }
@@ -114,7 +114,7 @@ TEST_F(PlotTest, NoTextBreaksTheScript) {
 
 TEST_F(PlotTest, EveryKindOfCurveIsDrawn) {
   using enum Curve::Kind;
-  for (const Curve::Kind kind : {points, line, line_points, steps, histogram, band}) {
+  for (const Curve::Kind kind : {points, line, line_points, steps, band}) {
     Plot plot{.name = "kind", .title = "kind", .x = {.label = "x"}, .y = {.label = "y"}};
     plot.curves.push_back({.name = "a", .kind = kind, .x = {1, 2, 3}, .y = {1, 3, 2}});
     if (kind == band) plot.curves[0].y_low = {0, 1, 0}, plot.curves[0].y_high = {1, 3, 2};
@@ -140,7 +140,7 @@ TEST_F(PlotTest, WithoutValuesThereIsStillAPlotThatSaysSo) {
             .y2 = Axis{.label = "n"}};
   plot.curves.push_back({.name = "residual", .x = {1, 2}, .y = {0, 0}});
   plot.curves.push_back({.name = "number", .second_axis = true});
-  plot.references.push_back({.low = 2, .high = 2, .of_x = true});
+  plot.references.push_back({.low = 2, .of_x = true});
   const PlotFiles files = write_plot(plot, folder_.path());
   ASSERT_TRUE(files.drawn) << files.problem;
   EXPECT_NE(file("empty.svg").find("residual (no values)"), std::string::npos);
@@ -194,7 +194,7 @@ TEST(PlotScript, NamesOfLinesNearEachOtherStandApart) {
   Plot plot{.name = "near", .curves = {{.x = {0, 100}, .y = {0, 1}}}};
   for (const double x : {50.0, 62.0, 63.0, 64.0, 98.0})
     plot.references.push_back(
-        {.name = "settle", .low = x, .high = x, .of_x = true, .role = Reference::Role::guide});
+        {.name = "settle", .low = x, .of_x = true, .role = Reference::Role::guide});
   const std::string script = plot_script(plot);
   const auto place = [&](const char* x) {
     const std::size_t at =
@@ -214,7 +214,6 @@ TEST_F(PlotTest, NamesOfLinesStandInsideThePicture) {
   for (const double x : {1e-6, 1.0})
     plot.references.push_back({.name = x < 1 ? "rounding" : "free fall",
                                .low = x,
-                               .high = x,
                                .of_x = true,
                                .role = Reference::Role::guide});
   ASSERT_TRUE(write_plot(plot, folder_.path()).drawn);

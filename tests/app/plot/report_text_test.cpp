@@ -96,8 +96,8 @@ TEST(Provenance, CommandsCanBePastedIntoAShell) {
 }
 
 TEST(Provenance, NamesProgramCompilerAndMachineTheSameEachTime) {
-  const auto rows = provenance({.command = "x", .seconds = 61.0});
-  EXPECT_EQ(rows, provenance({.command = "x", .seconds = 61.0}));
+  const auto rows = provenance("x", 61.0);
+  EXPECT_EQ(rows, provenance("x", 61.0));
   EXPECT_EQ(rows.front().first, "program");
   EXPECT_EQ(rows.back().second, "1 min 1 s");
 }

@@ -39,7 +39,7 @@ class ReportTest : public testing::Test {
                            {{kReportHostile}, {"outside", Cell::Mark::outside}},
                            {{kReportHostile}, {"not measured", Cell::Mark::undecided}}}},
                     Figure{line_plot("line"), kReportHostile},
-                    Gallery{{{picture, kReportHostile}}, kReportHostile}}});
+                    Gallery{{{picture, kReportHostile}}}}});
     return all;
   }
   std::string file(const std::string& name) const { return contents(folder_.path() / name); }
@@ -108,7 +108,7 @@ TEST_F(ReportTest, PicturesHaveTheirCommandAndCellsTheirLinks) {
       Table{"", {{"why"}}, {{{.text = "because", .links = {{"a page", "../other/page.md"}}}}}});
   with.sections.push_back({.title = "s",
                            .blocks = {Figure{line_plot("line"), "c", "draw a|b --plot"},
-                                      Gallery{{{picture, "p", "draw --picture"}}, ""}}});
+                                      Gallery{{{picture, "p", "draw --picture"}}}}});
   write_report(with, folder_.path() / "out");
   const std::string markdown = file("out/report.md"), html = file("out/report.html");
   EXPECT_NE(markdown.find("because ([a page](../other/page.md))"), std::string::npos);
@@ -134,7 +134,7 @@ TEST_F(ReportTest, WhatIsMissingOrGivenTwiceIsRefused) {
                     .blocks = {Figure{line_plot("same"), ""}, Figure{line_plot("same"), ""}}}}};
   EXPECT_THROW(write_report(twice, folder_.path()), InputError);
   const auto with_picture = [&](const fs::path& path) {
-    return Report{.sections = {{.title = "s", .blocks = {Gallery{{{path, ""}}, ""}}}}};
+    return Report{.sections = {{.title = "s", .blocks = {Gallery{{{path, ""}}}}}}};
   };
   EXPECT_THROW(write_report(with_picture(folder_.path() / "none.png"), folder_.path()), InputError);
   EXPECT_THROW(write_report(with_picture(folder_.write("t.png", "text")), folder_.path()),

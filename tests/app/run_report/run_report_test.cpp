@@ -183,18 +183,6 @@ TEST_F(RunReportTest, ValuesAreReadBackByName) {
   }
 }
 
-TEST_F(RunReportTest, RunsAreAveragedWithTheirStandardError) {
-  run_hard();
-  const std::array<RunResults, 2> runs{RunResults(at("soft")), RunResults(at("hard"))};
-  const double a = runs[0].final_value("intruder_y").value();
-  const double b = runs[1].final_value("intruder_y").value();
-  ASSERT_NE(a, b);
-  const Measured measured = measured_over(runs, "intruder_y");
-  EXPECT_DOUBLE_EQ(measured.value, (a + b) / 2);
-  EXPECT_NEAR(measured.standard_error.value(), std::abs(a - b) / 2, 1e-12);
-  EXPECT_EQ(measured.n, 2);
-}
-
 TEST_F(RunReportTest, ADamagedSeriesIsRefusedWithItsLine) {
   folder_.write("soft/series.csv", "time,phase\n1,a\n2\n");
   try {

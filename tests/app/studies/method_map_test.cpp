@@ -24,7 +24,7 @@ class MethodMap : public PaperFixture {
     }
     Section section;
     Findings findings;
-    map->report(PaperResults(jobs.jobs()), folder_.path(), section, findings);
+    map->report(PaperResults(jobs.jobs()), section, findings);
     return section;
   }
 };
