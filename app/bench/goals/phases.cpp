@@ -71,7 +71,7 @@ Outcome rest(const Options& options) {
   scene.phases = {watching(static_cast<double>(steps) * scene.step.dt)};
   const World world = at_rest(options).world;
   Outcome outcome;
-  Figure figure = steps_per_second(2000);
+  Figure figure = steps_per_second(20000);
   for (int repeat = 0; repeat < options.repeats_or(3); ++repeat) {
     Protocol protocol(scene, world);
     add(measure_window(protocol, {.steps = steps}, options), scene, repeat, figure, outcome);
