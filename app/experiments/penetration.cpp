@@ -37,7 +37,7 @@ class Penetration : public PaperExperiment {
     section.add(outcome_table(
         results,
         "At the end of each push: at rest, or after its max_time. Channel: where the "
-        "intruder has passed; intact: farther from its way than six of its diameters.",
+        "intruder has passed; intact: farther from its path than six of its diameters.",
         {"push force [F_c]", true}, rows, kShown, all_));
     add_plots(results, section);
     for (std::size_t k = 0; k < curve_.forces.size(); ++k) compare(results, k, findings);

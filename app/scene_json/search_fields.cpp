@@ -77,7 +77,7 @@ void describe_threshold(Fields& f, PushPhase& p) {
        "instead of one push, seeks the smallest force with which the intruder enters, by trials "
        "from one state; force is that of the first, and they end as the push would"},
       p.threshold, [](Fields& g, Threshold& t) {
-        g.number({"distance", "way down that counts as entered; absent: its diameter"},
+        g.number({"distance", "travel that counts as entered; absent: its diameter"},
                  above(0, 1e6, "d"), t.distance);
         describe_interval(g, t.tolerance);
       });

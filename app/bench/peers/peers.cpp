@@ -87,7 +87,7 @@ void measure_scene(const PeerScene& scene, const Options& options, std::vector<R
       rows.push_back({.what = kPeer,
                       .method = std::string(peer.name),
                       .expected = scene.expected,
-                      .found = "no such law"});
+                      .found = "no bonds"});
       continue;
     }
     for (const std::string_view setting : kPeerSettings) {
