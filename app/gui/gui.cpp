@@ -27,6 +27,13 @@ constexpr ImGuiWindowFlags kPart =
     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoBackground;
 
+// A window of ImGui in this place; ends with ImGui::End().
+void begin_part(const char* name, const PixelRect& place, ImGuiWindowFlags flags) {
+  ImGui::SetNextWindowPos({static_cast<float>(place.x), static_cast<float>(place.y)});
+  ImGui::SetNextWindowSize({static_cast<float>(place.width), static_cast<float>(place.height)});
+  ImGui::Begin(name, nullptr, flags);
+}
+
 double checked_scale(double scale) {
   if (scale >= 0.5 && scale <= 4) return scale;
   throw InputError("scale", "the scale of the panel must be from 0.5 to 4");
@@ -82,9 +89,7 @@ void Gui::Impl::prepare_view(const Session& session) {
 }
 
 void Gui::Impl::show_column(PanelFrame& frame, float bottom) {
-  ImGui::SetNextWindowPos({0, 0});
-  ImGui::SetNextWindowSize({widgets.px(kColumn), bottom});
-  ImGui::Begin("column", nullptr, kPart & ~ImGuiWindowFlags_NoScrollbar);
+  begin_part("column", {0, 0, widgets.px(kColumn), bottom}, kPart & ~ImGuiWindowFlags_NoScrollbar);
   show_scene(frame);
   const bool computed_before = frame.session.timeline() != nullptr;
   if (computed_before) show_timeline(frame);
@@ -148,19 +153,14 @@ void Gui::Impl::lay_out(PanelFrame& frame, const GuiInput& input) {
   widgets.begin(theme, pressed(input, Key::escape));
 
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-  ImGui::SetNextWindowPos({left + line, 0});
-  ImGui::SetNextWindowSize(
-      {static_cast<float>(view_rect.width), static_cast<float>(view_rect.height)});
-  ImGui::Begin("view", nullptr, kPart | ImGuiWindowFlags_NoScrollWithMouse);
+  begin_part("view", view_rect, kPart | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
   show_view(frame, picture, grip, view_rect);
   ImGui::End();
 
   if (strip > 0) {
     const PixelRect place{view_rect.x, view_rect.height, view_rect.width, strip};
-    ImGui::SetNextWindowPos({static_cast<float>(place.x), static_cast<float>(place.y)});
-    ImGui::SetNextWindowSize({static_cast<float>(place.width), strip});
-    ImGui::Begin("timeline", nullptr, kPart | ImGuiWindowFlags_NoScrollWithMouse);
+    begin_part("timeline", place, kPart | ImGuiWindowFlags_NoScrollWithMouse);
     show_timeline_strip(frame, place);
     ImGui::End();
   }
@@ -170,9 +170,7 @@ void Gui::Impl::lay_out(PanelFrame& frame, const GuiInput& input) {
   show_column(frame, status_top);
 
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(widgets.px(12), widgets.px(7)));
-  ImGui::SetNextWindowPos({0, status_top});
-  ImGui::SetNextWindowSize({io.DisplaySize.x, widgets.px(kStatus)});
-  ImGui::Begin("status", nullptr, kPart);
+  begin_part("status", {0, status_top, io.DisplaySize.x, widgets.px(kStatus)}, kPart);
   ImGui::PopStyleVar();
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->PushClipRectFullScreen();
@@ -184,12 +182,10 @@ void Gui::Impl::lay_out(PanelFrame& frame, const GuiInput& input) {
 
   if (!notes.error.empty()) {
     ImGui::PushStyleColor(ImGuiCol_WindowBg, widgets.colours().error);
-    ImGui::SetNextWindowPos({left + line, 0});
-    ImGui::SetNextWindowSize({static_cast<float>(view_rect.width), 0});
-    ImGui::Begin("error", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
-                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
+    begin_part("error", {view_rect.x, 0, view_rect.width, 0},
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
     show_banner(frame);
     ImGui::End();
     ImGui::PopStyleColor();

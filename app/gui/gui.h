@@ -26,8 +26,6 @@ class Gui {
   // is no font, InputError for other scales.
   explicit Gui(double scale = 1);
   ~Gui();
-  Gui(const Gui&) = delete;
-  Gui& operator=(const Gui&) = delete;
 
   // One frame of the panel: shows the session, takes the input. Returns the commands that the user gave
   // by it, as JSON objects {"command": NAME, ...}. Needs no GL. Throws InputError for a size [px] that

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "app/base/nearest_name.h"
 #include "core/base/errors.h"

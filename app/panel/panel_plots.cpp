@@ -2,16 +2,38 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <functional>
+#include <optional>
 
 #include "app/panel/panel_frame.h"
 
 namespace quicksand::gui {
 namespace {
 
-using Reading = std::function<std::optional<double>(const Row&)>;
+using Reading = std::optional<double> (*)(const Row&);
 
-Curve curve_of(const Session& session, const Reading& reading) {
+template <double Sample::*Value>
+std::optional<double> of_intruder(const Row& row) {
+  return row.sample.has_intruder ? std::optional(row.sample.*Value) : std::nullopt;
+}
+
+struct Plot {
+  const char *name, *title, *unit;
+  const char* nothing;  // why a scene has given no values, if it has not
+  Reading reading;
+  bool logarithmic = false;
+};
+constexpr Plot kOverTime[] = {
+    {"active bonds", "Active bonds / contacts", "", "no contacts yet",
+     [](const Row& r) { return r.sample.active_bond_fraction; }},
+    {"coordination", "Coordination number", "", "no samples yet",
+     [](const Row& r) { return std::optional(r.sample.coordination); }},
+    {"depth", "Intruder depth", "d", "no intruder", of_intruder<&Sample::depth>},
+    {"resistance", "Resistance to the intruder", "F_g", "no intruder",
+     of_intruder<&Sample::resistance>},
+    {"residual", "Residual", "", "nothing solved yet",
+     [](const Row& r) { return r.residual > 0 ? std::optional(r.residual) : std::nullopt; }, true}};
+
+Curve curve_of(const Session& session, Reading reading) {
   Curve curve;
   if (!session.loaded()) return curve;
   if (session.timeline() != nullptr) curve.cursor = session.world().time;
@@ -73,41 +95,13 @@ void show_plots(PanelFrame& frame) {
   ImGui::PushFont(w.fonts().small);
   w.caption("Over time [√(d/g)], with the last value.");
   ImGui::PopFont();
-  const bool loaded = frame.session.loaded();
-  const char* none = loaded ? "no samples yet" : "no scene";
-
-  Curve bonds = curve_of(frame.session, [](const Row& r) { return r.sample.active_bond_fraction; });
-  bonds.nothing = loaded ? "no contacts yet" : none;
-  w.plot("active bonds", "Active bonds / contacts", bonds);
-
-  Curve coordination = curve_of(
-      frame.session, [](const Row& r) -> std::optional<double> { return r.sample.coordination; });
-  coordination.nothing = none;
-  w.plot("coordination", "Coordination number", coordination);
-
-  Curve depth = curve_of(frame.session, [](const Row& r) -> std::optional<double> {
-    if (!r.sample.has_intruder) return std::nullopt;
-    return r.sample.depth;
-  });
-  depth.unit = "d";
-  depth.nothing = loaded ? "no intruder" : none;
-  w.plot("depth", "Intruder depth", depth);
-
-  Curve resistance = curve_of(frame.session, [](const Row& r) -> std::optional<double> {
-    if (!r.sample.has_intruder) return std::nullopt;
-    return r.sample.resistance;
-  });
-  resistance.unit = "F_g";
-  resistance.nothing = depth.nothing;
-  w.plot("resistance", "Resistance to the intruder", resistance);
-
-  Curve residual = curve_of(frame.session, [](const Row& r) -> std::optional<double> {
-    if (r.residual <= 0) return std::nullopt;
-    return r.residual;
-  });
-  residual.logarithmic = true;
-  residual.nothing = loaded ? "nothing solved yet" : none;
-  w.plot("residual", "Residual", residual);
+  for (const Plot& plot : kOverTime) {
+    Curve curve = curve_of(frame.session, plot.reading);
+    curve.unit = plot.unit;
+    curve.nothing = frame.session.loaded() ? plot.nothing : "no scene";
+    curve.logarithmic = plot.logarithmic;
+    w.plot(plot.name, plot.title, curve);
+  }
   w.end_section();
 }
 

@@ -1,8 +1,6 @@
 // How the packing is drawn, and from where.
 #include <imgui.h>
 
-#include <cctype>
-
 #include "app/panel/panel_frame.h"
 #include "app/view/view_fields.h"
 
@@ -10,12 +8,6 @@ namespace quicksand::gui {
 namespace {
 
 constexpr double kZoom = 1.25;  // of a press on + or -
-
-// A phrase as a sentence.
-std::string sentence(std::string phrase) {
-  phrase[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(phrase[0])));
-  return phrase + ".";
-}
 
 void show_camera(PanelFrame& frame) {
   Widgets& w = frame.widgets;
@@ -45,8 +37,8 @@ void show_numbers(PanelFrame& frame) {
   for (const ViewNumber& number : view_numbers()) {
     if (!number.matters(view)) continue;
     const ViewField& field = number.field;
-    if (const auto value = frame.widgets.number({field.name, field.label, sentence(field.help)},
-                                                view.*number.value, false))
+    if (const auto value = frame.widgets.number(
+            {field.name, field.label, capitalised(field.help) + "."}, view.*number.value, false))
       frame.command("view", {{field.name, *value}});
   }
 }
@@ -73,8 +65,8 @@ void show_view_controls(PanelFrame& frame) {
     const ViewField& field = flag.field;
     if (field.label == nullptr) continue;
     if (right) ImGui::SameLine(second);
-    if (const auto on =
-            w.checkbox({field.name, field.label, sentence(field.help)}, view.*flag.value)) {
+    if (const auto on = w.checkbox({field.name, field.label, capitalised(field.help) + "."},
+                                   view.*flag.value)) {
       frame.command("view", {{field.name, *on}});
     }
     right = !right;

@@ -4,7 +4,6 @@
 
 #include "app/base/exit_code.h"
 #include "app/base/interrupt.h"
-#include "app/commands/command_table.h"
 #include "app/commands/session_file.h"
 #include "app/commands/transcript.h"
 #include "app/run/progress_line.h"

@@ -1,7 +1,6 @@
 // What a client says: a command of the vocabulary of sessions that it may give, or a question.
 #pragma once
 
-#include <string>
 #include <string_view>
 
 #include "app/json/json_text.h"

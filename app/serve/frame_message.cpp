@@ -8,11 +8,10 @@
 #include <vector>
 
 #include "app/serve/binary_message.h"
-#include "core/base/format.h"
 #include "core/world/reaction.h"
 #include "core/world/shaped_contact.h"
+#include "quicksand_shaders.h"
 #include "render/base/palette.h"
-#include "render/gl/shader_texts.h"
 #include "render/layers/colouring.h"
 #include "render/layers/network.h"
 #include "render/picture/frame.h"
@@ -210,9 +209,11 @@ Json applied_json(const World& world) {
 }  // namespace
 
 Json shaders_json() {
-  Json shaders = Json::object();
-  for (const ShaderText& shader : shader_texts()) shaders[shader.name] = shader.text;
-  return shaders;
+  return {{"vertex_head", shaders::kVertexHead},
+          {"disk_vertex", shaders::kDiskVertex},
+          {"disk_fragment", shaders::kDiskFragment},
+          {"segment_vertex", shaders::kSegmentVertex},
+          {"segment_fragment", shaders::kSegmentFragment}};
 }
 
 Json look_of(const Session& session) {

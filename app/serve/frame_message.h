@@ -12,7 +12,8 @@ namespace quicksand {
 // The session must be loaded. `head` is what else is to be said of the moment.
 std::string frame_message(const Session& session, Json head);
 
-// The programs that draw disks and lines, those of the program's own pictures, by their names.
+// The programs that draw disks and lines, those of the program's own pictures, by their names; a vertex program goes
+// behind "vertex_head".
 Json shaders_json();
 
 // What the colours mean, for the page's legend; lengths, colours and walls that the drawing needs.

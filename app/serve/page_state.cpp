@@ -1,7 +1,6 @@
 #include "app/serve/page_state.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <vector>
 

@@ -6,7 +6,6 @@
 
 #include "app/commands/command_table.h"
 #include "app/commands/transcript.h"
-#include "app/json/json_reader.h"
 #include "app/series/series.h"
 #include "app/serve/binary_message.h"
 #include "app/serve/frame_message.h"

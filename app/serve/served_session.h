@@ -4,11 +4,9 @@
 #pragma once
 
 #include <chrono>
-#include <cstdint>
 #include <deque>
 #include <filesystem>
 #include <functional>
-#include <string>
 
 #include "app/commands/console.h"
 #include "app/serve/client_message.h"

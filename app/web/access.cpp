@@ -32,6 +32,15 @@ std::string lower(std::string_view text) {
   return result;
 }
 
+// An address without its port: "[::1]:80" is [::1].
+std::string_view host_of(std::string_view address) {
+  if (address.starts_with('[')) {
+    const std::size_t end = address.find(']');
+    return end == std::string_view::npos ? std::string_view() : address.substr(0, end + 1);
+  }
+  return address.substr(0, address.find(':'));
+}
+
 // Closes a file at the end of its scope.
 struct OpenFile {
   int number;
@@ -105,14 +114,6 @@ std::string_view cookie(std::string_view header, std::string_view name) {
     header.remove_prefix(end + 1);
   }
   return {};
-}
-
-std::string_view host_of(std::string_view address) {
-  if (address.starts_with('[')) {
-    const std::size_t end = address.find(']');
-    return end == std::string_view::npos ? std::string_view() : address.substr(0, end + 1);
-  }
-  return address.substr(0, address.find(':'));
 }
 
 bool is_our_host(std::string_view host, std::string_view named) {

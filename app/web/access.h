@@ -20,9 +20,6 @@ bool same_secret(std::string_view given, std::string_view secret);
 // The value of a cookie in the header `Cookie`; empty if there is none.
 std::string_view cookie(std::string_view header, std::string_view name);
 
-// An address without its port: "[::1]:80" is [::1].
-std::string_view host_of(std::string_view address);
-
 // Whether a request was made to this machine by a name that only means it, or by `named`: else a page from elsewhere
 // could have let its own name point here.
 bool is_our_host(std::string_view host, std::string_view named);

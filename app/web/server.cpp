@@ -6,7 +6,6 @@
 #include <map>
 #include <thread>
 
-#include "app/web/access.h"
 #include "app/web/client.h"
 #include "app/web/http_request.h"
 #include "core/base/errors.h"

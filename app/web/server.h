@@ -38,8 +38,6 @@ class Server {
   // Listens from now on. Throws InputError if it cannot.
   Server(ServerOptions options, PageParts parts, Exchange& exchange);
   ~Server();
-  Server(const Server&) = delete;
-  Server& operator=(const Server&) = delete;
 
   int port() const;
 

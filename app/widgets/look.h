@@ -3,7 +3,6 @@
 
 #include <imgui.h>
 
-#include <cstdint>
 #include <string>
 #include <vector>
 

@@ -6,9 +6,7 @@
 
 #include "app/base/exit_code.h"
 #include "app/base/interrupt.h"
-#include "app/commands/command_table.h"
 #include "app/commands/console.h"
-#include "app/commands/session_file.h"
 #include "app/run_folder/run_folder.h"
 #include "app/scene/opening.h"
 #include "app/window/display.h"

@@ -20,6 +20,14 @@ struct Granted {
   Granted& operator=(const Granted&) = delete;
 };
 
+void in_arena(int threads, const std::atomic<int>* now, const std::function<void()>& work) {
+  const Granted granted(now);
+  // More than there are cores are a way to test what depends on their number.
+  const auto most = static_cast<std::size_t>(std::max(threads, tbb::info::default_concurrency()));
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, most);
+  tbb::task_arena(threads).execute(work);
+}
+
 }  // namespace
 
 int usable_threads() {
@@ -27,21 +35,16 @@ int usable_threads() {
   return granted_now ? std::clamp(granted_now->load(), 1, most) : most;
 }
 
-namespace parallel {
-
-void in_arena(int threads, const std::atomic<int>* now, Call call, const void* work) {
-  const Granted granted(now);
-  // More than there are cores are a way to test what depends on their number.
-  const auto most = static_cast<std::size_t>(std::max(threads, tbb::info::default_concurrency()));
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, most);
-  tbb::task_arena(threads).execute([&] { call(work, 0); });
+void with_threads(int threads, const std::function<void()>& work) {
+  in_arena(threads, nullptr, work);
 }
 
-void in_parts(int parts, Call call, const void* work) {
-  tbb::parallel_for(
-      0, parts, [&](int part) { call(work, part); }, tbb::simple_partitioner());
+void with_threads(int most, const std::atomic<int>& now, const std::function<void()>& work) {
+  in_arena(most, &now, work);
 }
 
-}  // namespace parallel
+void parallel::in_parts(int parts, const std::function<void(int)>& work) {
+  tbb::parallel_for(0, parts, work, tbb::simple_partitioner());
+}
 
 }  // namespace quicksand

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace quicksand {
@@ -16,59 +17,17 @@ namespace quicksand {
 int usable_threads();
 
 // Calls work() such that its loops use at most so many threads, the caller's included; from 1.
-template <class Work>
-void with_threads(int threads, const Work& work);
+void with_threads(int threads, const std::function<void()>& work);
 // The same at most with so many as `now` says, which may change meanwhile.
-template <class Work>
-void with_threads(int most, const std::atomic<int>& now, const Work& work);
-
-// work(0), ..., work(parts - 1), in any order and perhaps at the same time.
-template <class Work>
-void share_parts(int parts, const Work& work);
+void with_threads(int most, const std::atomic<int>& now, const std::function<void()>& work);
 
 namespace parallel {
 // Fewer contacts than these are not worth the waking of a thread.
 inline constexpr std::size_t kWorthSharing = 3000;
+void in_parts(int parts, const std::function<void(int)>& work);
 }  // namespace parallel
 
-// work(begin, end) for ranges that make up 0 to n; shared from `worth` on.
-template <class Work>
-void share_range(std::size_t n, const Work& work, std::size_t worth = parallel::kWorthSharing);
-
-// Gathers collect(begin, end, x) over blocks of 0 to n, each from a T{}, into one by sum.add(x), in order.
-template <class T, class Collect>
-T gather_range(std::size_t n, const Collect& collect, std::size_t worth = parallel::kWorthSharing);
-
-// at_a(c, row) and at_b(c, row) for each contact c of the problem, in order at each body: what they add to
-// theirs is added as if one thread did it all.
-template <class Problem, class AtA, class AtB>
-void visit_sides(const Problem& problem, const AtA& at_a, const AtB& at_b);
-
-namespace parallel {
-
-using Call = void (*)(const void* work, int part);
-void in_arena(int threads, const std::atomic<int>* now, Call call, const void* work);
-void in_parts(int parts, Call call, const void* work);
-
-template <class Work>
-void call_with_part(const void* work, int part) {
-  (*static_cast<const Work*>(work))(part);
-}
-
-}  // namespace parallel
-
-template <class Work>
-void with_threads(int threads, const Work& work) {
-  const auto call = [&](int) { work(); };
-  parallel::in_arena(threads, nullptr, parallel::call_with_part<decltype(call)>, &call);
-}
-
-template <class Work>
-void with_threads(int most, const std::atomic<int>& now, const Work& work) {
-  const auto call = [&](int) { work(); };
-  parallel::in_arena(most, &now, parallel::call_with_part<decltype(call)>, &call);
-}
-
+// work(0), ..., work(parts - 1), in any order and perhaps at the same time.
 template <class Work>
 void share_parts(int parts, const Work& work) {
   std::atomic<int> next = 0;
@@ -77,13 +36,14 @@ void share_parts(int parts, const Work& work) {
   };
   const int threads = std::min(parts, usable_threads());
   if (threads > 1)
-    parallel::in_parts(threads, parallel::call_with_part<decltype(take)>, &take);
+    parallel::in_parts(threads, std::ref(take));  // as a reference it is not allocated
   else
     take(0);
 }
 
+// work(begin, end) for ranges that make up 0 to n; shared from `worth` on.
 template <class Work>
-void share_range(std::size_t n, const Work& work, std::size_t worth) {
+void share_range(std::size_t n, const Work& work, std::size_t worth = parallel::kWorthSharing) {
   if (n < worth) return work(std::size_t{0}, n);
   const auto parts = static_cast<std::size_t>(usable_threads());
   share_parts(static_cast<int>(parts), [&](int part) {
@@ -92,8 +52,9 @@ void share_range(std::size_t n, const Work& work, std::size_t worth) {
   });
 }
 
+// Gathers collect(begin, end, x) over blocks of 0 to n, each from a T{}, into one by sum.add(x), in order.
 template <class T, class Collect>
-T gather_range(std::size_t n, const Collect& collect, std::size_t worth) {
+T gather_range(std::size_t n, const Collect& collect, std::size_t worth = parallel::kWorthSharing) {
   const std::size_t size = worth / 3, blocks = (n + size - 1) / size;
   const auto collect_block = [&](std::size_t block, T& x) {
     collect(block * size, std::min(n, (block + 1) * size), x);
@@ -113,20 +74,6 @@ T gather_range(std::size_t n, const Collect& collect, std::size_t worth) {
   });
   for (const T& x : of_block) sum.add(x);
   return sum;
-}
-
-template <class Problem, class AtA, class AtB>
-void visit_sides(const Problem& problem, const AtA& at_a, const AtB& at_b) {
-  share_range(problem.inverse_mass.size(), [&](std::size_t begin, std::size_t end) {
-    const auto ours = [first = static_cast<int>(begin), last = static_cast<int>(end)](int body) {
-      return first <= body && body < last;
-    };
-    for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
-      const auto& row = problem.contacts[c];
-      if (ours(row.a)) at_a(c, row);
-      if (ours(row.b)) at_b(c, row);
-    }
-  });
 }
 
 }  // namespace quicksand

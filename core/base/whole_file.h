@@ -29,8 +29,6 @@ class WholeFile {
   explicit WholeFile(const std::filesystem::path& path);
   // Removes what was written if finish() was not reached.
   ~WholeFile();
-  WholeFile(const WholeFile&) = delete;
-  WholeFile& operator=(const WholeFile&) = delete;
 
   std::ostream& stream() { return file_; }
   // Puts the file in its place. Throws InputError if something could not be written.

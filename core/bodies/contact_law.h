@@ -8,7 +8,6 @@
 //   |T|   <= rolling  N, opposite to w  where it rolls
 #pragma once
 
-#include <array>
 #include <optional>
 
 namespace quicksand {
@@ -25,12 +24,18 @@ struct ContactLaw {
 
 // Length mu_r that limits the rolling torque [d]: coefficient times 2 r_a r_b/(r_a + r_b), which is
 // r for equal disks.
-double rolling_length(double coefficient, double radius_a, double radius_b);
+inline double rolling_length(double coefficient, double radius_a, double radius_b) {
+  return coefficient * 2 * radius_a * radius_b / (radius_a + radius_b);
+}
 
 // The same for a disk on the flank of a shaped body, whose radius is infinite: coefficient times 2 r.
-double rolling_length_on_flank(double coefficient, double radius);
+inline double rolling_length_on_flank(double coefficient, double radius) {
+  return coefficient * 2 * radius;
+}
 
 // The same for a disk on a wall: coefficient times the disk's radius.
-double rolling_length_on_wall(double coefficient, double radius);
+inline double rolling_length_on_wall(double coefficient, double radius) {
+  return coefficient * radius;
+}
 
 }  // namespace quicksand

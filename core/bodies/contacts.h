@@ -1,8 +1,6 @@
 // The contacts of one step: pairs close enough to touch, with their geometry and impulses.
 #pragma once
 
-#include <vector>
-
 #include "core/base/types.h"
 #include "core/bodies/bonds.h"
 

@@ -1,8 +1,7 @@
 // Straight, infinite, rigid walls: the floor, side walls, pistons.
 #pragma once
 
-#include <string_view>
-#include <vector>
+#include <cmath>
 
 #include "core/base/types.h"
 
@@ -20,7 +19,11 @@ struct Wall {
 
   // Inverse mass for (x, y, rotation): a wall with mass moves along its normal only, which must
   // then be parallel to x or y; others do not respond to forces.
-  Vec3 inverse_mass() const;
+  Vec3 inverse_mass() const {
+    if (mass == 0) return {0, 0, 0};
+    return {std::abs(normal.x()) > 0.5 ? 1 / mass : 0, std::abs(normal.y()) > 0.5 ? 1 / mass : 0,
+            0};
+  }
   bool operator==(const Wall&) const = default;
 };
 

@@ -4,14 +4,11 @@
 #include <cstring>
 #include <functional>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
-
-#include "core/base/random.h"
 
 namespace quicksand {
 

@@ -1,9 +1,9 @@
 #include "core/drives/drive.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/base/errors.h"
+#include "core/world/shaped_contact.h"
 
 namespace quicksand {
 
@@ -69,7 +69,6 @@ DriveResult drive_result(const Stage& stage, Drive drive, double way, int body) 
     const auto found = memory.find(key);
     return found == memory.end() ? 0 : found->second;
   };
-  const ShapedBody* shaped = stage.world.shapes.find(body);
   const double late = number("late_time"), driven = way - number("way_begins");
   return {.phase = stage.state.phase,
           .drive = drive,
@@ -78,7 +77,7 @@ DriveResult drive_result(const Stage& stage, Drive drive, double way, int body) 
           .residual = late > 0 ? number("late_load") / late : 0,
           .mean = driven > 0 ? number("work") / driven : 0,
           .way = way,
-          .radius = shaped ? shaped->reach() : stage.world.disks.radius[body],
+          .radius = reach_of(stage.world, body),
           .cleared = static_cast<std::int64_t>(number("cleared"))};
 }
 

@@ -4,7 +4,6 @@
 // are means in time over windows of the way.
 #pragma once
 
-#include "core/phases/search.h"
 #include "core/phases/stage.h"
 
 namespace quicksand {

@@ -57,8 +57,7 @@ class Vane final : public RunningPhaseOf<VanePhase> {
                   settings().angle, kAngleWindow);
     if (turned(stage) >= settings().angle || stage.lasted(settings().max_time)) return true;
     if (settings().angular_velocity || !stage.lasted(settings().ramp_time)) return false;
-    const ShapedBody* shaped = world.shapes.find(intruder);
-    const double reach = shaped ? shaped->reach() : world.disks.radius[intruder];
+    const double reach = reach_of(world, intruder);
     const Vec3& v = world.disks.velocity[intruder];
     return stage.rested(v.head<2>().norm() + reach * std::abs(v.z()) <= settings().rest_speed,
                         settings().rest_time);

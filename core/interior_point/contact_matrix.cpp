@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/parallel.h"
-
 namespace quicksand {
 
 namespace {
@@ -125,18 +123,12 @@ void ContactMatrix::place_bodies() {
   }
 }
 
-// By counting, which keeps those of one body in their own order.
 void ContactMatrix::order_contacts() {
-  const std::vector<ContactRow>& contacts = problem_->contacts;
-  const auto first = [&](const ContactRow& row) {
-    return static_cast<std::size_t>(std::min(place_[row.a], place_[row.b]));
-  };
-  next_.assign(place_.size() + 1, 0);
-  for (const ContactRow& row : contacts) ++next_[first(row) + 1];
-  for (std::size_t i = 0; i < place_.size(); ++i) next_[i + 1] += next_[i];
-  order_.resize(contacts.size());
-  for (std::size_t c = 0; c < contacts.size(); ++c)
-    order_[static_cast<std::size_t>(next_[first(contacts[c])]++)] = static_cast<int>(c);
+  by_first_.fill(place_.size(), [&](const auto& use) {
+    int c = 0;
+    for (const ContactRow& row : problem_->contacts)
+      use(std::min(place_[row.a], place_[row.b]), c++);
+  });
 }
 
 void ContactMatrix::place_contacts() {
@@ -147,7 +139,7 @@ void ContactMatrix::place_contacts() {
   columns_.resize(kLanes * rows_.size());
   coupling_.clear();
   for (std::size_t c = 0; c < kLanes * rows_.size(); ++c) {
-    const auto contact_here = static_cast<std::size_t>(order_[c < nc ? c : 0]);
+    const auto contact_here = static_cast<std::size_t>(order()[c < nc ? c : 0]);
     const ContactRow& contact = problem.contacts[contact_here];
     RowLanes& row = rows_[c / kLanes];
     const std::size_t k = c % kLanes;
@@ -174,23 +166,13 @@ void ContactMatrix::place_contacts() {
 }
 
 void ContactMatrix::list_sides() {
-  const std::size_t nc = order_.size();
-  side_start_.assign(place_.size() + 1, 0);
-  for (std::size_t c = 0; c < nc; ++c) {
-    const RowLanes& row = rows_[c / kLanes];
-    ++side_start_[static_cast<std::size_t>(row.a[c % kLanes]) + 1];
-    ++side_start_[static_cast<std::size_t>(row.b[c % kLanes]) + 1];
-  }
-  for (std::size_t i = 0; i < place_.size(); ++i) side_start_[i + 1] += side_start_[i];
-  side_.resize(2 * nc);
-  next_.assign(side_start_.begin(), side_start_.end());
-  for (std::size_t c = 0; c < nc; ++c) {
-    const RowLanes& row = rows_[c / kLanes];
-    const auto a = static_cast<std::size_t>(row.a[c % kLanes]);
-    const auto b = static_cast<std::size_t>(row.b[c % kLanes]);
-    side_[static_cast<std::size_t>(next_[a]++)] = static_cast<int>(2 * c);
-    side_[static_cast<std::size_t>(next_[b]++)] = static_cast<int>(2 * c + 1);
-  }
+  sides_.fill(place_.size(), [&](const auto& use) {
+    for (std::size_t c = 0; c < order().size(); ++c) {
+      const RowLanes& row = rows_[c / kLanes];
+      use(row.a[c % kLanes], static_cast<int>(2 * c));
+      use(row.b[c % kLanes], static_cast<int>(2 * c + 1));
+    }
+  });
 }
 
 void ContactMatrix::factorise(const std::vector<Impedance<Lanes>>& impedance) {
@@ -205,8 +187,8 @@ void ContactMatrix::factorise(const std::vector<Impedance<Lanes>>& impedance) {
       diagonal_.size(), [&](std::size_t i) __attribute__((always_inline)) {
         const Eigen::Vector4d& im = inverse_mass_[i];
         BlockSum sum{};
-        for (int k = side_start_[i]; k < side_start_[i + 1]; ++k) {
-          const auto side = static_cast<std::size_t>(side_[static_cast<std::size_t>(k)]);
+        for (const int k : sides_.of(i)) {
+          const auto side = static_cast<std::size_t>(k);
           if (side % 2 == 0)
             sum.add(columns_[side / 2], first_a, second_a, spin_aa);
           else
@@ -249,7 +231,7 @@ void ContactMatrix::factorise(const std::vector<Mat3>& impedance) {
   for (std::size_t c = 0; c < impedance.size(); ++c) {
     Impedance<Lanes>& d = packed_[c / kLanes];
     const std::size_t k = c % kLanes;
-    const Mat3& of_contact = impedance[static_cast<std::size_t>(order_[c])];
+    const Mat3& of_contact = impedance[static_cast<std::size_t>(order()[c])];
     d.nn[k] = of_contact(0, 0);
     d.tn[k] = of_contact(1, 0);
     d.tt[k] = of_contact(1, 1);
@@ -264,10 +246,9 @@ template <class Put>
   share_in_lanes(
       place_.size(), [&](std::size_t i) __attribute__((always_inline)) {
         Lanes sum{};
-        for (int k = side_start_[i]; k < side_start_[i + 1]; ++k) {
+        for (const int side : sides_.of(i)) {
           Lanes p;
-          load_lanes(momentum_[static_cast<std::size_t>(side_[static_cast<std::size_t>(k)])].data(),
-                     p);
+          load_lanes(momentum_[static_cast<std::size_t>(side)].data(), p);
           sum += p;
         }
         Lanes im;
@@ -299,7 +280,7 @@ void ContactMatrix::velocity(BodyVectors& velocity) const {
 
 void ContactMatrix::velocity_change(const std::vector<Vec3>& impulse, std::vector<Vec3>& dv) {
   for (std::size_t c = 0; c < impulse.size(); ++c) {
-    const auto contact = static_cast<std::size_t>(order_[c]);
+    const auto contact = static_cast<std::size_t>(order()[c]);
     const ContactRow& row = problem_->contacts[contact];
     momentum_[2 * c] << momentum_of_a(row, impulse[contact]), 0;
     momentum_[2 * c + 1] << momentum_of_b(row, impulse[contact]), 0;
@@ -316,7 +297,7 @@ double ContactMatrix::fastest_change() const {
     void add(const Fastest& other) { squared = squared > other.squared ? squared : other.squared; }
   };
   const Fastest found = gather_lane_blocks<Fastest>(
-      order_.size(), [&](std::size_t k, Fastest & part) __attribute__((always_inline)) {
+      order().size(), [&](std::size_t k, Fastest & part) __attribute__((always_inline)) {
         const RowLanes& row = rows_[k];
         const auto at_contact = [&](const std::array<int, kLanes>& body, const Lanes& spin_n,
                                     const Lanes& spin_t) __attribute__((always_inline)) {

@@ -7,6 +7,7 @@
 
 #include "core/interior_point/contact_lanes.h"
 #include "core/linear/block_lu.h"
+#include "core/problem/by_body.h"
 #include "core/problem/contact_problem.h"
 #include "core/problem/work_clock.h"
 
@@ -24,7 +25,7 @@ class ContactMatrix {
   // is near in memory. Lanes beyond the last contact repeat the first one.
   const std::vector<RowLanes>& rows() const { return rows_; }
   // The contact in each lane (nc).
-  const std::vector<int>& order() const { return order_; }
+  const std::vector<int>& order() const { return by_first_.items(); }
 
   // Factorises M + H^T D H for `impedance` D, by such blocks of four.
   void factorise(const std::vector<Impedance<Lanes>>& impedance);
@@ -70,12 +71,11 @@ class ContactMatrix {
   std::vector<int> place_;  // (nb) in the order of elimination, immobile bodies last
   BodyVectors inverse_mass_, free_velocity_;  // by places
   std::vector<PaddedBlock*> diagonal_;        // of mobile bodies, by places
-  std::vector<int> order_;
+  ByBody by_first_;                           // contacts by places of the first of their bodies
   std::vector<RowLanes> rows_;
   std::vector<Coupling> coupling_;  // of contacts between two mobile bodies
-  // The sides of lanes by places of their bodies, ascending: 2 k is that of a, 2 k + 1 that of b.
-  std::vector<int> side_, side_start_, next_;
-  BodyVectors momentum_;                         // by sides
+  ByBody sides_;          // of lanes by places of their bodies: 2 k is that of a, 2 k + 1 that of b
+  BodyVectors momentum_;  // by sides
   std::vector<std::array<double, 32>> columns_;  // (nc, rounded up) see contact_matrix.cpp
   std::vector<Impedance<Lanes>> packed_;
   BodyVectors change_;  // the last one

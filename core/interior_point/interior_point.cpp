@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "core/interior_point/path_tuning.h"
-#include "core/problem/residual.h"
 #include "core/problem/rest.h"
 
 namespace quicksand {
@@ -66,8 +65,7 @@ struct InteriorPoint::Path {
 
   void measure() {
     const WorkClock::Span span(clock, Work::residual);
-    report.residual = residual(problem, state);
-    report.converged = settings.accepts(report.residual);
+    report.measure(problem, settings, state);
   }
 };
 

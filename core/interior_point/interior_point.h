@@ -10,11 +10,10 @@
 // solution near. Beyond a fold the path goes on with growing products, until it folds again. Its
 // direction is that of the determinant of Newton's matrix, positive at the start, so the products are
 // made to grow where that is negative [Allgower 1990]. The variables of a contact are eliminated by hand (see
-// interior_point_cone.h), which leaves (M + H^T D H) dv = H^T dp with one 3x3 block D a contact; it is
+// cone.h), which leaves (M + H^T D H) dv = H^T dp with one 3x3 block D a contact; it is
 // not symmetric where a contact slides.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <vector>
 

@@ -1,10 +1,8 @@
 // The end of a solution: Newton's method on the modes of the contacts.
 //
-// Near a solution each contact is known to be open or closed, to stick or slide, to hold or roll: with
-// q = p - u/W (natural map, W the diagonal of the contact's own Delassus block) it is closed where q_n > 0,
-// sticks where |R_t part of q| <= friction q_n and holds where |T part of q| <= rolling q_n. What is closed,
-// sticks or holds obeys u = 0, what slides R_t = +-friction N, what rolls T = +-rolling N. These equations
-// are linear; u = 0 is met by the proximal iteration p := p - u/(eps W), which leaves the solution as it
+// Near a solution the trial impulse of each contact tells whether it is open or closed, sticks or slides, holds or
+// rolls (projection.h). What is closed, sticks or holds obeys u = 0, what slides R_t = +-friction N, what rolls
+// T = +-rolling N. These equations are linear; u = 0 is met by the proximal iteration p := p - u/(eps W), which leaves the solution as it
 // is and bounds what redundant contacts may ask for. Modes are read again after each solution
 // [Alart 1991].
 //

@@ -1,6 +1,5 @@
 // The directions of the interior point's path: its start, its linearisation, and the steps towards products.
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "core/interior_point/interior_point.h"

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <numbers>
 
 namespace quicksand {
 
@@ -28,6 +29,8 @@ inline double sensitivity(const DriveResult& found) {
   return found.residual != 0 ? found.peak / found.residual : 0;
 }
 // Shear strength on the circle of the tips that a torque tells, T/(2 pi R^2) [F_g/d].
-double vane_strength(double torque, double radius);
+inline double vane_strength(double torque, double radius) {
+  return torque / (2 * std::numbers::pi * radius * radius);
+}
 
 }  // namespace quicksand

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
-#include <optional>
 #include <span>
 
 #include "core/world/extent.h"
@@ -128,17 +127,6 @@ std::vector<double> contact_pressure(const World& world) {
   return pressure;
 }
 
-Vec2 contact_force(const World& world, int body) {
-  Vec2 force(0, 0);
-  if (world.impulse_dt == 0) return force;
-  for (const Contact& contact : world.contacts) {
-    const auto [a, b] = world.rows(contact.pair);
-    if (b == body) force += contact.force(world.impulse_dt);
-    if (a == body) force -= contact.force(world.impulse_dt);
-  }
-  return force;
-}
-
 double volume_fraction(const World& world, double y_low, double y_high) {
   if (world.box.width <= 0 || y_high <= y_low) return 0;
   double area = 0;
@@ -238,9 +226,9 @@ Sample measure(const World& world, const MeasureChoices& choices) {
     s.has_intruder = true;
     s.intruder_position = world.disks.position[intruder];
     s.intruder_velocity = world.disks.velocity[intruder].head<2>();
-    s.resistance = contact_force(world, intruder).y();
     s.intruder_angle = world.disks.angle[intruder];
     s.reaction = reaction_on(world, intruder);
+    s.resistance = s.reaction.force.y();
     s.depth = trajectory_so_far(world).surface - lowest_point(world, intruder);
     s.weight_above = weight_above_intruder(world, choices);
     s.around_intruder = around_intruder(world, touching, choices);

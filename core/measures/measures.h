@@ -44,9 +44,6 @@ ContactCounts contact_counts(const World& world, const NeighbourCounts& neighbou
 // circumference [F_g/d].
 std::vector<double> contact_pressure(const World& world);
 
-// Resultant force of the contacts of the last step on a body [F_g]; zero before the first step.
-Vec2 contact_force(const World& world, int body);
-
 // Area of the disks between two heights over the area of the box there, clipped exactly.
 double volume_fraction(const World& world, double y_low, double y_high);
 

@@ -34,10 +34,6 @@ class Pull final : public RunningPhaseOf<PullPhase> {
             : lowest_point(stage.world, intruder) > packing_top(*search.base);
     return search_is_over(stage, trials, out, trials.until);
   }
-
-  double progress(const Stage& stage) const override {
-    return search_progress(stage, settings().trials);
-  }
 };
 
 }  // namespace

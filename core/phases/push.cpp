@@ -1,7 +1,6 @@
 // The phase "push": an intruder is pushed into the packing, or the smallest force is sought with which it enters.
 #include "core/phases/running_phase.h"
 #include "core/world/ballistic.h"
-#include "core/world/extent.h"
 
 namespace quicksand {
 
@@ -32,17 +31,12 @@ class Push final : public RunningPhaseOf<PushPhase> {
     const double x = settings().x.value_or(world.box.width / 2);
     const std::optional<Landing> landing = LandingSite(world).land(x, radius);
     const Vec2 centre = landing ? landing->centre : Vec2(x, radius);
-    const double top = packing_top(world);
     const int intruder = world.disks.add({.position = centre,
                                           .radius = radius,
                                           .density = settings().density,
                                           .role = Role::intruder});
     if (!settings().threshold) return renew_force(stage);
-    begin_search(stage, SearchKind::push);
-    stage.state.search.bracket.first = settings().force;
-    stage.state.search.targets = {{.body = intruder,
-                                   .depth = top - centre.y(),
-                                   .weight_above = weight_above(world, centre.y())}};
+    begin_search_on(stage, SearchKind::push, intruder, settings().force);
   }
 
   void before_step(Stage& stage) override {

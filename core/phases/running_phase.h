@@ -36,6 +36,7 @@ class RunningPhaseOf : public RunningPhase {
   explicit RunningPhaseOf(const Settings& settings) : settings_(settings) {}
 
   double progress(const Stage& stage) const override {
+    if constexpr (requires { settings_.trials; }) return search_progress(stage, settings_.trials);
     if constexpr (requires { settings_.max_time; }) return stage.since_start() / settings_.max_time;
     return 1;
   }

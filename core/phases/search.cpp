@@ -5,7 +5,6 @@
 
 #include "core/phases/running_phase.h"
 #include "core/world/extent.h"
-#include "core/world/shaped_contact.h"
 
 namespace quicksand {
 

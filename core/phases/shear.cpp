@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "core/measures/critical_force.h"
-#include "core/measures/measures.h"
 #include "core/phases/running_phase.h"
 #include "core/world/extent.h"
 
@@ -68,10 +67,6 @@ class Shear final : public RunningPhaseOf<ShearPhase> {
     const double moved =
         stage.world.disks.position[grain].x() - search.base->disks.position[grain].x();
     return search_is_over(stage, trials, moved >= settings().distance, trials.until);
-  }
-
-  double progress(const Stage& stage) const override {
-    return search_progress(stage, settings().trials);
   }
 };
 

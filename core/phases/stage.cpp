@@ -1,7 +1,6 @@
 #include "core/phases/stage.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace quicksand {
 

@@ -1,7 +1,5 @@
 #include "core/placing/remove_disks.h"
 
-#include <algorithm>
-
 namespace quicksand {
 
 void remove_disks(World& world, const std::vector<char>& marked) {

@@ -36,14 +36,19 @@ void velocity_from_impulses(const ContactProblem& problem, const std::vector<Vec
     }
     return;
   }
-  visit_sides(
-      problem,
-      [&](std::size_t c, const ContactRow& row) {
+  // Each part looks at all contacts, in order, and adds to its own bodies: as if one thread did it all.
+  share_range(problem.inverse_mass.size(), [&](std::size_t begin, std::size_t end) {
+    const auto ours = [first = static_cast<int>(begin), last = static_cast<int>(end)](int body) {
+      return first <= body && body < last;
+    };
+    for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+      const ContactRow& row = problem.contacts[c];
+      if (ours(row.a))
         velocity[row.a] += problem.inverse_mass[row.a].cwiseProduct(momentum_of_a(row, impulse[c]));
-      },
-      [&](std::size_t c, const ContactRow& row) {
+      if (ours(row.b))
         velocity[row.b] += problem.inverse_mass[row.b].cwiseProduct(momentum_of_b(row, impulse[c]));
-      });
+    }
+  });
 }
 
 Residual residual(const ContactProblem& problem, ContactState& state) {

@@ -46,6 +46,12 @@ struct SolveReport {
   std::int64_t iterations = 0;
   std::int64_t factorisations = 0;
 
+  // Residual of a state as it is now, and whether it is accepted.
+  bool measure(const ContactProblem& problem, const SolverSettings& settings, ContactState& state) {
+    residual = quicksand::residual(problem, state);
+    converged = settings.accepts(residual);
+    return converged;
+  }
   // Takes over the outcome of a further solution and sums up the work.
   void add(const SolveReport& further) {
     converged = further.converged;

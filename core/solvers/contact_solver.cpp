@@ -22,8 +22,7 @@ struct ContactSolver::Methods {
   ContactState best, mended;
 };
 
-ContactSolver::ContactSolver(WorkClock* clock)
-    : methods_(std::make_unique<Methods>(clock)), clock_(clock) {}
+ContactSolver::ContactSolver(WorkClock* clock) : methods_(std::make_unique<Methods>(clock)) {}
 ContactSolver::~ContactSolver() = default;
 
 namespace {
@@ -37,7 +36,7 @@ namespace {
 // In a jammed packing the interior point ends at folds of its path, where some ten to some hundred sweeps
 // of relaxation gain the last factor of 10 to 30. What has jammed is a bad start for another path: each
 // begins at the warm start, and ends elsewhere. If all fall short, the best state counts, and the
-// step is repeated with half the time step (see protocols.h).
+// step is repeated with half the time step (see protocol.h).
 template <class Methods>
 SolveReport run_chain(const ContactProblem& problem, const SolverSettings& settings,
                       SolverStage from, Methods& methods, ContactState& state) {
@@ -110,8 +109,8 @@ SolveReport ContactSolver::solve(const ContactProblem& problem, const SolverSett
 }
 
 void ContactSolver::count(const SolveReport& report) {
-  if (clock_ == nullptr) return;
-  WorkClock::Counts& counts = clock_->counts;
+  if (methods_->clock == nullptr) return;
+  WorkClock::Counts& counts = methods_->clock->counts;
   ++counts.solutions;
   ++counts.by_stage.at(static_cast<std::size_t>(report.stage));
   if (!report.converged) ++counts.not_converged;
@@ -125,8 +124,8 @@ SolveReport ContactSolver::by_method(const ContactProblem& problem, const Solver
     case Method::interior_point:
       return methods_->interior_point.solve(problem, settings, 1, state);
     case Method::gauss_seidel: {
-      const WorkClock::Span span(clock_, Work::sweeps);
-      return solve_gauss_seidel(problem, settings, state, clock_);
+      const WorkClock::Span span(methods_->clock, Work::sweeps);
+      return solve_gauss_seidel(problem, settings, state, methods_->clock);
     }
   }
   return {};
@@ -145,7 +144,7 @@ SolveReport ContactSolver::solve_with_more(const ContactProblem& problem,
     few.max_iterations = std::min(kSweeps, settings.max_iterations);
     ContactState& mended = methods_->mended;
     mended = state;
-    const WorkClock::Span span(clock_, Work::sweeps);
+    const WorkClock::Span span(methods_->clock, Work::sweeps);
     report = solve_relaxation(problem, few, mended, methods_->relaxation);
     report.stage = from;
     if (report.converged) {

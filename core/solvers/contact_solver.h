@@ -27,8 +27,6 @@ class ContactSolver {
   // `clock`, if any, is told where the time goes.
   explicit ContactSolver(WorkClock* clock = nullptr);
   ~ContactSolver();
-  ContactSolver(const ContactSolver&) = delete;
-  ContactSolver& operator=(const ContactSolver&) = delete;
 
   // `from`: what solved a problem much like this one; easier ways are not tried again.
   SolveReport solve(const ContactProblem& problem, const SolverSettings& settings,
@@ -47,7 +45,6 @@ class ContactSolver {
 
   struct Methods;
   std::unique_ptr<Methods> methods_;
-  WorkClock* clock_;
   ProblemWatch watch_;
 };
 

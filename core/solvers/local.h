@@ -14,7 +14,6 @@
 #include "core/interior_point/interior_point.h"
 #include "core/problem/contact_problem.h"
 #include "core/problem/solver_settings.h"
-#include "core/solvers/contact_solver.h"
 #include "core/solvers/rigid_clusters.h"
 
 namespace quicksand {

@@ -20,25 +20,6 @@ bool movable(const Vec3& inverse_mass) { return !inverse_mass.isZero(0); }
 
 }  // namespace
 
-void RigidClusters::list_frozen(const ContactProblem& problem, const std::vector<char>& frozen) {
-  const std::size_t nb = problem.inverse_mass.size(), nc = problem.contacts.size();
-  start_.assign(nb + 1, 0);
-  for (std::size_t c = 0; c < nc; ++c) {
-    if (!frozen[c]) continue;
-    ++start_[problem.contacts[c].a + 1];
-    ++start_[problem.contacts[c].b + 1];
-  }
-  for (std::size_t i = 0; i < nb; ++i) start_[i + 1] += start_[i];
-  contact_at_.resize(static_cast<std::size_t>(start_[nb]));
-  // Filled from the back of each body's range, which leaves start_ in place.
-  cluster_.assign(start_.begin() + 1, start_.end());
-  for (std::size_t c = nc; c-- > 0;) {
-    if (!frozen[c]) continue;
-    contact_at_[--cluster_[problem.contacts[c].a]] = static_cast<int>(c);
-    contact_at_[--cluster_[problem.contacts[c].b]] = static_cast<int>(c);
-  }
-}
-
 // Places the child where the contact holds it, and lets it move as u = 0 asks.
 void RigidClusters::attach(const ContactRow& row, int parent, int child) {
   const double side = row.a == parent ? 1 : -1;
@@ -63,8 +44,7 @@ void RigidClusters::grow_tree(const ContactProblem& problem, int root) {
   order_.push_back(root);
   for (; next < order_.size(); ++next) {
     const int parent = order_[next];
-    for (int k = start_[parent]; k < start_[parent + 1]; ++k) {
-      const int c = contact_at_[k];
+    for (const int c : frozen_.of(static_cast<std::size_t>(parent))) {
       const ContactRow& row = problem.contacts[c];
       const int child = row.a == parent ? row.b : row.a;
       // A body that cannot move belongs to nobody else.
@@ -80,7 +60,13 @@ void RigidClusters::grow_tree(const ContactProblem& problem, int root) {
 
 void RigidClusters::join(const ContactProblem& problem, const std::vector<char>& frozen) {
   const std::size_t nb = problem.inverse_mass.size();
-  list_frozen(problem, frozen);
+  frozen_.fill(nb, [&](const auto& use) {
+    for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+      if (!frozen[c]) continue;
+      use(problem.contacts[c].a, static_cast<int>(c));
+      use(problem.contacts[c].b, static_cast<int>(c));
+    }
+  });
   cluster_.assign(nb, kNone);
   parent_contact_.resize(nb);
   place_.resize(nb);

@@ -11,6 +11,7 @@
 
 #include <vector>
 
+#include "core/problem/by_body.h"
 #include "core/problem/contact_problem.h"
 
 namespace quicksand {
@@ -46,12 +47,11 @@ class RigidClusters {
                std::vector<Vec3>& impulse);
 
  private:
-  void list_frozen(const ContactProblem& problem, const std::vector<char>& frozen);
   void grow_tree(const ContactProblem& problem, int root);
   void attach(const ContactRow& row, int parent, int child);
   void find_mass_properties_of(const ContactProblem& problem, int cluster);
 
-  std::vector<int> start_, contact_at_;             // frozen contacts by body
+  ByBody frozen_;                                   // contacts
   std::vector<int> cluster_;                        // (nb)
   std::vector<int> order_, parent_contact_;         // (nb)
   std::vector<char> in_tree_;                       // (nc)

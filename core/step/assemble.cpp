@@ -87,7 +87,7 @@ namespace {
 
 double relative_speed(const World& world, const Pair& pair, const std::vector<Vec3>& velocity) {
   if (!is_disk(pair.b) && is_shaped(pair)) return closing_speed(world, pair, velocity);
-  return (velocity[problem_body(world, pair.b)] - velocity[pair.a]).head<2>().norm();
+  return (velocity[world.velocity_row(pair.b)] - velocity[pair.a]).head<2>().norm();
 }
 
 }  // namespace
@@ -152,7 +152,7 @@ int add_missed_contacts(const World& world, const std::vector<Pair>& candidates,
       contact.gap = world.gap(pair, &contact.normal);
       continue;
     }
-    const Vec3 u = velocity[problem_body(world, pair.b)] - velocity[pair.a];
+    const Vec3 u = velocity[world.velocity_row(pair.b)] - velocity[pair.a];
     const double path = dt * u.head<2>().norm();
     if (path < kAlwaysWithin) continue;  // what is nearer is a contact already
     Contact contact{.pair = pair};
@@ -221,8 +221,8 @@ void shape_shaped_row(const World& world, Pair pair, double rolling, ContactRow&
 
 ContactRow row_of(const World& world, const Contact& contact, const StepSettings& step) {
   const ContactLaw& law = world.law(contact.pair);
-  ContactRow row{.a = problem_body(world, contact.pair.a),
-                 .b = problem_body(world, contact.pair.b),
+  ContactRow row{.a = world.velocity_row(contact.pair.a),
+                 .b = world.velocity_row(contact.pair.b),
                  .normal = contact.normal};
   row.friction = law.friction.value_or(0);
   const double rolling = law.rolling_friction.value_or(0);

@@ -60,9 +60,4 @@ void build_problem(const World& world, const std::vector<Contact>& contacts,
                    const std::vector<Vec3>& free_velocity, const StepSettings& step,
                    ContactProblem& problem);
 
-// Number of a body in the problem's arrays.
-inline int problem_body(const World& world, int body) {
-  return is_wall(body) ? world.disks.size() + (body - kWallBase) : world.row(body);
-}
-
 }  // namespace quicksand

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 #include "core/bodies/sorted_cursor.h"
 #include "core/problem/rest.h"

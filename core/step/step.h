@@ -32,8 +32,6 @@ class Stepper {
  public:
   Stepper();
   ~Stepper();
-  Stepper(const Stepper&) = delete;
-  Stepper& operator=(const Stepper&) = delete;
 
   StepReport advance(World& world, const StepSettings& step, const SolverSettings& solver);
 

@@ -32,6 +32,12 @@ struct StepSettings {
 
 // What choosing NSCD sets, as its literature has it: one time step, bonds that fail by their gap after the straight
 // move, whether the step converged or not.
-StepSettings nscd_step();
+inline StepSettings nscd_step() {
+  return {.nscd = Nscd{},
+          .dt = 1e-3,
+          .break_rule = FailureCriterion::geometric,
+          .curvature_term = false,
+          .stop_if_unconverged = false};
+}
 
 }  // namespace quicksand

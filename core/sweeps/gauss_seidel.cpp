@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/problem/residual.h"
 #include "core/sweeps/relax_contact.h"
 
 namespace quicksand {
@@ -19,12 +18,7 @@ SolveReport solve_gauss_seidel(const ContactProblem& problem, const SolverSettin
   std::vector<Vec3> inverse;
   inverse_delassus(problem, inverse);
   SolveReport report;
-  const auto converged_now = [&] {
-    report.residual = residual(problem, state);
-    report.converged = settings.accepts(report.residual);
-    return report.converged;
-  };
-  converged_now();
+  report.measure(problem, settings, state);
   if (!report.converged) report.stage = SolverStage::polish;
   while (!report.converged && report.iterations < settings.max_iterations) {
     WorkClock::look_up(clock);
@@ -36,7 +30,7 @@ SolveReport solve_gauss_seidel(const ContactProblem& problem, const SolverSettin
           relax_contact<Components>(problem, c, inverse[c], state);
     });
     report.iterations += sweeps;
-    converged_now();
+    report.measure(problem, settings, state);
   }
   return report;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <numeric>
-#include <utility>
 
 #include "core/problem/projection.h"
 #include "core/problem/residual.h"

@@ -1,12 +1,8 @@
 // Sweeps of projected Gauss-Seidel over a contact problem that is packed for speed. [Jean 1999]
 //
-// One visit of a contact solves its three laws against the present velocities of its two bodies, with W the
-// diagonal of its own Delassus block and u = H v + offset:
-//   N   <- max(0, N - u_n/W_n)
-//   R_t <- clamp(R_t - u_t/W_t, -mu N, mu N)
-//   T   <- clamp(T - w/W_r, -mu_r N, mu_r N),
-// and hands the changes on to the velocities. Between disks and walls N acts on neither u_t nor w; R_t acts on w
-// by c_tr = r_a/I_a - r_b/I_b, which is 0 for equal disks.
+// One visit of a contact projects its trial impulse on its laws (projection.h), N, then R_t, then T, and hands the
+// changes on to the velocities. Between disks and walls N acts on neither u_t nor w; R_t acts on w by
+// c_tr = r_a/I_a - r_b/I_b, which is 0 for equal disks.
 //
 // A contact is a row of 64 bytes and a body one of 32, so that a visit of 5000 equal grains reads 128 bytes and
 // writes 88; inverse masses, arms and coefficients are in a table of kinds of contacts, of which a packing of

@@ -44,49 +44,22 @@ class WorkList {
   std::size_t size_;
 };
 
-// The contacts of each mobile body.
-class ContactsOfBody {
- public:
-  ContactsOfBody(const ContactProblem& problem, RelaxationScratch& scratch)
-      : start_(scratch.start), list_(scratch.of_body) {
-    start_.assign(problem.inverse_mass.size() + 1, 0);
-    const auto visit = [&](auto use) {
-      for (std::size_t c = 0; c < problem.contacts.size(); ++c)
-        for (const int body : {problem.contacts[c].a, problem.contacts[c].b})
-          if (!problem.inverse_mass[body].isZero(0)) use(body, c);
-    };
-    visit([&](int body, std::size_t) { ++start_[body + 1]; });
-    for (std::size_t b = 1; b < start_.size(); ++b) start_[b] += start_[b - 1];
-    list_.resize(start_.back());
-    scratch.end.assign(start_.begin(), start_.end() - 1);
-    visit([&](int body, std::size_t c) { list_[scratch.end[body]++] = c; });
-  }
-  template <class Visit>
-  void visit(int body, Visit visit) const {
-    for (std::size_t k = start_[body]; k < start_[body + 1]; ++k) visit(list_[k]);
-  }
-
- private:
-  std::vector<std::size_t>& start_;
-  std::vector<std::size_t>& list_;
-};
-
 }  // namespace
 
 SolveReport solve_relaxation(const ContactProblem& problem, const SolverSettings& settings,
                              ContactState& state, RelaxationScratch& scratch) {
   SolveReport report;
-  const auto converged_now = [&] {
-    report.residual = residual(problem, state);
-    report.converged = settings.accepts(report.residual);
-    return report.converged;
-  };
-  if (converged_now() || settings.max_iterations <= 0) return report;
+  if (report.measure(problem, settings, state) || settings.max_iterations <= 0) return report;
   report.stage = SolverStage::polish;
   const std::size_t nc = problem.contacts.size();
   const std::vector<Vec3>& inverse = scratch.inverse_delassus;
   inverse_delassus(problem, scratch.inverse_delassus);
-  const ContactsOfBody contacts(problem, scratch);
+  ByBody& of_body = scratch.of_body;
+  of_body.fill(problem.inverse_mass.size(), [&](const auto& use) {
+    for (std::size_t c = 0; c < nc; ++c)
+      for (const int body : {problem.contacts[c].a, problem.contacts[c].b})
+        if (!problem.inverse_mass[body].isZero(0)) use(body, static_cast<int>(c));
+  });
   const double admissible = kViolatedShare * settings.tolerance * problem.force_scale * problem.dt;
   const auto is_off = [&](std::size_t c) {
     const ContactRow& row = problem.contacts[c];
@@ -111,12 +84,13 @@ SolveReport solve_relaxation(const ContactProblem& problem, const SolverSettings
           // Itself among them: where radii differ N, R_t and T act on each other.
           const ContactRow& row = problem.contacts[c];
           for (const int body : {row.a, row.b})
-            contacts.visit(body, [&](std::size_t other) { list.add(other); });
+            for (const int other : of_body.of(static_cast<std::size_t>(body)))
+              list.add(static_cast<std::size_t>(other));
         }
         return seen < most;
       })) {
       }
-    } while (!converged_now() && seen < most && solved > 0);
+    } while (!report.measure(problem, settings, state) && seen < most && solved > 0);
   });
   report.iterations = static_cast<std::int64_t>((seen + nc - 1) / nc);
   return report;

@@ -6,10 +6,10 @@
 // are off by less than the tolerance need not be handed around.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "core/problem/by_body.h"
 #include "core/problem/contact_problem.h"
 #include "core/problem/solver_settings.h"
 
@@ -18,8 +18,7 @@ namespace quicksand {
 // The memory of a relaxation, for whoever makes many.
 struct RelaxationScratch {
   std::vector<Vec3> inverse_delassus;          // (nc)
-  std::vector<std::size_t> start, end;         // (nb + 1), (nb) of a body's contacts in of_body
-  std::vector<std::size_t> of_body;            // contacts, body by body
+  ByBody of_body;                              // contacts of those that are mobile
   std::vector<std::uint64_t> to_be_looked_at;  // a bit a contact
 };
 

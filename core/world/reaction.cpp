@@ -1,6 +1,5 @@
 #include "core/world/reaction.h"
 
-#include <cmath>
 #include <numbers>
 #include <vector>
 

@@ -44,7 +44,7 @@ Vec2 turned(const Vec2& v, double cosine, double sine) {
 ShapedContact contact_at(const World& world, const Parties& p, const Placing& placing) {
   const Corner& first = world.shapes.corners[p.corner];
   const double cosine = std::cos(placing.angle), sine = std::sin(placing.angle);
-  ShapedContact contact{.radius = first.radius, .body = p.body};
+  ShapedContact contact{.radius = first.radius};
   if (p.on_wall) {
     const Vec2& inward = world.wall(p.other).normal;
     contact.arm = turned(first.place, cosine, sine);
@@ -70,15 +70,11 @@ ShapedContact contact_at(const World& world, const Parties& p, const Placing& pl
   return contact;
 }
 
-int velocity_row(const World& world, const Parties& p) {
-  return p.on_wall ? world.disks.size() + (p.other - kWallBase) : p.other;
-}
-
 Placing moved(const World& world, const Parties& p, Placing placing,
               const std::vector<Vec3>& velocity, double dt) {
   placing.body += dt * velocity[p.body].head<2>();
   placing.angle += dt * velocity[p.body].z();
-  placing.other += dt * velocity[velocity_row(world, p)].head<2>();
+  placing.other += dt * velocity[world.velocity_row(p.other)].head<2>();
   return placing;
 }
 
@@ -98,7 +94,7 @@ ShapedContact shaped_contact_after(const World& world, Pair pair, const std::vec
 double closing_speed(const World& world, Pair pair, const std::vector<Vec3>& velocity) {
   const Parties p = parties_of(world, pair);
   const ShapedContact contact = contact_at(world, p, placing_of(world, p));
-  const Vec3 &of_body = velocity[p.body], &of_other = velocity[velocity_row(world, p)];
+  const Vec3 &of_body = velocity[p.body], &of_other = velocity[world.velocity_row(p.other)];
   const Vec2 u = of_body.head<2>() - of_other.head<2>() + of_body.z() * perpendicular(contact.arm);
   // Farther from the foot the body's points are faster.
   const bool turns = world.shapes.corners[p.corner].count > 1;
@@ -130,8 +126,9 @@ bool meets_within(const World& world, Pair pair, const std::vector<Vec3>& veloci
   const Parties p = parties_of(world, pair);
   const Placing start = placing_of(world, p);
   const double arm = world.shapes.find(p.body)->arm;
-  const double path = dt * ((velocity[p.body] - velocity[velocity_row(world, p)]).head<2>().norm() +
-                            std::abs(velocity[p.body].z()) * arm);
+  const double path =
+      dt * ((velocity[p.body] - velocity[world.velocity_row(p.other)]).head<2>().norm() +
+            std::abs(velocity[p.body].z()) * arm);
   // So short that the disk cannot be in front of the part at one look and behind it at the next.
   const double thickness =
       world.shapes.corners[p.corner].radius + (p.on_wall ? 0 : world.disks.radius[p.other]);

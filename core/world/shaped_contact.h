@@ -18,7 +18,6 @@ struct ShapedContact {
   Vec2 arm{0, 0};     // from the centre of the shaped body to the foot [d]
   double radius = 0;  // of the rounding [d]
   bool flank = false;
-  int body = 0;  // row of the shaped body
 };
 
 // Of a pair with is_shaped(pair), at the present positions.

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "core/base/random.h"
@@ -51,6 +50,10 @@ struct World {
     return is_disk(body) || is_wall(body)
                ? body
                : shapes.corners[static_cast<std::size_t>(body - kCornerBase)].body;
+  }
+  // The same where walls follow the disks: in arrays of velocities (nd + nw).
+  int velocity_row(int body) const {
+    return is_wall(body) ? disks.size() + (body - kWallBase) : row(body);
   }
   Pair rows(Pair pair) const { return {row(pair.a), row(pair.b)}; }
   // Whether forces move a body.

@@ -1,7 +1,6 @@
 #include "render/base/camera.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace quicksand {

@@ -1,7 +1,6 @@
 #include "render/base/palette.h"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 
 namespace quicksand {

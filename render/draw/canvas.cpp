@@ -26,11 +26,18 @@ Image to_rgb(const std::uint8_t* rgba, int width, int height) {
 
 }  // namespace
 
-Canvas::Canvas() : gl_(GlTable::load(offscreen_)) {
+Canvas::Canvas() : gl_(GlTable::load(*context_)) {
   gl_.Enable(GL_BLEND);
   gl_.Enable(GL_SCISSOR_TEST);
   gl_.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+}
+
+void Canvas::make_current(int width, int height) {
+  if (context_->is_current() && width == width_ && height == height_) return;
+  width_ = width;
+  height_ = height;
+  context_->make_current(width, height);
 }
 
 GLuint Canvas::compile(GLenum stage, std::span<const char* const> parts) {
@@ -73,9 +80,7 @@ CanvasProgram Canvas::make_program(const char* vertex, const char* fragment) {
 }
 
 void Canvas::clear(int width, int height, Colour background) {
-  width_ = width;
-  height_ = height;
-  offscreen_.make_current(width, height);
+  make_current(width, height);
   gl_.Viewport(0, 0, width, height);
   gl_.Scissor(0, 0, width, height);
   gl_.ClearColor(static_cast<GLfloat>(background.r) / 255, static_cast<GLfloat>(background.g) / 255,
@@ -112,12 +117,12 @@ void Canvas::clip_to(const PixelRect& rect) {
 
 Image Canvas::finish() {
   gl_.Finish();
-  return to_rgb(offscreen_.pixels(), width_, height_);
+  return to_rgb(context_->pixels(), width_, height_);
 }
 
 void Canvas::finish_over(Image& picture) {
   gl_.Finish();
-  const std::uint8_t* painted = offscreen_.pixels();
+  const std::uint8_t* painted = context_->pixels();
   std::uint8_t* out = picture.rgb.data();
   const std::size_t pixels = picture.rgb.size() / 3;
   for (std::size_t i = 0; i < pixels; ++i, painted += 4, out += 3) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 
 #include "render/base/camera.h"
@@ -36,7 +37,7 @@ class Canvas {
   // `vertex` is put behind shaders::kVertexHead. Throws RenderError.
   CanvasProgram make_program(const char* vertex, const char* fragment);
 
-  void make_current() { offscreen_.make_current(); }
+  void make_current() { make_current(width_, height_); }
   // Begins a picture.
   void clear(int width, int height, Colour background);
   // Selects program and buffer; each attribute advances by `stride` [bytes] with every vertex, or with
@@ -50,9 +51,10 @@ class Canvas {
   void finish_over(Image& picture);
 
  private:
+  void make_current(int width, int height);
   GLuint compile(GLenum stage, std::span<const char* const> parts);
 
-  Offscreen offscreen_;
+  std::unique_ptr<GlContext> context_ = offscreen_context();
   GlTable gl_;
   int width_ = 1, height_ = 1;  // of the picture [px]
 };

@@ -98,8 +98,6 @@ Font::Font(double size) : size_(size), outlines_(std::make_unique<Outlines>()) {
 }
 
 Font::~Font() = default;
-Font::Font(Font&&) noexcept = default;
-Font& Font::operator=(Font&&) noexcept = default;
 
 void Font::bake(Face face, char32_t code) {
   const stbtt_fontinfo& info = outlines_->info[face];

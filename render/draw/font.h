@@ -31,12 +31,9 @@ class Font {
   // font is not installed.
   explicit Font(double size);
   ~Font();
-  Font(Font&&) noexcept;
-  Font& operator=(Font&&) noexcept;
 
   double size() const { return size_; }
   double cap_height() const { return cap_height_; }  // of a capital, over the baseline [px]
-  double line_height() const { return 1.35 * size_; }
   bool has(char32_t letter) const;
 
   double width(std::string_view text) const;  // [px]

@@ -8,7 +8,7 @@ namespace quicksand {
 namespace {
 
 template <typename Function>
-void load_one(const Offscreen& context, const char* name, Function& function) {
+void load_one(const GlContext& context, const char* name, Function& function) {
   function = reinterpret_cast<Function>(context.function(name));
   if (function == nullptr) {
     throw RenderError(std::string("the OpenGL of this system lacks ") + name +
@@ -18,7 +18,7 @@ void load_one(const Offscreen& context, const char* name, Function& function) {
 
 }  // namespace
 
-GlTable GlTable::load(const Offscreen& context) {
+GlTable GlTable::load(const GlContext& context) {
   GlTable table;
 #define QUICKSAND_GL_LOAD(name) load_one(context, "gl" #name, table.name);
   QUICKSAND_GL_FUNCTIONS(QUICKSAND_GL_LOAD)

@@ -29,7 +29,7 @@ struct GlTable {
 #undef QUICKSAND_GL_MEMBER
 
   // Throws RenderError, naming the function, if one is missing.
-  static GlTable load(const Offscreen& context);
+  static GlTable load(const GlContext& context);
 };
 
 }  // namespace quicksand

@@ -38,17 +38,11 @@ std::unique_ptr<GlContext> chosen_context() {
 
 }  // namespace
 
-Offscreen::Offscreen() {
+std::unique_ptr<GlContext> offscreen_context() {
   set_reproducible_environment();
-  context_ = chosen_context();
-  make_current(1, 1);
-}
-
-void Offscreen::make_current(int width, int height) {
-  if (context_->is_current() && width == width_ && height == height_) return;
-  width_ = width;
-  height_ = height;
-  context_->make_current(width, height);
+  std::unique_ptr<GlContext> context = chosen_context();
+  context->make_current(1, 1);
+  return context;
 }
 
 }  // namespace quicksand

@@ -30,21 +30,8 @@ class GlContext {
 std::unique_ptr<GlContext> osmesa_context();
 std::unique_ptr<GlContext> egl_context();
 
-class Offscreen {
- public:
-  // Sets, before making the context, the environment variables that make pixels reproducible, unless the
-  // user has set them. Throws RenderError.
-  Offscreen();
-
-  void make_current(int width, int height);
-  // The same, of the size that it has.
-  void make_current() { make_current(width_, height_); }
-  GlFunction function(const char* name) const { return context_->function(name); }
-  const std::uint8_t* pixels() { return context_->pixels(); }
-
- private:
-  std::unique_ptr<GlContext> context_;
-  int width_ = 0, height_ = 0;
-};
+// The one of them that there is, current and of one pixel. Sets, before making it, the environment variables that make
+// pixels reproducible, unless the user has set them.
+std::unique_ptr<GlContext> offscreen_context();
 
 }  // namespace quicksand

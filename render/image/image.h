@@ -1,7 +1,6 @@
 // A picture: 8-bit RGB, rows from the top.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>

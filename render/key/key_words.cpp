@@ -47,13 +47,12 @@ std::string cut_to_fit(const Font& font, const std::string& line, double widest)
 Legend::Word swatch_word(const Font& font, Theme theme, const Swatch& swatch) {
   const Palette& colours = palette(theme);
   const double size = std::round(0.8 * font.size());
-  Legend::Word word = labelled(
-      font, size, swatch.label, colours.ink,
-      [size, swatch, outline = colours.outline](DrawList& list, const Vec2& at) {
-        const Vec2 centre(std::round(at.x()) + size / 2, std::round(at.y() - size / 2) + size / 2);
-        list.disk(centre, size / 2, swatch.colour, 1, outline);
-      });
-  return word;
+  return labelled(font, size, swatch.label, colours.ink,
+                  [size, swatch, outline = colours.outline](DrawList& list, const Vec2& at) {
+                    const Vec2 centre(std::round(at.x()) + size / 2,
+                                      std::round(at.y() - size / 2) + size / 2);
+                    list.disk(centre, size / 2, swatch.colour, 1, outline);
+                  });
 }
 
 namespace {

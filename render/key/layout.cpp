@@ -26,7 +26,7 @@ PixelRect whole(const PixelRect& rect) {
 Layout with_strip(const LayoutRequest& r, const Legend& key, double pad) {
   Layout layout;
   const double width = std::max(1.0, r.width - 2 * pad);
-  const double key_height = key.empty() ? 0 : std::ceil(key.strip_height(width));
+  const double key_height = key.empty() ? 0 : std::ceil(key.height(width, false));
   const double head = key.empty() ? 0 : key_height + 2 * pad;
   const Vec2 size = fitted(r, r.width, r.height - head);
   // Key and packing stay together, in the middle.
@@ -57,7 +57,7 @@ Layout with_column(const LayoutRequest& r, const Legend& key, double pad) {
     layout.detail = whole({x, pad, detail_width, r.height - 2 * pad});
     x = layout.detail->right() + 2 * pad;
   }
-  const double key_height = std::ceil(key.column_height(key_width));
+  const double key_height = std::ceil(key.height(key_width, true));
   const double key_top =
       std::clamp(layout.packing.y, pad, std::max(pad, r.height - pad - key_height));
   layout.key = whole({x, key_top, key_width, key_height});

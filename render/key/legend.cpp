@@ -71,12 +71,8 @@ double Legend::flow(double width, bool column, const Visit& visit) const {
   return y;
 }
 
-double Legend::strip_height(double width) const {
-  return flow(width, false, [](const Word&, const Vec2&) {});
-}
-
-double Legend::column_height(double width) const {
-  return flow(width, true, [](const Word&, const Vec2&) {});
+double Legend::height(double width, bool column) const {
+  return flow(width, column, [](const Word&, const Vec2&) {});
 }
 
 double Legend::column_width() const {
@@ -89,14 +85,8 @@ double Legend::column_width() const {
   return width;
 }
 
-void Legend::draw_strip(DrawList& list, const PixelRect& rect) const {
-  flow(rect.width, false, [&](const Word& word, const Vec2& at) {
-    if (word.paint) word.paint(list, Vec2(rect.x, rect.y) + at);
-  });
-}
-
-void Legend::draw_column(DrawList& list, const PixelRect& rect) const {
-  flow(rect.width, true, [&](const Word& word, const Vec2& at) {
+void Legend::draw(DrawList& list, const PixelRect& rect, bool column) const {
+  flow(rect.width, column, [&](const Word& word, const Vec2& at) {
     if (word.paint) word.paint(list, Vec2(rect.x, rect.y) + at);
   });
 }

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <functional>
-#include <string>
 #include <vector>
 
 #include "render/draw/draw_list.h"
@@ -32,14 +31,11 @@ class Legend {
   void add(Group group);
   bool empty() const { return groups_.empty(); }
 
-  // A strip, as wide as given: words one after the other, broken into lines.
-  double strip_height(double width) const;
-  void draw_strip(DrawList& list, const PixelRect& rect) const;
-
-  // A column: a title or word a line, short words side by side.
+  // A column has a title or word a line, short words side by side; a strip, as wide as given, has words one after the
+  // other, broken into lines.
   double column_width() const;
-  double column_height(double width) const;
-  void draw_column(DrawList& list, const PixelRect& rect) const;
+  double height(double width, bool column) const;
+  void draw(DrawList& list, const PixelRect& rect, bool column) const;
 
  private:
   using Visit = std::function<void(const Word&, const Vec2& left_middle)>;

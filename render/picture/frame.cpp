@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/base/errors.h"
-#include "core/measures/measures.h"
 #include "core/world/extent.h"
 #include "render/base/palette.h"
 #include "render/key/key.h"
@@ -189,11 +188,7 @@ Frame compose(const World& world, const View& view, const Font& font,
   }
   const Camera& shown = frame.detail ? frame.detail->camera : frame.packing.camera;
   const Legend key = make_key(content, shown.scale(), widest, false);
-  if (layout.column) {
-    key.draw_column(list, layout.key);
-  } else {
-    key.draw_strip(list, layout.key);
-  }
+  key.draw(list, layout.key, layout.column);
   return frame;
 }
 

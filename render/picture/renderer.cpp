@@ -15,8 +15,6 @@ struct Renderer::Impl {
 
 Renderer::Renderer() : impl_(std::make_unique<Impl>()) {}
 Renderer::~Renderer() = default;
-Renderer::Renderer(Renderer&&) noexcept = default;
-Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 Image Renderer::draw(const World& world, const View& view, std::span<const std::string> caption) {
   check(view);

@@ -18,8 +18,6 @@ class Renderer {
   // pixels reproducible, unless the user has set them: construct it before starting threads.
   Renderer();
   ~Renderer();
-  Renderer(Renderer&&) noexcept;
-  Renderer& operator=(Renderer&&) noexcept;
 
   // The same world and view give the same bytes. `caption` lines stand at the head of the numbers
   // (a scene's name, the present phase); their count should stay the same throughout a film.

@@ -2,8 +2,6 @@
 // campaign one that it would compute.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "app/cli/command_line.h"
 #include "app/commands/command_table.h"
 #include "app/commands/session_file.h"

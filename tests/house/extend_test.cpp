@@ -6,7 +6,6 @@
 #include <cctype>
 #include <sstream>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/bodies/walls.h"

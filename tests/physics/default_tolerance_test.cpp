@@ -1,8 +1,6 @@
 // What a user gets who leaves the solver's tolerance as it is.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "core/problem/solver_settings.h"
 #include "tests/support/core/scenes.h"
 #include "tests/support/core/simulation.h"

@@ -1,5 +1,4 @@
 // Closed forms of structures so long that a solver's error adds up along them.
-#include <cmath>
 
 #include "core/problem/solver_settings.h"
 #include "tests/support/core/methods.h"

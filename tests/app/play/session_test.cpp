@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <csignal>
-#include <fstream>
 
 #include "app/commands/command_table.h"
 #include "app/json/json_text.h"

@@ -1,7 +1,6 @@
 // quicksand measure, as a user meets it.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <sstream>
 
 #include "app/json/json_text.h"

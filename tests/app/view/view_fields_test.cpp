@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <string>
 
 #include "app/json/json_reader.h"
 #include "app/json/json_writer.h"

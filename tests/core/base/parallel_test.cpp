@@ -4,8 +4,6 @@
 
 #include <atomic>
 #include <chrono>
-#include <numeric>
-#include <set>
 #include <stdexcept>
 #include <thread>
 

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "core/measures/measures.h"
 #include "core/phases/protocol.h"
 #include "core/scene/make_world.h"

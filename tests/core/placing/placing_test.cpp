@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "core/placing/remove_disks.h"
 #include "core/world/ballistic.h"
 #include "core/world/shaped_contact.h"

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "core/base/random.h"
 #include "core/checkpoint/checkpoint.h"
 #include "core/measures/measures.h"

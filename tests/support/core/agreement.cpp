@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "core/solvers/contact_solver.h"
 #include "tests/support/core/tolerance.h"
 

@@ -2,8 +2,6 @@
 // solvers that shares no idea with them.
 #pragma once
 
-#include <set>
-
 #include "core/problem/contact_problem.h"
 
 namespace quicksand {

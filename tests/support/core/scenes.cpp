@@ -1,7 +1,6 @@
 #include "tests/support/core/scenes.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 
 #include "core/base/random.h"
