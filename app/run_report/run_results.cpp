@@ -7,7 +7,8 @@
 #include <sstream>
 
 #include "app/base/nearest_name.h"
-#include "app/json/json_reader.h"
+#include "app/json/fields.h"
+#include "app/series/read_series.h"
 #include "core/base/errors.h"
 #include "render/film/frame_files.h"
 
@@ -17,20 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells(1);
-  for (const char c : line) {
-    if (c == ',') {
-      cells.emplace_back();
-    } else {
-      cells.back() += c;
-    }
-  }
-  return cells;
-}
-
 // NaN for an empty cell; nothing for what is no number.
-std::optional<double> number_of(const std::string& cell) {
+std::optional<double> number_of(std::string_view cell) {
   if (cell.empty()) return std::nan("");
   double value = 0;
   const char* end = cell.data() + cell.size();
@@ -42,17 +31,16 @@ std::optional<double> number_of(const std::string& cell) {
 }  // namespace
 
 RunResults::RunResults(const fs::path& folder) : folder_{folder} {
-  std::error_code error;
-  if (!fs::exists(folder, error)) throw InputError(folder.string(), "there is no such folder");
-  if (!fs::is_directory(folder, error)) {
+  if (!is_there(folder)) throw InputError(folder.string(), "there is no such folder");
+  if (!is_folder(folder)) {
     throw InputError(folder.string(), "is a file; give the folder of a run");
   }
-  if (!fs::exists(folder_.series(), error)) {
+  if (!is_there(folder_.series())) {
     throw InputError(folder.string(),
                      "is not the folder of a run or a recording: it has no series.csv");
   }
-  const bool of_run = fs::exists(folder_.scene(), error);
-  if (of_run && !fs::exists(folder_.summary(), error)) {
+  const bool of_run = is_there(folder_.scene());
+  if (of_run && !is_there(folder_.summary())) {
     throw InputError(folder.string(), "holds a run that has not ended: it has no summary.json");
   }
   read_series();
@@ -70,18 +58,19 @@ void RunResults::read_series() {
   std::istringstream text(read_text(folder_.series()));
   std::string line;
   std::getline(text, line);
-  const std::vector<std::string> names = cells_of(line);
+  const std::vector<std::string_view> first = cells_of(line);
+  const std::vector<std::string> names(first.begin(), first.end());
   std::vector<std::vector<double>> values(names.size());
   std::vector<bool> words(names.size(), false);  // columns that hold words
   for (int number = 2; std::getline(text, line); ++number) {
-    const std::vector<std::string> cells = cells_of(line);
+    const std::vector<std::string_view> cells = cells_of(line);
     if (cells.size() != names.size()) {
       throw InputError(folder_.series().string() + ": line " + std::to_string(number),
                        "has " + std::to_string(cells.size()) + " values, the first line names " +
                            std::to_string(names.size()));
     }
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      if (names[i] == "phase") phases_.push_back(cells[i]);
+      if (names[i] == "phase") phases_.emplace_back(cells[i]);
       const std::optional<double> value = number_of(cells[i]);
       if (!value) words[i] = true;
       values[i].push_back(value.value_or(std::nan("")));
@@ -122,8 +111,7 @@ std::size_t RunResults::begin_of(const std::string& phase) const {
 
 std::vector<fs::path> RunResults::frames() const {
   std::vector<fs::path> paths;
-  std::error_code error;
-  if (!fs::is_directory(folder_.frames(), error)) return paths;
+  if (!is_folder(folder_.frames())) return paths;
   for (const auto& [number, path] : frame_files(folder_.frames())) paths.push_back(path);
   return paths;
 }

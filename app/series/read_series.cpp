@@ -5,7 +5,6 @@
 #include <charconv>
 #include <fstream>
 #include <string>
-#include <string_view>
 
 namespace quicksand {
 
@@ -29,16 +28,6 @@ constexpr auto kColumns = std::to_array<PlottedColumn>(
      {"resistance", [](Row& row, double x) { row.sample.resistance = x; }},
      {"residual", [](Row& row, double x) { row.residual = x; }}});
 
-std::vector<std::string_view> cells_of(std::string_view line) {
-  std::vector<std::string_view> cells;
-  for (std::size_t start = 0; start <= line.size();) {
-    const std::size_t end = std::min(line.find(',', start), line.size());
-    cells.push_back(line.substr(start, end - start));
-    start = end + 1;
-  }
-  return cells;
-}
-
 Row row_of(const std::string& line, const std::vector<std::string>& names) {
   Row row;
   const std::vector<std::string_view> cells = cells_of(line);
@@ -54,6 +43,16 @@ Row row_of(const std::string& line, const std::vector<std::string>& names) {
 }
 
 }  // namespace
+
+std::vector<std::string_view> cells_of(std::string_view line) {
+  std::vector<std::string_view> cells;
+  for (std::size_t start = 0; start <= line.size();) {
+    const std::size_t end = std::min(line.find(',', start), line.size());
+    cells.push_back(line.substr(start, end - start));
+    start = end + 1;
+  }
+  return cells;
+}
 
 std::vector<Row> read_series(const std::filesystem::path& file, std::size_t most) {
   std::ifstream text(file, std::ios::binary);
