@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
 
 #include "core/base/whole_file.h"
-#include "core/scene/scenario.h"
 #include "render/film/animation.h"
 #include "render/film/video.h"
 
