@@ -1,7 +1,8 @@
 #include "app/base/nearest_name.h"
 
-#include <algorithm>
 #include <cctype>
+
+#include "core/base/format.h"
 
 namespace quicksand {
 
@@ -61,9 +62,7 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& na
   const std::string near = nearest_name(word, names);
   if (!near.empty()) return "; did you mean \"" + near + "\"?";
   if (names.empty()) return {};
-  std::string known = "; known: ";
-  for (std::size_t i = 0; i < names.size(); ++i) known += (i == 0 ? "" : ", ") + names[i];
-  return known;
+  return "; known: " + joined(names, ", ");
 }
 
 void refuse_name(const std::string& where, const std::string& problem, std::string_view word,

@@ -56,10 +56,7 @@ void describe_slurm(Fields& f, SlurmOptions& slurm) {
 }
 
 void describe_campaign(Fields& f, Campaign& c) {
-  std::string schema;  // for editors; means nothing to the program
-  f.text({"$schema", "path of this schema, for editors"}, schema);
-  describe_name(f, c.name);
-  f.text({"description", "what the campaign is for"}, c.description);
+  describe_heading(f, c.name, c.description, "what the campaign is for");
   f.json(
       {"scene",
        "base scene: a path relative to this file, the name of a shipped scene, or the scene itself",
@@ -129,15 +126,13 @@ void make_self_contained(Campaign& campaign, const fs::path& file) {
 }  // namespace
 
 Campaign read_campaign(const fs::path& file) {
-  try {
+  return in_file(file, [&] {
     Campaign campaign;
     read_fields(read_json(file), "a campaign", [&](Fields& f) { describe_campaign(f, campaign); });
     if (campaign.name.empty()) campaign.name = file.stem().string();
     make_self_contained(campaign, file);
     return campaign;
-  } catch (const InputError& error) {
-    throw error.in(file.string());
-  }
+  });
 }
 
 std::string to_text(const Campaign& campaign) {

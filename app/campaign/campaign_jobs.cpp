@@ -101,12 +101,10 @@ class Expansion {
       : campaign_(campaign), file_(std::move(file)), out_(std::move(out)) {}
 
   std::vector<Job> jobs() {
-    try {
+    in_file(file_, [&] {
       check_paths(campaign_);
       check_number_of_runs(campaign_);
-    } catch (const InputError& error) {
-      throw error.in(file_.string());
-    }
+    });
     for (const ParameterValues& point : points_of(campaign_)) add(point);
     std::vector<Job> jobs;
     for (std::size_t p = 0; p < points_.size(); ++p)

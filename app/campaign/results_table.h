@@ -5,7 +5,6 @@
 // version, world_hash. Texts are quoted as in [RFC 4180].
 #pragma once
 
-#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>

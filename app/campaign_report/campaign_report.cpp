@@ -264,10 +264,7 @@ class Writer {
 
 }  // namespace
 
-bool is_campaign(const fs::path& folder) {
-  std::error_code ignored;
-  return fs::exists(file_of(folder), ignored);
-}
+bool is_campaign(const fs::path& folder) { return is_there(file_of(folder)); }
 
 Report campaign_report(const fs::path& folder, double& seconds) {
   Writer writer(folder);

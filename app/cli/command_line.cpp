@@ -4,12 +4,9 @@
 #include <cstdio>
 #include <exception>
 #include <new>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "app/base/build_info.h"
-#include "app/base/exit_code.h"
 #include "app/base/nearest_name.h"
 #include "app/cli/commands.h"
 #include "app/cli/error_message.h"

@@ -34,15 +34,14 @@ std::string continue_command(const RunFolder& folder, const RunOptions& options)
 // What to look at next.
 void tell_next(const RunFolder& folder) {
   const std::string program = program_name();
-  std::error_code ignored;
   for (const auto& film : {folder.film(), folder.animation()})
-    if (std::filesystem::exists(film, ignored)) {
+    if (is_there(film)) {
       std::printf("  film, for a browser:  %s\n", film.c_str());
       break;
     }
   std::printf("  report:               %s report %s\n", program.c_str(),
               shell_text(folder.path).c_str());
-  if (std::filesystem::exists(folder.history(), ignored))
+  if (is_there(folder.history()))
     std::printf("  timeline:             %s window %s\n", program.c_str(),
                 shell_text(folder.path).c_str());
   std::printf("  panel:                %s window %s\n", program.c_str(),

@@ -21,11 +21,12 @@ constexpr Field kCommandField{"command", "what to do", Presence::required};
 // Visits {"command": name, ...arguments}.
 template <class Arguments>
 void read_arguments(Arguments& arguments, const Json& command, const std::string& place) {
-  JsonReader reader(command, place, "a command");
-  std::string name;
-  reader.text(kCommandField, name);
-  arguments.describe(reader);
-  reader.refuse_unknown_keys();
+  const auto visit = [&](Fields& f) {
+    std::string name;
+    f.text(kCommandField, name);
+    arguments.describe(f);
+  };
+  read_fields(command, "a command", visit, place);
 }
 
 // Arguments of a command that has none.
@@ -35,30 +36,19 @@ struct Without {
   Json perform(Console& console, const std::string&) { return act(console); }
 };
 
-struct CommandText {
-  std::string_view name, group, help, example;
-};
-
 template <class Arguments>
 SessionCommand define(const CommandText& text, bool needs_scene = true) {
-  SessionCommand row;
-  row.name = text.name;
-  row.group = text.group;
-  row.help = text.help;
-  row.example = text.example;
-  row.needs_scene = needs_scene;
-  row.describe = [](Fields& f) { Arguments{}.describe(f); };
-  row.check = [](const Json& command, const std::string& place) {
-    Arguments arguments;
-    read_arguments(arguments, command, place);
-  };
-  row.perform = [](Console& console, const Json& command, const std::string& place) {
-    Arguments arguments;
-    if constexpr (requires { arguments.seed(console); }) arguments.seed(console);
-    read_arguments(arguments, command, place);
-    return arguments.perform(console, place);
-  };
-  return row;
+  return {text, needs_scene, [](Fields& f) { Arguments{}.describe(f); },
+          [](const Json& command, const std::string& place) {
+            Arguments arguments;
+            read_arguments(arguments, command, place);
+          },
+          [](Console& console, const Json& command, const std::string& place) {
+            Arguments arguments;
+            if constexpr (requires { arguments.seed(console); }) arguments.seed(console);
+            read_arguments(arguments, command, place);
+            return arguments.perform(console, place);
+          }};
 }
 
 // The groups of the table.

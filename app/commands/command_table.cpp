@@ -9,6 +9,7 @@
 #include "app/commands/session_file.h"
 #include "app/json/json_schema.h"
 #include "core/base/errors.h"
+#include "core/base/format.h"
 
 namespace quicksand {
 
@@ -25,11 +26,11 @@ std::vector<SessionCommand> make_table() {
 }
 
 Json schema_of(const SessionCommand& command) {
-  JsonSchema schema;
-  std::string name;
-  schema.text(kCommandField, name);
-  command.describe(schema);
-  Json result = schema.take();
+  Json result = object_schema([&](Fields& f) {
+    std::string name;
+    f.text(kCommandField, name);
+    command.describe(f);
+  });
   result["properties"]["command"] = {{"const", command.name}, {"description", command.help}};
   result["examples"] = Json::array({Json::parse(command.example)});
   return result;
@@ -37,32 +38,11 @@ Json schema_of(const SessionCommand& command) {
 
 // What a schema says of an argument, in words: its range, its type, or what it may be.
 std::string kind_of(const Json& argument) {
-  if (argument.contains("enum")) {
-    std::string words;
-    for (const Json& word : argument["enum"])
-      words += (words.empty() ? "" : " | ") + word.get<std::string>();
-    return words;
-  }
+  if (argument.contains("enum"))
+    return joined(argument["enum"].get<std::vector<std::string>>(), " | ");
   if (!argument.contains("type")) return "any value";
   const Json& type = argument["type"];
   return type.is_string() ? type.get<std::string>() : "text or object";
-}
-
-struct Argument {
-  std::string name, kind, help;
-  bool required = false;
-};
-
-std::vector<Argument> arguments_of(const SessionCommand& command) {
-  const Json schema = schema_of(command);
-  std::vector<Argument> arguments;
-  const Json required = schema.value("required", Json::array());
-  for (const auto& [name, argument] : schema["properties"].items()) {
-    if (name == "command") continue;
-    arguments.push_back({name, kind_of(argument), argument.value("description", std::string()),
-                         std::ranges::find(required, Json(name)) != required.end()});
-  }
-  return arguments;
 }
 
 }  // namespace
@@ -118,9 +98,14 @@ std::string commands_text() {
       text += (text.empty() ? "" : "\n") + std::string(group) + "\n";
     }
     text += "\n  " + std::string(command.name) + ": " + std::string(command.help) + "\n";
-    for (const Argument& a : arguments_of(command))
-      text += "      " + a.name + " (" + a.kind + (a.required ? ", required" : "") +
-              "): " + a.help + "\n";
+    const Json schema = schema_of(command);
+    const Json required = schema.value("required", Json::array());
+    for (const auto& [name, argument] : schema["properties"].items()) {
+      if (name == "command") continue;
+      const bool must = std::ranges::find(required, Json(name)) != required.end();
+      text += "      " + name + " (" + kind_of(argument) + (must ? ", required" : "") +
+              "): " + argument.value("description", std::string()) + "\n";
+    }
     text += "      " + std::string(command.example) + "\n";
   }
   return text;

@@ -21,12 +21,15 @@ class CommandFailure : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-struct SessionCommand {
+struct CommandText {
   std::string_view name;
   std::string_view group;    // heading in lists
   std::string_view help;     // a sentence or two
   std::string_view example;  // one command, as JSON
-  bool needs_scene = true;   // refused before a scene is loaded
+};
+
+struct SessionCommand : CommandText {
+  bool needs_scene = true;  // refused before a scene is loaded
   // Visits the arguments, with their defaults.
   void (*describe)(Fields&) = nullptr;
   // Throws InputError if these are no such arguments, as far as can be told without a scene.

@@ -1,8 +1,6 @@
 // Commands that read and check: measure, expect. Those about the session itself: print, include, quit.
 #include "app/commands/command_definition.h"
-#include "app/commands/transcript.h"
 #include "app/export/exporter.h"
-#include "app/json/json_reader.h"
 #include "app/run_folder/measurements.h"
 #include "app/run_folder/summary.h"
 #include "app/session/condition.h"
@@ -93,7 +91,7 @@ struct ExpectHash {
     f.text({"hash", "16 hexadecimal digits, as transcripts show it", Presence::required}, hash);
   }
   Json perform(Console& console, const std::string&) {
-    const std::string now = text_of_hash(world_hash(console.session().world()));
+    const std::string now = world_hash_text(console.session().world());
     if (now != hash)
       throw CommandFailure("the world's hash is " + now + ", expected " + hash +
                            "; another version, compiler or machine computes another time history");

@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "app/commands/command_definition.h"
-#include "app/json/json_reader.h"
 #include "app/session/disk_at.h"
 #include "app/view/view_fields.h"
 #include "core/base/errors.h"

@@ -3,7 +3,6 @@
 #include <variant>
 
 #include "app/commands/command_definition.h"
-#include "app/json/json_reader.h"
 #include "app/scene_json/phase_fields.h"
 #include "app/scene_json/scene_fields.h"
 #include "app/session/condition.h"

@@ -4,7 +4,6 @@
 #include "app/scene/scene_override.h"
 #include "app/scene_json/scenario_json.h"
 #include "app/scene_json/scene_shapes.h"
-#include "core/base/errors.h"
 #include "core/scene/scenario.h"
 #include "core/scene/validate.h"
 

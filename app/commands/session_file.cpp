@@ -52,10 +52,7 @@ std::string SessionFile::where(std::size_t command) const {
 }
 
 void describe_session_file(Fields& f, SessionFile& file, Json& commands) {
-  std::string schema;  // for editors; means nothing to the program
-  f.text({"$schema", "path of this schema, for editors"}, schema);
-  describe_name(f, file.name);
-  f.text({"description", "what the session shows"}, file.description);
+  describe_heading(f, file.name, file.description, "what the session shows");
   f.json({"commands", "what to do, in order", Presence::required}, kCommands, commands);
 }
 

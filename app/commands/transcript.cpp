@@ -4,16 +4,12 @@
 #include <new>
 
 #include "app/commands/command_table.h"
+#include "app/run_folder/summary.h"
 #include "core/base/errors.h"
-#include "core/base/format.h"
 #include "core/base/memory.h"
 #include "render/base/render_error.h"
 
 namespace quicksand {
-
-std::string text_of_hash(std::uint64_t hash) {
-  return format("%016llx", static_cast<unsigned long long>(hash));
-}
 
 Answer answer_to(Console& console, const Json& command, const std::string& place) {
   Answer answer;
@@ -56,7 +52,7 @@ Json to_json(const Answer& answer, const Console& console) {
     const World& world = console.session().world();
     json["step"] = world.step;
     json["time"] = world.time;
-    json["hash"] = text_of_hash(world_hash(world));
+    json["hash"] = world_hash_text(world);
   }
   return json;
 }

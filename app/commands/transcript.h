@@ -1,7 +1,6 @@
 // What a session did: one JSON object a line, a line a command.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -9,9 +8,6 @@
 #include "app/commands/console.h"
 
 namespace quicksand {
-
-// A world's hash as transcripts show it: 16 hexadecimal digits.
-std::string text_of_hash(std::uint64_t hash);
 
 // Of one command: its result or why there is none, and where the world stood afterwards. Problems of the
 // command's form have the place; failures have none.

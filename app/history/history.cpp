@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <cstring>
 #include <stdexcept>
 #include <string>
@@ -41,55 +40,38 @@ std::uint64_t size_of(int file) {
 
 History::History(std::filesystem::path path) : path_(std::move(path)) {
   open();
-  try {
-    scan();
-  } catch (...) {
-    close(file_);
-    throw;
-  }
+  scan();
 }
-
-History::~History() {
-  if (file_ >= 0) close(file_);
-}
-
-History::History(History&& other) noexcept
-    : path_(std::move(other.path_)),
-      file_(std::exchange(other.file_, -1)),
-      stride_(other.stride_),
-      end_(other.end_),
-      places_(std::move(other.places_)),
-      moments_(std::move(other.moments_)) {}
 
 void History::fail(std::uint64_t offset, const std::string& problem) const {
   throw InputError(path_.string(), "byte " + std::to_string(offset) + ": " + problem);
 }
 
 void History::open() {
-  const int file = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) throw InputError(path_.string(), "cannot be read: " + std::string(strerror(errno)));
-  if (file_ >= 0) close(file_);
-  file_ = file;
+  OpenFile file(::open(path_.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.number() < 0)
+    throw InputError(path_.string(), "cannot be read: " + std::string(strerror(errno)));
+  file_ = std::move(file);
   end_ = 0;
   places_.clear();
   moments_.clear();
 }
 
 void History::scan() {
-  const std::uint64_t size = size_of(file_);
+  const std::uint64_t size = size_of(file_.number());
   if (end_ == 0) {
     std::array<std::uint8_t, kFileHeadSize> head{};
-    if (read_at(file_, 0, head) < head.size())
+    if (read_at(file_.number(), 0, head) < head.size())
       throw InputError(path_.string(), "is no history of a run: it is too short");
     try {
-      stride_ = stride_from(head);
+      stride_from(head);
     } catch (const std::runtime_error& problem) {
       throw InputError(path_.string(), problem.what());
     }
     end_ = kFileHeadSize;
   }
   std::array<std::uint8_t, kRecordHeadSize> bytes{};
-  while (size - end_ >= kRecordHeadSize && read_at(file_, end_, bytes) == bytes.size()) {
+  while (size - end_ >= kRecordHeadSize && read_at(file_.number(), end_, bytes) == bytes.size()) {
     const auto head = head_from(bytes);
     if (!head) fail(end_, "here no record begins; the file is damaged");
     const Moment& moment = head->moment;
@@ -108,12 +90,12 @@ void History::scan() {
 bool History::replaced() const {
   struct stat now {
   }, then{};
-  if (stat(path_.c_str(), &now) != 0 || fstat(file_, &then) != 0) return true;
+  if (stat(path_.c_str(), &now) != 0 || fstat(file_.number(), &then) != 0) return true;
   if (now.st_ino != then.st_ino || now.st_dev != then.st_dev) return true;
-  if (size_of(file_) < end_) return true;
+  if (size_of(file_.number()) < end_) return true;
   if (places_.empty()) return false;
   std::array<std::uint8_t, kRecordHeadSize> bytes{};
-  return read_at(file_, places_.back().offset, bytes) < bytes.size() ||
+  return read_at(file_.number(), places_.back().offset, bytes) < bytes.size() ||
          head_from(bytes) != places_.back().head;
 }
 
@@ -139,11 +121,11 @@ World History::world(std::size_t k) const {
   const Place& place = places_[k];
   const std::uint64_t start = place.offset + kRecordHeadSize;
   // The head may be of another file since, but never asks for more than there is.
-  const std::uint64_t size = size_of(file_);
+  const std::uint64_t size = size_of(file_.number());
   if (start > size || place.head.packed > size - start)
     fail(place.offset, "the record is no longer there; the run was resumed meanwhile");
   Bytes bytes(place.head.packed);
-  if (read_at(file_, start, bytes) < bytes.size()) fail(place.offset, "cannot be read");
+  if (read_at(file_.number(), start, bytes) < bytes.size()) fail(place.offset, "cannot be read");
   try {
     return world_from_record(place.head, bytes);
   } catch (const NotEnoughMemory& problem) {

@@ -4,10 +4,10 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <span>
 #include <vector>
 
 #include "app/history/record.h"
+#include "core/base/whole_file.h"
 #include "core/world/world.h"
 
 namespace quicksand {
@@ -16,11 +16,6 @@ class History {
  public:
   // Throws InputError, with the file and the place in it, if it is missing, damaged or of another version.
   explicit History(std::filesystem::path path);
-  ~History();
-  History(const History&) = delete;
-  History& operator=(const History&) = delete;
-  History(History&& other) noexcept;
-  History& operator=(History&&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
   // Of the records, in their order; times never decrease. A record that is not yet written to its end is left out.
@@ -31,8 +26,6 @@ class History {
   std::size_t nearest(double time) const;
   // Throws InputError if the record is damaged, NotEnoughMemory if there is too little to read it.
   World world(std::size_t k) const;
-  // Every so many samples of the run have a record.
-  std::int64_t stride() const { return stride_; }
 
  private:
   struct Place {
@@ -45,8 +38,7 @@ class History {
   [[noreturn]] void fail(std::uint64_t offset, const std::string& problem) const;
 
   std::filesystem::path path_;
-  int file_ = -1;
-  std::int64_t stride_ = 1;
+  OpenFile file_;
   std::uint64_t end_ = 0;  // of the last whole record
   std::vector<Place> places_;
   std::vector<Moment> moments_;

@@ -1,16 +1,16 @@
 #include "app/jobs/job.h"
 
+#include "core/base/format.h"
+
 namespace quicksand {
 
 std::string values_text(const ParameterValues& values) {
   constexpr std::size_t kLongest = 60;
-  std::string text;
-  for (const auto& [path, value] : values) {
-    const std::string shown = value.dump();
-    text += (text.empty() ? "" : ", ") + path + "=";
-    text += shown.size() > kLongest ? shown.substr(0, kLongest) + "..." : shown;
-  }
-  return text;
+  return joined(values, ", ", [](const auto& entry) {
+    const std::string shown = entry.second.dump();
+    return entry.first + "=" +
+           (shown.size() > kLongest ? shown.substr(0, kLongest) + "..." : shown);
+  });
 }
 
 std::string job_name(const Job& job) {

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "app/run_folder/summary.h"
 #include "app/scene_json/scenario_json.h"
 #include "core/checkpoint/checkpoint.h"
 
@@ -17,15 +18,6 @@ std::string text_in(const fs::path& file) {
     return read_text(file);
   } catch (const InputError&) {
     return {};
-  }
-}
-
-// Null if there is none or it is not whole: then there are no results that count.
-Json json_in(const fs::path& file) {
-  try {
-    return parse_json(text_in(file));
-  } catch (const InputError&) {
-    return nullptr;
   }
 }
 
@@ -78,15 +70,11 @@ RunRecord read_record(const Job& job) {
     record.other_scene = true;
     return record;
   }
-  std::error_code error;
-  const bool has_state = fs::exists(job.folder.state(), error);
+  const bool has_state = is_there(job.folder.state());
   if (has_state && !is_usable(job.folder.state())) return record;
   if (has_state) record.status = JobStatus::interrupted;
-  record.summary = json_in(job.folder.summary());
-  if (!record.summary.is_object()) {
-    record.summary = nullptr;
-    return record;
-  }
+  record.summary = summary_in(job.folder);
+  if (record.summary.is_null()) return record;
   if (record.summary.value("finished", Json()) == true) {
     record.status = JobStatus::finished;
   } else if (record.summary.contains("failure") && record.summary["failure"].is_string()) {

@@ -7,6 +7,7 @@
 
 #include "app/base/nearest_name.h"
 #include "core/base/errors.h"
+#include "core/base/format.h"
 
 namespace quicksand {
 
@@ -45,6 +46,8 @@ Json list_schema(const Limits& limits, std::size_t least, std::size_t most) {
   schema["maxItems"] = most;
   return schema;
 }
+
+Json vector_schema(const Limits& limits) { return list_schema(limits, 2, 2); }
 
 Json written(double value, const Limits& limits) { return value / limits.scale; }
 Json written(const Vec2& value, const Limits& limits) {
@@ -102,43 +105,31 @@ namespace {
 
 // A number or a vector, or one that may be absent.
 template <class T, class Checked>
-Leaf measured(const Limits& limits, T& value, Checked checked, std::function<Json()> schema,
-              bool has_default) {
+Leaf measured(const Limits& limits, T& value, Checked checked, Json (*schema)(const Limits&)) {
+  constexpr bool kOptional = requires { value.has_value(); };
   const auto read = [&limits, &value, checked](const Json& given, const std::string& where) {
     value = checked(given, limits, where);
   };
-  const auto write = [&] { return written(value, limits); };
-  return {read, write, std::move(schema), has_default, limits.unit};
-}
-
-template <class T>
-Leaf number_leaf(const Limits& limits, T& value, bool has_default) {
-  return measured(
-      limits, value, checked_number, [&] { return number_schema(limits); }, has_default);
-}
-
-template <class T>
-Leaf vector_leaf(const Limits& limits, T& value, bool has_default) {
-  return measured(
-      limits, value, checked_vector, [&] { return list_schema(limits, 2, 2); }, has_default);
+  return {read, [&] { return written(value, limits); },
+          [&limits, schema] { return schema(limits); }, !kOptional, limits.unit};
 }
 
 }  // namespace
 
 void Fields::number(const Field& field, const Limits& limits, double& value) {
-  leaf(field, number_leaf(limits, value, true));
+  leaf(field, measured(limits, value, checked_number, number_schema));
 }
 
 void Fields::number(const Field& field, const Limits& limits, std::optional<double>& value) {
-  leaf(field, number_leaf(limits, value, false));
+  leaf(field, measured(limits, value, checked_number, number_schema));
 }
 
 void Fields::vector(const Field& field, const Limits& limits, Vec2& value) {
-  leaf(field, vector_leaf(limits, value, true));
+  leaf(field, measured(limits, value, checked_vector, vector_schema));
 }
 
 void Fields::vector(const Field& field, const Limits& limits, std::optional<Vec2>& value) {
-  leaf(field, vector_leaf(limits, value, false));
+  leaf(field, measured(limits, value, checked_vector, vector_schema));
 }
 
 void Fields::numbers(const Field& field, const Limits& limits, std::size_t most,
@@ -200,12 +191,11 @@ void Fields::word(const Field& field, std::span<const std::string_view> words, i
     const auto match = std::ranges::find(names, name);
     value = static_cast<int>(match - names.begin());
     if (match != names.end()) return;
-    std::string choices;
-    for (const std::string& known : names) choices += (choices.empty() ? "" : ", ") + known;
     const std::string near = nearest_name(name, names);
-    refuse_value(given, where,
-                 "one of " + choices + (near.empty() ? "" : "; did you mean \"" + near + "\"?"),
-                 near);
+    refuse_value(
+        given, where,
+        "one of " + joined(names, ", ") + (near.empty() ? "" : "; did you mean \"" + near + "\"?"),
+        near);
   };
   leaf(field, {read, [&] { return names[static_cast<std::size_t>(value)]; },
                [&] {

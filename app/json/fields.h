@@ -6,12 +6,15 @@
 // fields.cpp, which says how it is read, written and described; visitors know only where it stands.
 #pragma once
 
+#include <array>
+#include <concepts>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "app/json/json_text.h"
@@ -84,8 +87,26 @@ class Fields {
   // Null if absent.
   void json(const Field& field, const Shape& shape, Json& value);
   void object(const Field& field, const Visit& visit) { begin_optional(field, true, visit); }
+  // One of the kinds of objects, by its word in `field`: `visit(Fields&)` visits its other fields.
+  template <class... Kinds, class VisitKind>
+  void one_of(const Field& field, std::variant<Kinds...>& value, VisitKind visit) {
+    static constexpr std::array<std::string_view, sizeof...(Kinds)> kNames{Kinds::kName...};
+    variant(field, kNames, static_cast<int>(value.index()), [&](Fields& f, int kind) {
+      int k = 0;
+      if (kind != static_cast<int>(value.index()))
+        ((k++ == kind ? static_cast<void>(value = Kinds{}) : static_cast<void>(0)), ...);
+      visit(f);
+    });
+  }
   // Exactly one of these optional fields, described before, must be given.
   virtual void exactly_one(const std::vector<std::string>& /*names*/) {}
+
+  template <std::integral Int>
+  void integer(const Field& field, std::int64_t low, std::int64_t high, Int& value) {
+    auto wide = static_cast<std::int64_t>(value);
+    integer(field, low, high, wide);
+    value = static_cast<Int>(wide);
+  }
 
   // An enum whose values are the indices of `words`.
   template <class Enum>

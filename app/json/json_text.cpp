@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 #include <vector>
 
-#include "core/base/errors.h"
 #include "core/base/memory.h"
 
 namespace quicksand {
@@ -133,11 +131,7 @@ Json parse_json(std::string_view text) {
 
 Json read_json(const std::filesystem::path& file) {
   const std::string text = read_text(file);
-  try {
-    return parse_json(text);
-  } catch (const InputError& error) {
-    throw error.in(file.string());
-  }
+  return in_file(file, [&] { return parse_json(text); });
 }
 
 std::string read_text(const std::filesystem::path& path) {

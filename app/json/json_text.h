@@ -25,6 +25,16 @@ constexpr std::size_t kMaxKeys = 1000;
 // little for its values.
 Json parse_json(std::string_view text);
 
+// What `work` gives; an InputError of it then names the file, too.
+template <class Work>
+auto in_file(const std::filesystem::path& file, Work work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    throw error.in(file.string());
+  }
+}
+
 // That of a file. Throws InputError whose `where` is the file.
 Json read_json(const std::filesystem::path& file);
 

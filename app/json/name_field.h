@@ -1,4 +1,4 @@
-// The name of a scene, campaign or session, which also names its output folder.
+// What a scene, campaign or session begins with: its name, which also names its output folder, and what it is.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace quicksand {
 
-// Refuses what would lead out of the folder for outputs or hide in it. The file's name stands in for an
-// absent one.
-void describe_name(Fields& f, std::string& name);
+// Refuses a name that would lead out of the folder for outputs or hide in it. The file's name stands in for an
+// absent one. `help` says what the description tells.
+void describe_heading(Fields& f, std::string& name, std::string& description, const char* help);
 
 }  // namespace quicksand

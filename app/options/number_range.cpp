@@ -1,7 +1,5 @@
 #include "app/options/number_range.h"
 
-#include "app/json/json_reader.h"
-
 namespace quicksand {
 
 CLI::Validator in_range(const Limits& limits) {

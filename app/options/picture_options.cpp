@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <vector>
 
 #include "app/base/nearest_name.h"
 #include "app/options/number_range.h"

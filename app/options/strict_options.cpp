@@ -4,23 +4,24 @@
 
 namespace quicksand {
 
-void add_strict_options(CLI::App& command, StrictOptions& options) {
-  CLI::Option* strict = command.add_flag("--strict", options.strict,
-                                         "exit with 1 if a step did not converge, a bond broke in "
-                                         "such a step, bodies overlapped, or steps gained energy");
+void add_strict_options(CLI::App& command, std::optional<StrictBounds>& bounds) {
+  CLI::Option* strict = command.add_flag_callback(
+      "--strict", [&bounds] { bounds.emplace(); },
+      "exit with 1 if a step did not converge, a bond broke in "
+      "such a step, bodies overlapped, or steps gained energy");
   strict->group("Validation");
   command
-      .add_option("--max-overlap", options.bounds.max_overlap,
-                  "deepest overlap that --strict accepts [d]")
+      .add_option_function<double>(
+          "--max-overlap",
+          [&bounds](double most) {
+            if (bounds) bounds->max_overlap = most;
+          },
+          "deepest overlap that --strict accepts [d]")
       ->type_name("LENGTH")
       ->check(in_range(between(0, 1, "d")))
-      ->capture_default_str()
+      ->default_str(number_text(StrictBounds{}.max_overlap))
       ->needs(strict)
       ->group("Validation");
-}
-
-std::optional<StrictBounds> strict_from(const StrictOptions& options) {
-  return options.strict ? std::optional(options.bounds) : std::nullopt;
 }
 
 }  // namespace quicksand

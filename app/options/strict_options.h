@@ -8,14 +8,7 @@
 
 namespace quicksand {
 
-struct StrictOptions {
-  bool strict = false;
-  StrictBounds bounds;
-};
-
-void add_strict_options(CLI::App& command, StrictOptions& options);
-
-// Nothing without --strict.
-std::optional<StrictBounds> strict_from(const StrictOptions& options);
+// Without --strict nothing is set.
+void add_strict_options(CLI::App& command, std::optional<StrictBounds>& bounds);
 
 }  // namespace quicksand

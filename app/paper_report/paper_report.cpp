@@ -7,6 +7,7 @@
 #include "app/paper_report/merge_sections.h"
 #include "app/paper_report/runs_section.h"
 #include "app/report/provenance.h"
+#include "core/base/format.h"
 
 namespace quicksand {
 
@@ -180,11 +181,9 @@ Report paper_report(const PaperReport& made, const std::vector<Programme>& progr
   report.sections.push_back(std::move(free));
   report.sections.push_back({.title = "How the paper is read",
                              .blocks = {reading_table(read_targets(shipped_targets()), methods)}});
-  if (!missing.empty()) {
-    std::string names;
-    for (const std::string& name : missing) names += (names.empty() ? "" : ", ") + name;
-    runs.add(Remark{Remark::Kind::note, "Figures without a finished run: " + names});
-  }
+  if (!missing.empty())
+    runs.add(
+        Remark{Remark::Kind::note, "Figures without a finished run: " + joined(missing, ", ")});
   report.sections.push_back(std::move(runs));
   report.provenance = provenance(made.command({}), seconds);
   report.provenance.emplace_back("runs", commits);

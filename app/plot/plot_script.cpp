@@ -207,9 +207,7 @@ class Script {
         if ((plot_.curves[i].kind == Curve::Kind::band) == band) add_curve(i, all);
     for (std::size_t i = 0; i < plot_.references.size(); ++i) add_reference(i, all);
     if (all.empty()) all.emplace_back("NaN notitle");
-    std::string text;
-    for (const std::string& element : all) text += (text.empty() ? "" : ", \\\n     ") + element;
-    return text;
+    return joined(all, ", \\\n     ");
   }
 
   static std::string title_of(const std::string& name) {

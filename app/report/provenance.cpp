@@ -4,6 +4,7 @@
 #include "app/base/machine.h"
 #include "app/base/shell_text.h"
 #include "app/base/status_line.h"
+#include "core/base/format.h"
 
 namespace quicksand {
 
@@ -22,9 +23,7 @@ std::vector<std::pair<std::string, std::string>> provenance(const std::string& c
 }
 
 std::string command_text(const std::vector<std::string>& words) {
-  std::string line;
-  for (const std::string& word : words) line += (line.empty() ? "" : " ") + shell_text(word);
-  return line;
+  return joined(words, " ", shell_text);
 }
 
 }  // namespace quicksand

@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
 #include <variant>
-#include <vector>
 
 #include "app/json/json_reader.h"
 #include "app/scene_json/scenario_json.h"
 #include "core/base/errors.h"
-#include "core/scene/scenario.h"
 
 namespace quicksand {
 

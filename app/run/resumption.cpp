@@ -1,9 +1,8 @@
 #include "app/run/resumption.h"
 
-#include <fstream>
-
 #include "app/json/json_text.h"
 #include "app/run/run_position.h"
+#include "app/run_folder/summary.h"
 #include "app/series/series.h"
 #include "core/base/errors.h"
 #include "core/checkpoint/checkpoint.h"
@@ -16,12 +15,8 @@ namespace {
 
 // The summary is the last that a run writes.
 bool has_finished(const RunFolder& folder) {
-  try {
-    const Json summary = read_json(folder.summary());
-    return summary.is_object() && summary.value("finished", Json()) == true;
-  } catch (const InputError&) {
-    return false;
-  }
+  const Json summary = summary_in(folder);
+  return !summary.is_null() && summary.value("finished", Json()) == true;
 }
 
 }  // namespace
@@ -35,9 +30,7 @@ std::optional<std::filesystem::path> missing_frame(const RunFolder& folder, std:
 Resumption resumption_of(const RunFolder& folder, bool frames) {
   using enum Resumption::How;
   std::optional<RunPosition> position;
-  std::error_code ignored;
-  if (!std::filesystem::exists(folder.state(), ignored))
-    return {starts_again, "it has no state yet"};
+  if (!is_there(folder.state())) return {starts_again, "it has no state yet"};
   try {
     position = position_from(read_checkpoint(folder.state()).samples);
   } catch (const OtherVersion&) {

@@ -3,7 +3,6 @@
 #include "app/json/json_reader.h"
 #include "app/json/json_writer.h"
 #include "app/view/view_fields.h"
-#include "core/base/errors.h"
 #include "core/base/whole_file.h"
 
 namespace quicksand {
@@ -38,11 +37,9 @@ void write_options(const std::filesystem::path& file, const RunOptions& options)
 
 RunOptions read_options(const std::filesystem::path& file) {
   RunOptions options;
-  try {
+  in_file(file, [&] {
     read_fields(read_json(file), "the options of a run", [&](Fields& f) { describe(f, options); });
-  } catch (const InputError& error) {
-    throw error.in(file.string());
-  }
+  });
   return options;
 }
 

@@ -21,8 +21,6 @@
 #include "app/view/film.h"
 #include "core/base/errors.h"
 #include "core/base/whole_file.h"
-#include "core/measures/measures.h"
-#include "core/scene/scenario.h"
 #include "core/world/extent.h"
 
 namespace quicksand {

@@ -4,23 +4,20 @@
 
 #include <filesystem>
 
+#include "core/base/whole_file.h"
+
 namespace quicksand {
 
 class FolderLock {
  public:
   // Makes the folder where it is absent. Throws InputError if that is not possible.
   explicit FolderLock(const std::filesystem::path& folder);
-  ~FolderLock();
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
-  FolderLock(FolderLock&& other) noexcept;
-  FolderLock& operator=(FolderLock&&) = delete;
 
   // False: another process has it. File systems that know no locks give it to all.
   bool held() const { return held_; }
 
  private:
-  int file_ = -1;
+  OpenFile file_;
   bool held_ = false;
 };
 

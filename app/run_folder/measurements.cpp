@@ -50,11 +50,7 @@ std::string short_text(const Value& value) {
   return format("%.5g", std::get<double>(value));
 }
 
-std::string csv_line(const std::vector<std::string>& cells) {
-  std::string line;
-  for (const std::string& cell : cells) line += (line.empty() ? "" : ",") + cell;
-  return line + "\n";
-}
+std::string csv_line(const std::vector<std::string>& cells) { return joined(cells, ",") + "\n"; }
 
 std::string profile_csv(const Measurements& m) {
   std::vector<std::string> header{"low", "high", "volume_fraction"};

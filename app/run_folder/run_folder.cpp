@@ -11,16 +11,15 @@ namespace quicksand {
 namespace fs = std::filesystem;
 
 bool holds_run(const RunFolder& folder) {
-  std::error_code ignored;
-  return fs::exists(folder.scene(), ignored) && fs::exists(folder.options(), ignored);
+  return is_there(folder.scene()) && is_there(folder.options());
 }
 
 void make_writable(const RunFolder& folder) {
-  std::error_code error;
-  if (fs::exists(folder.path, error) && !fs::is_directory(folder.path, error)) {
+  if (is_there(folder.path) && !is_folder(folder.path)) {
     throw InputError(folder.path.string(),
                      "is a file, the results need a folder; choose another with --out");
   }
+  std::error_code error;
   fs::create_directories(folder.path, error);
   if (error) {
     throw InputError(folder.path.string(), "cannot be made: " + error.message());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <system_error>
 
 namespace quicksand {
 
@@ -23,6 +24,16 @@ struct RunFolder {
   std::filesystem::path report_page() const { return path / "report.html"; }
   std::filesystem::path report_text() const { return path / "report.md"; }
 };
+
+// False, too, where one may not look.
+inline bool is_there(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::exists(path, ignored);
+}
+inline bool is_folder(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::is_directory(path, ignored);
+}
 
 // Whether a run has begun here, which can be resumed.
 bool holds_run(const RunFolder& folder);

@@ -5,7 +5,6 @@
 #include "core/measures/critical_force.h"
 #include "core/measures/drive_result.h"
 #include "core/measures/shear_strength.h"
-#include "core/scene/scenario.h"
 
 namespace quicksand {
 

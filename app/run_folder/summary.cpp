@@ -66,9 +66,7 @@ Json json_of(const Value& value) {
   return std::visit(ToJson{}, value);
 }
 
-std::string world_hash_text(const World& world) {
-  return format("0x%016" PRIx64, world_hash(world));
-}
+std::string world_hash_text(const World& world) { return format("%016" PRIx64, world_hash(world)); }
 
 Json summary(const Scenario& scenario, const World& world, const ProtocolState& state,
              const Row& last, const RunEnd& end) {
@@ -113,9 +111,18 @@ Json summary(const Scenario& scenario, const World& world, const ProtocolState& 
   }
   json.update(search_results(scenario, state));
   json["model_terms"] = model_terms(scenario);
-  json["world_hash"] = world_hash_text(world);
+  json["world_hash"] = "0x" + world_hash_text(world);
   if (scenario.physical) json["units_in_si"] = si_units(*scenario.physical);
   return json;
+}
+
+Json summary_in(const RunFolder& folder) {
+  try {
+    Json json = read_json(folder.summary());
+    return json.is_object() ? json : Json();
+  } catch (const InputError&) {
+    return nullptr;
+  }
 }
 
 }  // namespace quicksand

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/json/json_text.h"
+#include "app/run_folder/run_folder.h"
 #include "app/series/quantities.h"
 #include "core/phases/protocol.h"
 #include "core/problem/work_clock.h"
@@ -28,9 +29,12 @@ struct RunEnd {
 // The value as JSON; null if there is none.
 Json json_of(const Value& value);
 
-std::string world_hash_text(const World& world);  // "0x" and 16 hexadecimal digits
+std::string world_hash_text(const World& world);  // 16 hexadecimal digits
 
 Json summary(const Scenario& scenario, const World& world, const ProtocolState& state,
              const Row& last, const RunEnd& end);
+
+// That of a folder. Null if there is none or it is not whole: then there are no results that count.
+Json summary_in(const RunFolder& folder);
 
 }  // namespace quicksand

@@ -15,6 +15,7 @@
 #include "app/scene_json/scenario_json.h"
 #include "app/series/quantities.h"
 #include "core/base/errors.h"
+#include "core/base/format.h"
 #include "core/problem/work_clock.h"
 
 namespace quicksand {
@@ -301,11 +302,9 @@ std::vector<std::string> run_warnings(const RunResults& run) {
 Report run_report(std::span<const RunResults> runs, const std::string& from) {
   const std::vector<std::string> names = run_names(runs);
   Report report;
-  std::string all;
-  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
   const bool recorded = std::ranges::any_of(runs, &RunResults::recorded);
   const std::string what = recorded ? "Recording" : "Run";
-  report.title = what + (runs.size() == 1 ? " " : "s ") + all;
+  report.title = what + (runs.size() == 1 ? " " : "s ") + joined(names, ", ");
   for (const RunResults& run : runs) {
     if (run.recorded()) continue;
     const std::string description = run.scene().value("description", "");

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "app/base/nearest_name.h"
-#include "app/json/json_reader.h"
+#include "app/json/fields.h"
 #include "app/series/read_series.h"
 #include "core/base/errors.h"
 #include "render/film/frame_files.h"
@@ -31,17 +31,16 @@ std::optional<double> number_of(std::string_view cell) {
 }  // namespace
 
 RunResults::RunResults(const fs::path& folder) : folder_{folder} {
-  std::error_code error;
-  if (!fs::exists(folder, error)) throw InputError(folder.string(), "there is no such folder");
-  if (!fs::is_directory(folder, error)) {
+  if (!is_there(folder)) throw InputError(folder.string(), "there is no such folder");
+  if (!is_folder(folder)) {
     throw InputError(folder.string(), "is a file; give the folder of a run");
   }
-  if (!fs::exists(folder_.series(), error)) {
+  if (!is_there(folder_.series())) {
     throw InputError(folder.string(),
                      "is not the folder of a run or a recording: it has no series.csv");
   }
-  const bool of_run = fs::exists(folder_.scene(), error);
-  if (of_run && !fs::exists(folder_.summary(), error)) {
+  const bool of_run = is_there(folder_.scene());
+  if (of_run && !is_there(folder_.summary())) {
     throw InputError(folder.string(), "holds a run that has not ended: it has no summary.json");
   }
   read_series();
@@ -59,8 +58,8 @@ void RunResults::read_series() {
   std::istringstream text(read_text(folder_.series()));
   std::string line;
   std::getline(text, line);
-  std::vector<std::string> names;
-  for (const std::string_view name : cells_of(line)) names.emplace_back(name);
+  const std::vector<std::string_view> first = cells_of(line);
+  const std::vector<std::string> names(first.begin(), first.end());
   std::vector<std::vector<double>> values(names.size());
   std::vector<bool> words(names.size(), false);  // columns that hold words
   for (int number = 2; std::getline(text, line); ++number) {
@@ -112,8 +111,7 @@ std::size_t RunResults::begin_of(const std::string& phase) const {
 
 std::vector<fs::path> RunResults::frames() const {
   std::vector<fs::path> paths;
-  std::error_code error;
-  if (!fs::is_directory(folder_.frames(), error)) return paths;
+  if (!is_folder(folder_.frames())) return paths;
   for (const auto& [number, path] : frame_files(folder_.frames())) paths.push_back(path);
   return paths;
 }

@@ -12,18 +12,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool is_run(const fs::path& folder) {
-  std::error_code ignored;
-  return fs::exists(RunFolder{folder}.history(), ignored);
-}
+bool is_run(const fs::path& folder) { return is_there(RunFolder{folder}.history()); }
 
 }  // namespace
 
 Json opening_command(const std::string& named) {
   if (named.empty()) return {{"command", "load"}, {"scene", kDemoScene}};
-  std::error_code ignored;
   const std::string path = fs::absolute(named).lexically_normal().string();
-  if (fs::is_directory(named, ignored)) return {{"command", "open"}, {"run", path}};
+  if (is_folder(named)) return {{"command", "open"}, {"run", path}};
   const bool is_file = named.find_first_of("/.") != std::string::npos;
   if (!is_file) return {{"command", "load"}, {"scene", named}};
   if (fs::path(named).extension() == ".cbor") return {{"command", "restore"}, {"file", path}};
@@ -38,11 +34,11 @@ std::vector<std::string> openable_in(const fs::path& folder, std::size_t most) {
   for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
        entry.increment(error)) {
     const std::string name = entry->path().filename().string();
-    std::error_code ignored;
     if (name.starts_with('.')) continue;
-    if (entry->is_directory(ignored) && !is_run(entry->path())) {
+    const bool is_below = is_folder(entry->path());
+    if (is_below && !is_run(entry->path())) {
       folders.push_back(name + "/");
-    } else if (entry->is_directory(ignored) || name.ends_with(".json") || name.ends_with(".cbor")) {
+    } else if (is_below || name.ends_with(".json") || name.ends_with(".cbor")) {
       files.push_back(name);
     }
   }

@@ -12,7 +12,6 @@
 #include "core/base/memory.h"
 #include "core/checkpoint/checkpoint.h"
 #include "core/scene/make_world.h"
-#include "core/scene/scenario.h"
 #include "core/scene/validate.h"
 
 namespace quicksand {

@@ -9,7 +9,6 @@
 #include "app/series/sample_times.h"
 #include "core/base/format.h"
 #include "core/phases/search.h"
-#include "core/scene/scenario.h"
 
 namespace quicksand {
 
@@ -140,10 +139,9 @@ struct PhaseText {
            "; " + trials(p.trials, moving(p.trials.until, "the intruder"));
   }
   std::string operator()(const ShearPhase& p) const {
-    std::string depths;
-    for (const double depth : p.depths) depths += (depths.empty() ? "" : ", ") + number(depth);
     return "smallest force along x that moves a grain by " + number(p.distance) + " d, " +
-           std::to_string(p.grains_per_depth) + " grains each at depths of " + depths + " d; " +
+           std::to_string(p.grains_per_depth) + " grains each at depths of " +
+           joined(p.depths, ", ", number) + " d; " +
            trials(p.trials, moving(p.trials.until, "the grain"));
   }
 
@@ -228,11 +226,8 @@ std::string scene_report(const Scenario& s) {
   without_bodies.disks.clear();
   const Json scene = to_json(without_bodies);
 
-  std::string terms;
-  for (const std::string& term : model_terms(s)) terms += (terms.empty() ? "" : ", ") + term;
-
   std::string text = s.name + ": " + s.description + "\n";
-  text += line("terms", terms);
+  text += line("terms", joined(model_terms(s), ", "));
   text += line("box", number(s.box.width) + " x " + number(s.box.height) + " d, sides " +
                           word(scene, "box", "sides") + (s.box.floor ? ", floor at y = 0" : ""));
   text += line("gravity", gravity_text(s));

@@ -1,6 +1,5 @@
 // Phases that change bonds, load the whole packing or drive an intruder of any shape, as fields of a scene file.
-#include <array>
-#include <utility>
+#include <variant>
 
 #include "app/scene_json/phase_fields.h"
 
@@ -14,7 +13,7 @@ constexpr double kMaxWait = 1e12;
 
 }  // namespace
 
-void describe_heal(Fields& f, HealPhase& p) {
+void describe_fields(Fields& f, HealPhase& p, const Scenario& /*scenario*/) {
   f.choice({"which", "touching: all pairs in touch; broken: only those that were bonded before"},
            kHealed, p.which);
   f.number({"waited",
@@ -27,9 +26,9 @@ void describe_heal(Fields& f, HealPhase& p) {
   if (p.healing_time && !p.waited) f.refuse("waited", "is missing; healing_time needs it");
 }
 
-void describe_piston(Fields& f, PistonPhase& p, const ContactLaw& law) {
+void describe_fields(Fields& f, PistonPhase& p, const Scenario& scenario) {
   f.number({"mass", "of the piston", Presence::required}, above(0, 1e12, "grain masses"), p.mass);
-  describe_force(f, "downward, besides the piston's weight", 0, p.force, law);
+  describe_force(f, "downward, besides the piston's weight", 0, p.force, scenario.grain_law);
   f.number({"ramp_time", "in which the force rises from 0 to its value; 0: at once"},
            between(0, kMaxTime, "sqrt(d/g)"), p.ramp_time);
   describe_rest(f, p.rest_speed, p.rest_time, p.max_time);
@@ -64,55 +63,38 @@ void describe_part(Fields& f, ConvexPart& part) {
   f.flag({"shaft", "whether its resistance counts as the shaft's"}, part.shaft);
 }
 
-void describe_vane_shape(Fields& f, VaneIntruder& s) {
+void describe_fields(Fields& f, DiskIntruder& s) {
+  f.number({"diameter", "of the disk"}, kLength, s.diameter);
+}
+
+void describe_fields(Fields& f, ConeIntruder& s) {
+  f.number({"width", "of tip and shaft"}, kLength, s.width);
+  f.number({"angle", "between the flanks of the tip"}, between(5, 175, "degrees"), s.angle);
+  f.number({"length", "of the shaft above the tip; 0: none"}, between(0, 1e4, "d"), s.length);
+  f.number({"rounding", "radius of tip and edges"}, kLength, s.rounding);
+}
+
+void describe_fields(Fields& f, PlateIntruder& s) {
+  f.number({"width", "over all"}, kLength, s.width);
+  f.number({"thickness", "of the plate, whose ends are half circles"}, kLength, s.thickness);
+  f.number({"tilt", "from the horizontal, counter-clockwise"}, between(-90, 90, "degrees"), s.tilt);
+}
+
+void describe_fields(Fields& f, BallOnRodIntruder& s) {
+  f.number({"diameter", "of the ball"}, kLength, s.diameter);
+  f.number({"rod_width", "of the rod, whose end is a half circle"}, kLength, s.rod_width);
+  f.number({"rod_length", "of the rod above the ball"}, kLength, s.rod_length);
+}
+
+void describe_fields(Fields& f, VaneIntruder& s) {
   f.integer({"blades", "of equal length about the axis"}, 1, 100, s.blades);
   f.number({"radius", "from the axis to the tips"}, kLength, s.radius);
   f.number({"thickness", "of a blade, whose end is a half circle"}, kLength, s.thickness);
 }
 
-struct ShapeFields {
-  Fields& f;
-
-  void operator()(DiskIntruder& s) const {
-    f.number({"diameter", "of the disk"}, kLength, s.diameter);
-  }
-  void operator()(ConeIntruder& s) const {
-    f.number({"width", "of tip and shaft"}, kLength, s.width);
-    f.number({"angle", "between the flanks of the tip"}, between(5, 175, "degrees"), s.angle);
-    f.number({"length", "of the shaft above the tip; 0: none"}, between(0, 1e4, "d"), s.length);
-    f.number({"rounding", "radius of tip and edges"}, kLength, s.rounding);
-  }
-  void operator()(PlateIntruder& s) const {
-    f.number({"width", "over all"}, kLength, s.width);
-    f.number({"thickness", "of the plate, whose ends are half circles"}, kLength, s.thickness);
-    f.number({"tilt", "from the horizontal, counter-clockwise"}, between(-90, 90, "degrees"),
-             s.tilt);
-  }
-  void operator()(BallOnRodIntruder& s) const {
-    f.number({"diameter", "of the ball"}, kLength, s.diameter);
-    f.number({"rod_width", "of the rod, whose end is a half circle"}, kLength, s.rod_width);
-    f.number({"rod_length", "of the rod above the ball"}, kLength, s.rod_length);
-  }
-  void operator()(VaneIntruder& s) const { describe_vane_shape(f, s); }
-  void operator()(PartsIntruder& s) const {
-    f.list({"parts", "convex parts of one body, which may overlap"}, kMostParts, s.parts,
-           describe_part);
-  }
-};
-
-constexpr auto kAllShapes = std::make_index_sequence<std::variant_size_v<IntruderShape>>{};
-
-template <std::size_t... kinds>
-constexpr auto shape_names(std::index_sequence<kinds...> /*all*/) {
-  return std::array{std::variant_alternative_t<kinds, IntruderShape>::kName...};
-}
-constexpr auto kShapes = shape_names(kAllShapes);
-
-template <std::size_t... kinds>
-void set_shape(IntruderShape& shape, int type, std::index_sequence<kinds...> /*all*/) {
-  ((static_cast<int>(kinds) == type ? static_cast<void>(shape.emplace<kinds>())
-                                    : static_cast<void>(0)),
-   ...);
+void describe_fields(Fields& f, PartsIntruder& s) {
+  f.list({"parts", "convex parts of one body, which may overlap"}, kMostParts, s.parts,
+         describe_part);
 }
 
 void refuse_problem(Fields& f, const IntruderShape& shape) {
@@ -122,13 +104,10 @@ void refuse_problem(Fields& f, const IntruderShape& shape) {
 }
 
 void describe_shape(Fields& f, IntruderShape& shape) {
-  f.variant({"type", "what it is"}, kShapes, static_cast<int>(shape.index()),
-            [&](Fields& g, int type) {
-              if (shape.index() != static_cast<std::size_t>(type))
-                set_shape(shape, type, kAllShapes);
-              std::visit(ShapeFields{g}, shape);
-              refuse_problem(g, shape);
-            });
+  f.one_of({"type", "what it is"}, shape, [&](Fields& g) {
+    std::visit([&](auto& kind) { describe_fields(g, kind); }, shape);
+    refuse_problem(g, shape);
+  });
 }
 
 void describe_ramp(Fields& f, const char* help, double& ramp_time) {
@@ -137,7 +116,8 @@ void describe_ramp(Fields& f, const char* help, double& ramp_time) {
 
 }  // namespace
 
-void describe_penetrate(Fields& f, PenetratePhase& p, const ContactLaw& law) {
+void describe_fields(Fields& f, PenetratePhase& p, const Scenario& scenario) {
+  const ContactLaw& law = scenario.grain_law;
   f.object({"shape", "of the intruder, upright as it is put on the surface"},
            [&](Fields& g) { describe_shape(g, p.shape); });
   f.number({"density", "of the intruder, over that of a grain"}, above(0, 1e6, "1"), p.density);
@@ -173,10 +153,10 @@ void describe_penetrate(Fields& f, PenetratePhase& p, const ContactLaw& law) {
       p.force, p.speed.has_value(), p.ramp_time, p.threshold);
 }
 
-void describe_vane(Fields& f, VanePhase& p) {
+void describe_fields(Fields& f, VanePhase& p, const Scenario& /*scenario*/) {
   f.optional_object({"shape", "of the vane that is put in; absent: the intruder that is there"},
                     p.shape, [](Fields& g, VaneIntruder& shape) {
-                      describe_vane_shape(g, shape);
+                      describe_fields(g, shape);
                       refuse_problem(g, shape);
                     });
   f.number({"density", "of the vane, over that of a grain"}, above(0, 1e6, "1"), p.density);

@@ -7,6 +7,7 @@
 #include "app/json/fields.h"
 #include "core/bodies/contact_law.h"
 #include "core/scene/phases.h"
+#include "core/scene/scenario.h"
 
 namespace quicksand {
 
@@ -33,18 +34,17 @@ void describe_force(Fields& f, const char* help, double least, double& force,
                     const ContactLaw& law);
 
 // search_fields.cpp
-void describe_pull(Fields& f, PullPhase& pull, const ContactLaw& law);
-void describe_shear(Fields& f, ShearPhase& shear, const ContactLaw& law);
+void describe_fields(Fields& f, PullPhase& phase, const Scenario& scenario);
+void describe_fields(Fields& f, ShearPhase& phase, const Scenario& scenario);
 void describe_adiabatic(Fields& f, DepositPhase& deposit);
 void describe_threshold(Fields& f, PushPhase& push);
 // The same of a phase that drives an intruder; `first`: its force or torque.
 void describe_critical_drive(Fields& f, const char* help, double first, bool at_given_speed,
                              double ramp_time, std::optional<CriticalDrive>& threshold);
 // loading_fields.cpp
-void describe_heal(Fields& f, HealPhase& phase);
-void describe_piston(Fields& f, PistonPhase& phase, const ContactLaw& law);
-
-void describe_penetrate(Fields& f, PenetratePhase& phase, const ContactLaw& law);
-void describe_vane(Fields& f, VanePhase& phase);
+void describe_fields(Fields& f, HealPhase& phase, const Scenario& scenario);
+void describe_fields(Fields& f, PistonPhase& phase, const Scenario& scenario);
+void describe_fields(Fields& f, PenetratePhase& phase, const Scenario& scenario);
+void describe_fields(Fields& f, VanePhase& phase, const Scenario& scenario);
 
 }  // namespace quicksand

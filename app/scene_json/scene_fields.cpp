@@ -1,13 +1,11 @@
 #include "app/scene_json/scene_fields.h"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <numbers>
 
-#include "app/json/json_reader.h"
 #include "app/json/name_field.h"
+#include "core/base/format.h"
 
 namespace quicksand {
 
@@ -52,12 +50,7 @@ Vec2 tilted_gravity(double magnitude, double tilt) {
 }
 
 // As a user would have written it.
-double rounded(double x) {
-  constexpr int kDigits = 12;
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.*g", kDigits, x);
-  return std::strtod(text.data(), nullptr);
-}
+double rounded(double x) { return std::strtod(format("%.12g", x).c_str(), nullptr); }
 
 // Given by magnitude and tilt, or as a vector: a resolved scene holds what gives back the same bits.
 void describe_gravity(Fields& f, Gravity& gravity) {
@@ -107,9 +100,7 @@ void describe_law(Fields& f, ContactLaw& law) {
 }
 
 void describe_nscd(Fields& f, Nscd& nscd) {
-  std::int64_t sweeps = nscd.sweeps;
-  f.integer({"sweeps", "of projected Gauss-Seidel in a step"}, 1, kMaxSweeps, sweeps);
-  nscd.sweeps = static_cast<int>(sweeps);
+  f.integer({"sweeps", "of projected Gauss-Seidel in a step"}, 1, kMaxSweeps, nscd.sweeps);
   f.choice({"order", "of the contacts in a sweep: drawn anew for each, by pairs, or that and back"},
            kOrders, nscd.order);
   f.number({"tolerance", "residual that ends a step early; absent: all sweeps are made"},
@@ -152,10 +143,8 @@ void describe_step(Fields& f, StepSettings& step) {
             "continue: such a step is taken and counted, and breaks no bond; halve: it is tried "
             "again as two halves, up to max_halvings times, then the run stops"},
            kOnUnconverged, step.stop_if_unconverged);
-  std::int64_t halvings = step.max_halvings;
   f.integer({"max_halvings", "see on_unconverged; 0: the run stops at once"}, 0, kMaxHalvings,
-            halvings);
-  step.max_halvings = static_cast<int>(halvings);
+            step.max_halvings);
   if (f.reading() && step.nscd && step.break_rule == FailureCriterion::energy) {
     f.refuse("break_rule",
              "is \"energy\", which needs converged steps; with method \"nscd\" it is \"geometric\" "
@@ -170,16 +159,11 @@ void describe_solver(Fields& f, SolverSettings& solver) {
             "change of velocity in an iteration that counts as settled, over the mean velocity of "
             "the step"},
            above(0, 1e6, "1"), solver.velocity_tolerance);
-  const auto count = [&](const Field& field, int& value) {
-    std::int64_t wide = value;
-    f.integer(field, 1, kMaxIterations, wide);
-    value = static_cast<int>(wide);
-  };
-  count({"max_iterations",
-         "Gauss-Seidel sweeps, or as much relaxation, after which a solution is given up"},
-        solver.max_iterations);
-  count({"max_factorisations", "factorisations after which the interior point gives up"},
-        solver.max_factorisations);
+  f.integer({"max_iterations",
+             "Gauss-Seidel sweeps, or as much relaxation, after which a solution is given up"},
+            1, kMaxIterations, solver.max_iterations);
+  f.integer({"max_factorisations", "factorisations after which the interior point gives up"}, 1,
+            kMaxIterations, solver.max_factorisations);
 }
 
 void describe_wall(Fields& f, Wall& wall) {
@@ -208,13 +192,8 @@ void describe_wall(Fields& f, Wall& wall) {
 }  // namespace
 
 void describe_scene(Fields& f, Scenario& s) {
-  std::string schema;  // for editors; means nothing to the program
-  f.text({"$schema", "path of this schema, for editors"}, schema);
-  describe_name(f, s.name);
-  f.text({"description", "what the scene shows"}, s.description);
-  auto seed = static_cast<std::int64_t>(s.seed);
-  f.integer({"seed", "of the random numbers"}, 0, kMaxSeed, seed);
-  s.seed = static_cast<std::uint64_t>(seed);
+  describe_heading(f, s.name, s.description, "what the scene shows");
+  f.integer({"seed", "of the random numbers"}, 0, kMaxSeed, s.seed);
   f.optional_object({"physical", "physical values, to read results in SI units"}, s.physical,
                     describe_physical);
   std::optional<Gravity> gravity;

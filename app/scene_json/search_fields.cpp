@@ -42,13 +42,13 @@ void describe_trials(Fields& f, SearchTrials& t, const ContactLaw& law) {
 
 }  // namespace
 
-void describe_pull(Fields& f, PullPhase& p, const ContactLaw& law) {
-  describe_trials(f, p.trials, law);
+void describe_fields(Fields& f, PullPhase& p, const Scenario& scenario) {
+  describe_trials(f, p.trials, scenario.grain_law);
   f.number({"distance", "rise of the intruder that counts as out; absent: above the packing"},
            above(0, 1e6, "d"), p.distance);
 }
 
-void describe_shear(Fields& f, ShearPhase& p, const ContactLaw& law) {
+void describe_fields(Fields& f, ShearPhase& p, const Scenario& scenario) {
   f.numbers({"depths", "of the grains, below the top of the packing", Presence::required},
             between(0, 1e6, "d"), kMaxDepths, p.depths);
   f.integer({"grains_per_depth",
@@ -56,7 +56,7 @@ void describe_shear(Fields& f, ShearPhase& p, const ContactLaw& law) {
              "fewer"},
             1, kMaxGrains, p.grains_per_depth);
   f.number({"distance", "along x, that counts as moved"}, above(0, 1e6, "d"), p.distance);
-  describe_trials(f, p.trials, law);
+  describe_trials(f, p.trials, scenario.grain_law);
   if (f.reading() && p.depths.empty()) f.refuse("depths", "is an empty list; give a depth [d]");
 }
 

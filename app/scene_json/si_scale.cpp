@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "core/base/format.h"
-#include "core/scene/scenario.h"
 
 namespace quicksand {
 

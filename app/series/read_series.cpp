@@ -5,7 +5,6 @@
 #include <charconv>
 #include <fstream>
 #include <string>
-#include <string_view>
 
 namespace quicksand {
 

@@ -1,6 +1,7 @@
 #include "app/series/series.h"
 
 #include "core/base/errors.h"
+#include "core/base/format.h"
 
 namespace quicksand {
 
@@ -23,13 +24,7 @@ std::string whole_lines(const std::filesystem::path& path, std::int64_t most, st
 
 }  // namespace
 
-std::string series_header() {
-  std::string header;
-  for (const Quantity& quantity : quantities()) {
-    header += (header.empty() ? "" : ",") + std::string(quantity.name);
-  }
-  return header;
-}
+std::string series_header() { return joined(quantities(), ",", &Quantity::name); }
 
 std::int64_t whole_rows(const std::filesystem::path& path, std::int64_t most) {
   std::int64_t rows = 0;
@@ -52,12 +47,8 @@ Series::Series(std::filesystem::path path, std::int64_t kept_rows) : path_(std::
 }
 
 void Series::add(const Row& row) {
-  std::string line;
-  for (const Quantity& quantity : quantities()) {
-    if (&quantity != quantities().data()) line += ',';
-    line += text_of(quantity.get(row));
-  }
-  file_ << line << '\n' << std::flush;
+  const auto value = [&](const Quantity& quantity) { return text_of(quantity.get(row)); };
+  file_ << joined(quantities(), ",", value) << '\n' << std::flush;
   if (!file_) throw InputError(path_.string(), "cannot be written; is the disk full?");
   ++rows_;
 }

@@ -1,10 +1,6 @@
 #include "app/session/condition.h"
 
-#include <algorithm>
-#include <iterator>
-
 #include "app/base/nearest_name.h"
-#include "app/json/json_reader.h"
 #include "app/series/quantities.h"
 #include "core/base/errors.h"
 

@@ -1,7 +1,6 @@
 #include "app/session/parameters.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 
 #include "app/json/fields.h"
@@ -89,21 +88,9 @@ std::vector<Parameter> all_of(Scenario scenario) {
   return list.take();
 }
 
-// The parameters of a kind of phase that the scene does not have: without values, under the name of the kind.
-template <class Kind>
-std::vector<Parameter> without_values(const Scenario& scenario, std::string& kind) {
-  Phase phase;
-  phase.kind = Kind{};
-  kind = phase_name(phase);
-  ParameterList list(kind);
-  describe_phase(list, phase, scenario);
-  std::vector<Parameter> all = list.take();
-  for (Parameter& p : all) p.value = nullptr;
-  return all;
-}
+using Names = std::vector<const char*>;
 
 // Adds those of `all` that lie in `folder` and have one of these names, in the order of the names.
-template <class Names>
 void add(ParameterGroup& group, const std::vector<Parameter>& all, const std::string& folder,
          const Names& names) {
   for (const char* name : names) {
@@ -113,32 +100,33 @@ void add(ParameterGroup& group, const std::vector<Parameter>& all, const std::st
   }
 }
 
-// Of the first phase of that kind.
-template <class Kind, class Names>
+template <class Kind>
+bool is(const Phase& phase) {
+  return std::holds_alternative<Kind>(phase.kind);
+}
+
+// Of the first phase of that kind; if the scene has none, without values, under the name of the kind.
+template <class Kind>
 ParameterGroup group_of(const char* name, const Scenario& scenario,
                         const std::vector<Parameter>& all, const Names& names) {
   ParameterGroup group{name, {}};
-  for (std::size_t k = 0; k < scenario.phases.size(); ++k) {
-    if (!std::holds_alternative<Kind>(scenario.phases[k].kind)) continue;
+  const auto first = std::ranges::find_if(scenario.phases, is<Kind>);
+  if (first != scenario.phases.end()) {
+    const auto k = first - scenario.phases.begin();
     add(group, all, "phases[" + std::to_string(k) + "]", names);
     return group;
   }
-  std::string kind;
-  const std::vector<Parameter> unknown = without_values<Kind>(scenario, kind);
-  add(group, unknown, kind, names);
+  Phase absent{.kind = Kind{}};
+  ParameterList list{std::string(Kind::kName)};
+  describe_phase(list, absent, scenario);
+  add(group, list.take(), std::string(Kind::kName), names);
+  for (Parameter& p : group.parameters) p.value = nullptr;
   return group;
-}
-
-template <class Kind>
-bool has(const Scenario& scenario) {
-  return std::ranges::any_of(
-      scenario.phases, [](const Phase& phase) { return std::holds_alternative<Kind>(phase.kind); });
 }
 
 }  // namespace
 
 std::vector<ParameterGroup> parameters_of(const Scenario& scenario) {
-  using Names = std::vector<const char*>;
   const std::vector<Parameter> all = all_of(scenario);
   ParameterGroup contacts{"Contacts", {}}, computing{"Computing", {}};
   add(contacts, all, "contact",
@@ -157,13 +145,13 @@ std::vector<ParameterGroup> parameters_of(const Scenario& scenario) {
       group_of<PushPhase>("Intruder", scenario, all, Names{"diameter", "density", "force"}),
       group_of<PistonPhase>("Piston", scenario, all, Names{"mass", "force", "ramp_time"})};
   // Of other intruders those that the scene drives.
-  if (has<PenetratePhase>(scenario))
+  if (std::ranges::any_of(scenario.phases, is<PenetratePhase>))
     groups.push_back(group_of<PenetratePhase>(
         "Penetration", scenario, all,
         Names{"shape.type", "shape.width", "shape.diameter", "shape.angle", "shape.radius",
               "shape.thickness", "shape.length", "shape.tilt", "shape.rod_width",
               "shape.rod_length", "density", "speed", "force", "ramp_time", "depth"}));
-  if (has<VanePhase>(scenario))
+  if (std::ranges::any_of(scenario.phases, is<VanePhase>))
     groups.push_back(
         group_of<VanePhase>("Vane", scenario, all,
                             Names{"shape.blades", "shape.radius", "shape.thickness",

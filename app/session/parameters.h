@@ -2,7 +2,6 @@
 // the scene format, and whether the scene models them.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 

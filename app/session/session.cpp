@@ -103,8 +103,7 @@ void Session::open(const std::filesystem::path& folder) {
 void Session::go_on() {
   const RunFolder& run = timeline_->folder();
   const double shown = timeline_->moment().time, first = timeline_->moments().front().time;
-  std::error_code ignored;
-  if (std::filesystem::exists(run.state(), ignored)) {
+  if (is_there(run.state())) {
     StateFile state = read_state(run.state());
     if (std::abs(state.checkpoint.world.time - shown) <= shown - first) {
       scenario_ = state.scenario;

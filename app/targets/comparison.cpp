@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/plot/typeset_number.h"
+#include "core/base/format.h"
 #include "core/measures/linear_fit.h"
 
 namespace quicksand {
@@ -69,10 +70,9 @@ Cell inside_cell(const std::vector<ByMethod>& entries) {
   if (alike)
     return {entries.size() == 2 && entries.front().measured ? "both " + entries.front().word()
                                                             : entries.front().word()};
-  std::string text;
-  for (const ByMethod& entry : entries)
-    text += (text.empty() ? "" : ", ") + method_title(entry.method) + " " + entry.word();
-  return {text};
+  return {joined(entries, ", ", [](const ByMethod& entry) {
+    return method_title(entry.method) + " " + entry.word();
+  })};
 }
 
 Cell reason_cell(const Target& target, const std::vector<ByMethod>& entries,

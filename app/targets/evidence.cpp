@@ -5,7 +5,6 @@
 #include "app/base/assets.h"
 #include "app/json/json_reader.h"
 #include "app/targets/paper_targets.h"
-#include "core/base/errors.h"
 
 namespace quicksand {
 
@@ -56,24 +55,19 @@ const Reason* Evidence::reason(const std::string& target, const std::string& met
 }
 
 Evidence read_evidence(const std::filesystem::path& file) {
-  const std::string text = read_text(file);
-  try {
-    const Json json = parse_json(text);
-    JsonReader reader(json, "");
+  return in_file(file, [&] {
     Evidence evidence;
-    reader.list({"reasons", "why numbers are outside", Presence::required}, kMost, evidence.reasons,
-                describe_reason);
-    reader.list({"choices", "what was free", Presence::required}, kMost, evidence.choices,
-                describe_choice);
-    reader.refuse_unknown_keys();
+    read_fields(read_json(file), "the evidence", [&](Fields& f) {
+      f.list({"reasons", "why numbers are outside", Presence::required}, kMost, evidence.reasons,
+             describe_reason);
+      f.list({"choices", "what was free", Presence::required}, kMost, evidence.choices,
+             describe_choice);
+    });
     const PaperTargets targets = read_targets(shipped_targets());
     for (const Reason& reason : evidence.reasons)
       for (const std::string& id : reason.targets) targets.at(id);
     return evidence;
-  } catch (const InputError& error) {
-    throw InputError(file.string() + (error.where().empty() ? "" : ": " + error.where()),
-                     error.what());
-  }
+  });
 }
 
 std::filesystem::path shipped_evidence() { return assets_folder() / "paper" / "evidence.json"; }

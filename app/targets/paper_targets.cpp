@@ -79,7 +79,7 @@ const Target& PaperTargets::at(const std::string& id) const {
 }
 
 PaperTargets read_targets(const std::filesystem::path& file) {
-  try {
+  return in_file(file, [&] {
     PaperTargets read;
     std::vector<Entry> entries;
     read_fields(read_json(file), "the targets", [&](Fields& f) {
@@ -94,9 +94,7 @@ PaperTargets read_targets(const std::filesystem::path& file) {
       read.targets.push_back(worked_out(std::move(entry)));
     }
     return read;
-  } catch (const InputError& error) {
-    throw error.in(file.string());
-  }
+  });
 }
 
 std::filesystem::path shipped_targets() { return assets_folder() / "paper" / "targets.json"; }

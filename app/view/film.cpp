@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <memory>
-#include <string>
 
 #include "core/base/whole_file.h"
-#include "core/scene/scenario.h"
 #include "render/film/animation.h"
 #include "render/film/video.h"
 #include "render/picture/frame.h"

@@ -6,8 +6,7 @@
 namespace quicksand {
 
 History history_of(const RunFolder& folder) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(folder.history(), ignored))
+  if (!is_there(folder.history()))
     throw InputError(folder.path.string(), "has no " + folder.history().filename().string() +
                                                ": it holds no run, or one with --history 0");
   History history(folder.history());

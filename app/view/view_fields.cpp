@@ -84,11 +84,8 @@ std::span<const ViewWord> view_words() {
 }
 
 void describe_size(Fields& f, int& width, int& height) {
-  std::int64_t w = width, h = height;
-  f.integer({"width", "of the picture [px]"}, kSmallestPicture, kLargestPicture, w);
-  f.integer({"height", "of the picture [px]"}, kSmallestPicture, kLargestPicture, h);
-  width = static_cast<int>(w);
-  height = static_cast<int>(h);
+  f.integer({"width", "of the picture [px]"}, kSmallestPicture, kLargestPicture, width);
+  f.integer({"height", "of the picture [px]"}, kSmallestPicture, kLargestPicture, height);
 }
 
 void describe_window(Fields& f, std::optional<WorldRect>& window) {

@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "core/base/errors.h"
+#include "core/base/whole_file.h"
 
 namespace quicksand {
 
@@ -41,22 +42,11 @@ std::string_view host_of(std::string_view address) {
   return address.substr(0, address.find(':'));
 }
 
-// Closes a file at the end of its scope.
-struct OpenFile {
-  int number;
-  explicit OpenFile(int n) : number(n) {}
-  ~OpenFile() {
-    if (number >= 0) close(number);
-  }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-};
-
 std::string new_token(const std::filesystem::path& file) {
   std::string token = random_token();
   const OpenFile made(open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
-  if (made.number < 0 ||
-      write(made.number, token.data(), token.size()) != static_cast<ssize_t>(token.size()))
+  if (made.number() < 0 ||
+      write(made.number(), token.data(), token.size()) != static_cast<ssize_t>(token.size()))
     throw InputError(file.string(), std::string("cannot be written: ") + std::strerror(errno));
   return token;
 }
@@ -78,14 +68,14 @@ std::string random_token() {
 
 std::string token_of(const std::filesystem::path& file) {
   const OpenFile found(open(file.c_str(), O_RDONLY | O_CLOEXEC));
-  if (found.number < 0 && errno == ENOENT) return new_token(file);
+  if (found.number() < 0 && errno == ENOENT) return new_token(file);
   struct stat about {};
-  if (found.number < 0 || fstat(found.number, &about) != 0)
+  if (found.number() < 0 || fstat(found.number(), &about) != 0)
     throw InputError(file.string(), std::string("cannot be read: ") + std::strerror(errno));
   if ((about.st_mode & 077U) != 0)
     throw InputError(file.string(), "can be read by others; `chmod 600` it");
   std::array<char, 2 * kTokenBytes> text{};
-  const ssize_t got = read(found.number, text.data(), text.size());
+  const ssize_t got = read(found.number(), text.data(), text.size());
   std::string token(text.data(), got > 0 ? static_cast<std::size_t>(got) : 0);
   if (!is_token(token))
     throw InputError(file.string(), "holds no token: " + std::to_string(2 * kTokenBytes) +

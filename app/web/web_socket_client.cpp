@@ -5,7 +5,6 @@
 #include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include <array>
 #include <cstring>
@@ -18,19 +17,18 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::seconds kPatience{20};  // for the answer to the first request
 
-int connection_to(int port) {
-  const int number = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+OpenFile connection_to(int port) {
+  OpenFile connection(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  const int number = connection.number();
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_port = htons(static_cast<std::uint16_t>(port));
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  if (number < 0 || connect(number, reinterpret_cast<sockaddr*>(&address), sizeof address) != 0) {
-    if (number >= 0) close(number);
+  if (number < 0 || connect(number, reinterpret_cast<sockaddr*>(&address), sizeof address) != 0)
     throw std::runtime_error(std::string("cannot connect: ") + std::strerror(errno));
-  }
   const int on = 1;
   setsockopt(number, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
-  return number;
+  return connection;
 }
 
 }  // namespace
@@ -47,18 +45,14 @@ WebSocketClient::WebSocketClient(int port, const std::string& token, const std::
   while ((head = buffer_.find("\r\n\r\n")) == std::string::npos && fill(end)) {
   }
   const std::string first = buffer_.substr(0, buffer_.find("\r\n"));
-  if (!first.starts_with("HTTP/1.1 101")) {
-    close(socket_);
+  if (!first.starts_with("HTTP/1.1 101"))
     throw std::runtime_error(first.empty() ? "closed without an answer" : first);
-  }
   buffer_.erase(0, head + 4);
 }
 
-WebSocketClient::~WebSocketClient() { close(socket_); }
-
 void WebSocketClient::send_raw(std::string_view bytes) {
   while (!bytes.empty()) {
-    const ssize_t sent = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    const ssize_t sent = ::send(socket_.number(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
     if (sent <= 0) throw std::runtime_error("the server has closed the connection");
     bytes.remove_prefix(static_cast<std::size_t>(sent));
   }
@@ -93,10 +87,10 @@ void WebSocketClient::send_drawn(std::uint32_t pictures) {
 
 bool WebSocketClient::fill(Clock::time_point end) {
   const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now());
-  pollfd ready{.fd = socket_, .events = POLLIN, .revents = 0};
+  pollfd ready{.fd = socket_.number(), .events = POLLIN, .revents = 0};
   if (poll(&ready, 1, static_cast<int>(std::max<std::int64_t>(0, left.count()))) <= 0) return false;
   std::array<char, 65536> room{};
-  const ssize_t got = recv(socket_, room.data(), room.size(), 0);
+  const ssize_t got = recv(socket_.number(), room.data(), room.size(), 0);
   if (got <= 0) {
     closed_ = true;
     return false;

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/whole_file.h"
+
 namespace quicksand {
 
 class WebSocketClient {
@@ -14,9 +16,6 @@ class WebSocketClient {
   // Connects to this machine. `headers` are further ones, each with its end of line. Throws std::runtime_error with the
   // first line of the answer where the server refuses.
   WebSocketClient(int port, const std::string& token, const std::string& headers = {});
-  ~WebSocketClient();
-  WebSocketClient(const WebSocketClient&) = delete;
-  WebSocketClient& operator=(const WebSocketClient&) = delete;
 
   // Throw std::runtime_error where the connection has ended.
   void send_text(std::string_view text) { send(kText, text); }
@@ -44,7 +43,7 @@ class WebSocketClient {
   // A frame of the protocol, if all of it is there.
   std::optional<Message> take_frame();
 
-  int socket_ = -1;
+  OpenFile socket_;
   std::string buffer_, message_;
   bool message_is_binary_ = false, closed_ = false;
   int close_code_ = 0;

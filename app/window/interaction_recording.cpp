@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "app/commands/transcript.h"
+#include "app/run_folder/summary.h"
 
 namespace quicksand {
 
@@ -44,7 +44,7 @@ void InteractionRecording::add_steps(std::int64_t steps) {
 Json InteractionRecording::session(const World& world, std::optional<std::size_t> shown) const {
   Json commands = commands_;
   if (shown) commands.push_back({{"command", "show"}, {"sample", *shown}});
-  commands.push_back({{"command", "expect_hash"}, {"hash", text_of_hash(world_hash(world))}});
+  commands.push_back({{"command", "expect_hash"}, {"hash", world_hash_text(world)}});
   return {{"description", "Recorded by hand in a window."}, {"commands", std::move(commands)}};
 }
 

@@ -28,6 +28,10 @@ void refuse_to_write(const fs::path& path, int error) {
   throw InputError(path.string(), problem);
 }
 
+OpenFile::~OpenFile() {
+  if (number_ >= 0) close(number_);
+}
+
 WholeFile::WholeFile(const fs::path& path) : path_(file_named(path)), part_(path_) {
   part_ += ".part";
   file_.open(part_, std::ios::binary | std::ios::trunc);
@@ -59,13 +63,10 @@ void write_whole(const fs::path& path, std::string_view text) {
 }
 
 void bring_to_disk(const fs::path& path) {
-  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) refuse_to_write(path, errno);
+  const OpenFile file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.number() < 0) refuse_to_write(path, errno);
   // Some file systems cannot do this for a folder, and say so: then there is nothing to wait for.
-  const bool done = fsync(file) == 0 || errno == EINVAL || errno == EROFS;
-  const int error = errno;
-  close(file);
-  if (!done) refuse_to_write(path, error);
+  if (fsync(file.number()) != 0 && errno != EINVAL && errno != EROFS) refuse_to_write(path, errno);
 }
 
 }  // namespace quicksand

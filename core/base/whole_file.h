@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string_view>
+#include <utility>
 
 #include "core/base/errors.h"
 
@@ -22,6 +23,23 @@ std::filesystem::path file_named(const std::filesystem::path& path);
 
 // Throws what belongs to an error number: DiskFull, or an InputError.
 [[noreturn]] void refuse_to_write(const std::filesystem::path& path, int error);
+
+// The number of an open file or socket, closed with its owner; below 0: none.
+class OpenFile {
+ public:
+  explicit OpenFile(int number = -1) : number_(number) {}
+  ~OpenFile();
+  OpenFile(OpenFile&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  OpenFile& operator=(OpenFile&& other) noexcept {
+    std::swap(number_, other.number_);
+    return *this;
+  }
+
+  int number() const { return number_; }
+
+ private:
+  int number_;
+};
 
 class WholeFile {
  public:

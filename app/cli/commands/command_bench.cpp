@@ -17,7 +17,7 @@
 #include "app/report/provenance.h"
 #include "app/run_folder/run_folder.h"
 #include "app/scene/scene_options.h"
-#include "core/base/errors.h"
+#include "core/base/format.h"
 #include "core/base/parallel.h"
 
 namespace quicksand {
@@ -231,12 +231,10 @@ Command add_bench(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "bench", "Measure speed against error, hard cases and costs, with a report.");
   const auto request = std::make_shared<Request>();
-  std::string names;
-  for (const Part& part : parts()) names += (names.empty() ? "" : ", ") + std::string(part.name);
   command
       ->add_option("parts", request->names,
-                   "all but problems, serve and peers if none is given; one or more of: " + names +
-                       "; or a case of goals")
+                   "all but problems, serve and peers if none is given; one or more of: " +
+                       joined(parts(), ", ", &Part::name) + "; or a case of goals")
       ->type_name("PART");
   command->add_option("--out", request->options.out, "folder of results and states [out/bench]")
       ->type_name("DIR");

@@ -145,8 +145,7 @@ class CampaignRun {
       std::fprintf(stderr, "failed: %s: %s\n", job_name(jobs_[i]).c_str(),
                    records_[i].failure.c_str());
       const RunFolder& folder = jobs_[i].folder;
-      std::error_code error;
-      if (!fs::exists(folder.state(), error)) continue;
+      if (!is_there(folder.state())) continue;
       std::fprintf(stderr,
                    "  repeat its end with: quicksand run %s --continue %s --out %s%s --set "
                    "step.max_halvings=16\n",

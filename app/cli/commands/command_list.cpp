@@ -1,8 +1,6 @@
 // quicksand list: what there is to choose from.
-#include <algorithm>
 #include <array>
 #include <cstdio>
-#include <iterator>
 #include <memory>
 
 #include "app/base/assets.h"
@@ -18,6 +16,7 @@
 #include "app/scene_json/scene_reference.h"
 #include "app/series/quantities.h"
 #include "core/base/errors.h"
+#include "core/base/format.h"
 #include "render/base/view.h"
 
 namespace quicksand {
@@ -156,13 +155,6 @@ constexpr auto kListings = std::to_array<Listing>(
      {"session_reference", "every command of sessions, as Markdown", list_text<session_reference>},
      {"completion", "completion of options for bash", list_completion}});
 
-std::string listing_names() {
-  std::string names;
-  for (const Listing& known : kListings)
-    names += (names.empty() ? "" : ", ") + std::string(known.name);
-  return names;
-}
-
 int list(const std::string& what, const CLI::App& program) {
   if (what.empty()) {
     for (const Listing& known : kListings) std::printf("%-18s %s\n", known.name, known.help);
@@ -180,7 +172,10 @@ Command add_list(CLI::App& program) {
       "list",
       "List what there is to choose from: scenes, colours, quantities, commands, references.");
   const auto what = std::make_shared<std::string>();
-  command->add_option("what", *what, listing_names() + "; without it: all of them, in a line each")
+  command
+      ->add_option(
+          "what", *what,
+          joined(kListings, ", ", &Listing::name) + "; without it: all of them, in a line each")
       ->type_name("WHAT");
   command->footer("Examples:\n  quicksand list\n  quicksand list quantities");
   return {command, [what, &program] { return list(*what, program); }};

@@ -25,8 +25,7 @@ struct ReportArguments {
 
 // A page beside the report in which the run plays, where it has a history; the report links to it.
 void add_film_page(Report& page, const RunFolder& run, const std::filesystem::path& out) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(run.history(), ignored)) return;
+  if (!is_there(run.history())) return;
   const RunFolder folder{out};
   try {
     make_writable(folder);

@@ -13,6 +13,7 @@
 #include "app/paper_report/paper_report.h"
 #include "app/report/provenance.h"
 #include "core/base/errors.h"
+#include "core/base/format.h"
 
 namespace quicksand {
 
@@ -102,9 +103,7 @@ std::string command_of(const ReproduceArguments& options) {
   if (options.height) add("--height", number_text(*options.height));
   if (options.realizations) add("--realizations", std::to_string(*options.realizations));
   const auto add_list = [&](const char* name, const std::vector<double>& values) {
-    std::string list;
-    for (const double value : values) list += (list.empty() ? "" : ",") + number_text(value);
-    if (!values.empty()) add(name, list);
+    if (!values.empty()) add(name, joined(values, ",", number_text));
   };
   if (options.push_step) add("--push-step", number_text(*options.push_step));
   add_list("--push-forces", options.push_forces);
@@ -249,9 +248,7 @@ Command add_reproduce(CLI::App& program) {
       "reproduce",
       "Run the paper's experiments and write a report that sets its numbers beside ours.");
   const auto options = std::make_shared<ReproduceArguments>();
-  std::string names;
-  for (const PaperFigure& figure : paper_figures())
-    names += (names.empty() ? "" : ", ") + std::string(figure.name);
+  const std::string names = joined(paper_figures(), ", ", &PaperFigure::name);
   command->add_option("figures", options->figures, "all if none is given; one or more of: " + names)
       ->type_name("FIGURE");
   command->add_option("--out", options->out, "folder of runs and report [out/paper]")

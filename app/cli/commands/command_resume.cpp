@@ -23,13 +23,12 @@ struct ResumeArguments {
   std::string folder;
   bool quiet = false;
   std::int64_t threads = 0;
-  StrictOptions strict;
+  std::optional<StrictBounds> strict;
 };
 
 void require_run(const RunFolder& folder) {
-  std::error_code ignored;
   for (const auto& file : {folder.scene(), folder.options()})
-    if (!std::filesystem::exists(file, ignored))
+    if (!is_there(file))
       throw InputError(folder.path.string(),
                        "is not the folder of a run: it has no " + file.filename().string());
 }
@@ -49,7 +48,7 @@ int resume(const ResumeArguments& asked) {
   options.out = folder.path;
   options.quiet = asked.quiet;
   options.lock = false;
-  if (asked.strict.strict) options.strict = strict_from(asked.strict);
+  if (asked.strict) options.strict = asked.strict;
   const Scenario scenario = read_scene({folder.scene(), {}, {}});
   const FolderLock lock = lock_run(folder.path);
   const Resumption resumption = resumption_of(folder, options.frames);

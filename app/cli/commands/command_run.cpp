@@ -19,20 +19,14 @@ struct RunArguments {
   SceneRequest scene;
   RunOptions run;
   PictureOptions picture;
-  StrictOptions strict;
-  std::optional<double> every;
-  std::optional<std::string> continued_from;
   bool no_frames = false, overwrite = false;
   std::int64_t threads = 0;
 };
 
 int run(RunArguments& options) {
   options.run.view = view_from(options.picture);
-  options.run.every = options.every;
   options.run.frames = !options.no_frames;
   options.run.keep_earlier = !options.overwrite;
-  options.run.strict = strict_from(options.strict);
-  if (options.continued_from) options.run.continued_from = *options.continued_from;
   const Scenario scenario = read_scene(options.scene);
   RunResult result;
   with_threads(thread_count(options.threads), [&] { result = run_scene(scenario, options.run); });
@@ -49,7 +43,7 @@ Command add_run(CLI::App& program) {
       ->type_name("DIR");
   command->add_flag("--overwrite", options->overwrite, "replace the run that the folder holds");
   command
-      ->add_option("--continue", options->continued_from,
+      ->add_option("--continue", options->run.continued_from,
                    "go on from the state of an earlier run of this scene, with other step, solver "
                    "or phases; `resume` goes on with the same")
       ->type_name("STATE.cbor");
@@ -58,7 +52,7 @@ Command add_run(CLI::App& program) {
   add_scene_options(*command, options->scene);
   command->option_defaults()->group("Times of output");
   command
-      ->add_option("--every", options->every,
+      ->add_option("--every", options->run.every,
                    "time between samples and frames [sqrt(d/g)], instead of the scene's")
       ->type_name("TIME")
       ->check(in_range(above(0, kLongestSampleTime, "sqrt(d/g)")));
@@ -75,7 +69,7 @@ Command add_run(CLI::App& program) {
       ->check(in_range(between(0, kLargestHistory, "MB")))
       ->capture_default_str();
   command->add_flag("--no-frames", options->no_frames, "compute without pictures");
-  add_strict_options(*command, options->strict);
+  add_strict_options(*command, options->run.strict);
   add_picture_options(*command, options->picture);
   command->footer(
       "DIR receives scene.json, run.json, frames/, film.png (animated, for a browser), film.mp4 "

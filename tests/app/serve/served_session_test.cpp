@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/commands/transcript.h"
+#include "app/run_folder/summary.h"
 #include "tests/support/files.h"
 #include "tests/support/program.h"
 #include "tests/support/session_server.h"
@@ -99,7 +99,7 @@ TEST(ServedSession, WhatClientsDidReplaysToTheSameWorld) {
   ServedSession& live = server.stop();
   EXPECT_EQ(recording, live.recording());
   EXPECT_EQ(recording["commands"].back()["hash"],
-            text_of_hash(world_hash(live.console().session().world())));
+            world_hash_text(live.console().session().world()));
   const Outcome replay =
       run_program({"session", file, "--out", "replay", "--quiet"}, server.folder());
   EXPECT_EQ(replay.exit_code, 0) << replay.err;

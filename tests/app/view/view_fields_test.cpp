@@ -25,12 +25,8 @@ View unusual() {
 
 // Through JSON and back.
 View passed_on(View view, void (*describe)(Fields&, View&)) {
-  JsonWriter writer;
-  describe(writer, view);
-  const Json json = writer.take();
-  JsonReader reader(json, "", "a view");
   View read;
-  describe(reader, read);
+  read_fields(written_fields(view, describe), "a view", [&](Fields& f) { describe(f, read); });
   return read;
 }
 
@@ -60,9 +56,8 @@ TEST(ViewFields, AWindowWithoutAnInsideIsRefused) {
   EXPECT_THROW(view_from(options), InputError);
   View view;
   for (const char* text : {R"({"low": [0, 0]})", R"({"low": [3, 0], "high": [0, 9]})"}) {
-    const Json json = Json::parse(text);
-    JsonReader reader(json, "", "a view");
-    EXPECT_THROW(describe_window(reader, view.window), InputError) << text;
+    const auto describe = [&](Fields& f) { describe_window(f, view.window); };
+    EXPECT_THROW(read_fields(Json::parse(text), "a view", describe), InputError) << text;
   }
 }
 

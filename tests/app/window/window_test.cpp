@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "app/commands/transcript.h"
 #include "app/json/json_text.h"
+#include "app/run_folder/summary.h"
 #include "app/window/interaction_recording.h"
 #include "render/base/external_program.h"
 #include "tests/support/files.h"
@@ -97,7 +97,7 @@ TEST(InteractionRecording, KeepsStepsTogetherAndOnlyTheLastForceBetweenThem) {
   EXPECT_EQ(session["commands"].size(), 4U);
   EXPECT_EQ(session["commands"][0], (Json{{"command", "run"}, {"steps", 7}}));
   EXPECT_EQ(session["commands"][1]["force"], (Json{2, 0}));
-  EXPECT_EQ(session["commands"][3]["hash"], text_of_hash(world_hash(World{})));
+  EXPECT_EQ(session["commands"][3]["hash"], world_hash_text(World{}));
 }
 
 }  // namespace
