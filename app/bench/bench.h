@@ -96,6 +96,7 @@ void stop_if_interrupted();
 template <class All, class Measure>
 std::vector<Task> tasks_of(const All& all, const Options& options, Measure measure) {
   std::vector<Task> tasks;
+  tasks.reserve(std::size(all));
   for (const auto& one : all)
     tasks.push_back({one.name, [one, options, measure](std::vector<Row>& rows) {
                        measure(one, options, rows);
