@@ -70,7 +70,7 @@ class Samples : public PaperExperiment {
                             {"active of contacts", true}}};
     Plot plot{
         .name = "samples",
-        .title = "Samples: coordination number and volume fraction",
+        .title = "Specimens: coordination number and volume fraction",
         .x = {.label = "volume fraction"},
         .y = {.label = "coordination number"},
         .references = {

@@ -84,7 +84,7 @@ class Choices : public PaperExperiment {
   static constexpr double kGrain = 0.5, kIntruder = 1.5;  // radii [d]
 
   static std::string reference_text(const PaperJobs& jobs) {
-    return "energy rule, dt " + number_text(jobs.scale().push_step) +
+    return "energy criterion, dt " + number_text(jobs.scale().push_step) +
            ", max_turn 0.15, residual 1e-5";
   }
 

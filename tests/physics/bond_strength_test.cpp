@@ -155,7 +155,7 @@ TEST_P(Cantilever, SlowOfThirtyOneHoldsWhereOneOfThirtyTwoYields) {
 }
 
 // Two free bonded grains torn apart by a sudden velocity: the bond takes F_c d_c out of the energy of
-// the opening mode. The energy rule has it exactly at steps above sqrt(2 d_c m_red/F_c) = 7.1e-5; below,
+// the opening mode. The energy criterion has it exactly at steps above sqrt(2 d_c m_red/F_c) = 7.1e-5; below,
 // the opening is resolved, and implicit Euler dissipates besides: the bond then withstands 2.2 times
 // F_c d_c at 7e-5, 1.14 at 1e-5, 1.01 at 1e-6.
 Simulation torn_pair(Method method, double speed_over_limit, double dt) {

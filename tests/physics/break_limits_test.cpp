@@ -82,7 +82,7 @@ bool impact_breaks(Method method, double share, double dt) {
   return run.bonds_broken > 0;
 }
 
-// At steps above sqrt(2 d_c m_red/F_c) = 7.07e-5 the energy rule has the limit F_c d_c.
+// At steps above sqrt(2 d_c m_red/F_c) = 7.07e-5 the energy criterion has the limit F_c d_c.
 TEST_P(ImpactLimit, IsTheEnergyOfTheBondAtCoarseSteps) {
   for (double dt : {1e-2, 1e-3, 1e-4, 7.2e-5}) {
     const double limit =

@@ -204,8 +204,8 @@ Plot cost_plot(const std::vector<Found>& all, const std::string& observable, con
     if (!curve.x.empty()) plot.curves.push_back(std::move(curve));
   };
   for (const std::string rule : {"energy", "linearised", "geometric"})
-    add(rule + " rule, with dt", rule, true);
-  add("energy rule at dt = 0.001, other tolerances", "energy", false);
+    add(rule + " criterion, with dt", rule, true);
+  add("energy criterion at dt = 0.001, other tolerances", "energy", false);
   constexpr double kRoomForLabels = 1.4;
   plot.x.high =
       kRoomForLabels * std::ranges::max(std::span(all).subspan(1), {}, &Found::seconds).seconds;
@@ -232,7 +232,7 @@ void report_error(std::span<const Row> rows, const Options&, Section& section) {
   section.add(Paragraph{
       format("An intruder is pushed with F_c into a loose packing of about %lld grains, for so "
              "short a time that it is still on its way. Each setting is run from the same %zu "
-             "deposits. The reference is the energy rule at dt = %g and a tolerance of %g; "
+             "deposits. The reference is the energy criterion at dt = %g and a tolerance of %g; "
              "deviations are means over the seeds, with standard errors, in percent of the "
              "reference's mean. The reference is no exact solution: it has its own time step.",
              static_cast<long long>(reference.row->size), seeds, reference.row->dt,
@@ -240,7 +240,7 @@ void report_error(std::span<const Row> rows, const Options&, Section& section) {
   Table table{.caption = "Deviation from the reference [%]",
               .columns = {{"setting"}, {"seconds", true}}};
   Table need{.caption =
-                 "The cheapest setting of the energy rule whose deviation, with its standard "
+                 "The cheapest setting of the energy criterion whose deviation, with its standard "
                  "error, stays below",
              .columns = {{"observable"}, {"reference", true}, {"5 %"}, {"1 %"}}};
   for (const Observable& observable : kObservables)
