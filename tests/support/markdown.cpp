@@ -60,6 +60,13 @@ std::size_t level_of(const std::string& line) {
   return level > 0 && level < line.size() && line[level] == ' ' ? level : 0;
 }
 
+// A row of a table, or an item of a list: a paragraph of its own.
+bool begins_item(const std::string& text) {
+  const std::size_t number = std::min(text.find_first_not_of("0123456789"), text.size());
+  return text.starts_with('|') || text.starts_with("- ") ||
+         (number > 0 && text.compare(number, 2, ". ") == 0);
+}
+
 }  // namespace
 
 std::string Piece::where() const {
@@ -69,24 +76,42 @@ std::string Piece::where() const {
 Page read_page(const fs::path& file) {
   Page page{.file = file};
   std::map<std::string, int> seen;
+  struct Heading {
+    std::size_t level;
+    std::string anchor;
+  };
+  std::vector<Heading> open;  // of the sections that the line is in
   std::ifstream stream(file);
-  bool fenced = false;
+  bool fenced = false, goes_on = false;
   for (std::string line; std::getline(stream, line);) {
     ++page.lines;
     const std::size_t start = std::min(line.find_first_not_of(' '), line.size());
+    const std::size_t level = fenced ? 0 : level_of(line);
+    for (const Heading& heading : open) page.sections[heading.anchor] += line + "\n";
     if (line.compare(start, 3, "```") == 0) {
       fenced = !fenced;
+      goes_on = false;
       if (fenced) page.blocks.push_back({file, page.lines + 1, line.substr(start + 3), {}});
-    } else if (fenced) {
+      continue;
+    }
+    if (fenced) {
       page.blocks.back().text += line + "\n";
-    } else if (const std::size_t level = level_of(line); level > 0) {
+      continue;
+    }
+    add_links(page, page.lines, without_code(line), page.links);
+    if (level > 0) {
       const std::string name = slug(line.substr(level + 1));
       const int before = seen[name]++;
-      page.anchors.insert(before == 0 ? name : name + "-" + std::to_string(before));
-      add_links(page, page.lines, without_code(line), page.links);
-    } else {
-      add_links(page, page.lines, without_code(line), page.links);
+      std::erase_if(open, [&](const Heading& heading) { return heading.level >= level; });
+      open.push_back({level, before == 0 ? name : name + "-" + std::to_string(before)});
+      page.sections[open.back().anchor];
     }
+    const bool text = level == 0 && start < line.size();
+    if (goes_on && text && !begins_item(line.substr(start)))
+      page.paragraphs.back().text += "\n" + line;
+    else if (text)
+      page.paragraphs.push_back({file, page.lines, {}, line});
+    goes_on = text;
   }
   return page;
 }

@@ -1,8 +1,8 @@
-// What our pages are made of: links, headings, fenced blocks, command lines.
+// What our pages are made of: links, sections, paragraphs, fenced blocks, command lines.
 #pragma once
 
 #include <filesystem>
-#include <set>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -21,9 +21,12 @@ struct Piece {
 
 struct Page {
   std::filesystem::path file;
-  std::vector<Piece> links;         // their targets, images among them
-  std::vector<Piece> blocks;        // fenced ones
-  std::set<std::string> anchors{};  // of the headings, by GitHub's rules
+  std::vector<Piece> links;   // their targets, images among them
+  std::vector<Piece> blocks;  // fenced ones
+  std::vector<Piece>
+      paragraphs{};  // outside of these; an item of a list or a row of a table is one
+  // By the anchor of the heading (GitHub's rules): all text up to the next heading of its level.
+  std::map<std::string, std::string> sections{};
   int lines = 0;
 };
 

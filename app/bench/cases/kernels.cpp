@@ -182,7 +182,7 @@ void report_kernels(std::span<const Row> rows, const Options&, Section& section)
       "flags: no -march, so two doubles at a time and no fused multiply-add; the block LU takes "
       "four where the processor can. Bytes are those that must pass at least once."});
   Table table{.columns = {{"kernel"},
-                          {"microseconds", true},
+                          {"µs", true},
                           {"rate", true},
                           {"of the peak", true},
                           {"of the stream from memory", true},

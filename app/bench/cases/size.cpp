@@ -124,7 +124,7 @@ void report_size(std::span<const Row> rows, const Options&, Section& section) {
   Table table{.columns = {{"what"},
                           {"disks", true},
                           {"seconds", true},
-                          {"us a disk", true},
+                          {"µs a disk", true},
                           {"factorisations a step", true},
                           {"tried as halves", true},
                           {"bytes a disk", true}}};

@@ -167,9 +167,9 @@ void report_terms(std::span<const Row> rows, const Options&, Section& section) {
       "rolling friction, so a scene without it may pay more a step although each sweep is cheaper.",
       rows.empty() ? 0LL : static_cast<long long>(rows.front().size), kCountedSteps)});
   Table table{.columns = {{"scene"},
-                          {"us a step", true},
-                          {"us a sweep", true},
-                          {"1000 instructions a step", true}}};
+                          {"µs a step", true},
+                          {"µs a sweep", true},
+                          {"million instructions a step", true}}};
   bool counted = false;
   for (const Variant& variant : variants()) {
     const auto cell = [&](const char* what, double scale) -> Cell {
@@ -180,7 +180,7 @@ void report_terms(std::span<const Row> rows, const Options&, Section& section) {
     if (of(rows, variant.name, "steps").empty()) continue;
     counted = counted || !of(rows, variant.name, "instructions").empty();
     table.rows.push_back(
-        {{variant.name}, cell("steps", 1e6), cell("sweeps", 1e6), cell("instructions", 1e-3)});
+        {{variant.name}, cell("steps", 1e6), cell("sweeps", 1e6), cell("instructions", 1e-6)});
   }
   section.add(std::move(table));
   if (counted) {
