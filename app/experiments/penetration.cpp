@@ -1,5 +1,6 @@
 // An intruder pushed in with a constant force: depth, bonds, coordination numbers, by regions.
 #include "app/experiments/experiments.h"
+#include "app/experiments/push_course.h"
 #include "app/json/json_reader.h"
 #include "app/paper/outcome_table.h"
 #include "core/base/errors.h"
@@ -40,6 +41,7 @@ class Penetration : public PaperExperiment {
         "intruder has passed; intact: farther from its path than six of its diameters.",
         {"push force [F_c]", true}, rows, kShown, all_));
     add_plots(results, section);
+    add_push_course(section, results, curve_, height_, all_);
     for (std::size_t k = 0; k < curve_.forces.size(); ++k) compare(results, k, findings);
   }
 

@@ -32,6 +32,8 @@ MethodFindings read_findings(const std::filesystem::path& file, const Vec2& box)
                                           number_text(box.x()) + " x " + number_text(box.y()) +
                                           " d");
     const PaperTargets targets = read_targets(shipped_targets());
+    std::filesystem::path report = file.parent_path() / "report.md";
+    if (!std::filesystem::exists(report)) report.clear();
     for (const auto& [id, found] : json.at("findings").items()) {
       targets.at(id);
       Measured& measured = read.findings[id];
@@ -40,6 +42,7 @@ MethodFindings read_findings(const std::filesystem::path& file, const Vec2& box)
         measured.standard_error = found.at("standard_error").get<double>();
       measured.n = found.at("n").get<int>();
       measured.note = found.value("note", "");
+      measured.report = report;
     }
     return read;
   } catch (const Json::exception& problem) {

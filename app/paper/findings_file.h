@@ -12,7 +12,8 @@ namespace quicksand {
 // error is null where it is unknown.
 void write_findings(const std::filesystem::path& file, const MethodFindings& found,
                     const Vec2& box);
-// Throws InputError; so does a file of another box, whose numbers cannot stand beside these.
+// With the report beside the file, if there is one. Throws InputError; so does a file of another box, whose numbers
+// cannot stand beside these.
 MethodFindings read_findings(const std::filesystem::path& file, const Vec2& box);
 
 }  // namespace quicksand

@@ -4,6 +4,7 @@
 
 #include "app/json/json_reader.h"
 #include "app/paper/findings_file.h"
+#include "app/paper_report/first_page.h"
 #include "app/paper_report/merge_sections.h"
 #include "app/paper_report/runs_section.h"
 #include "app/report/provenance.h"
@@ -49,40 +50,15 @@ std::string method_paragraph(const PaperScale& scale) {
          "depend on sweeps and time step.";
 }
 
-std::string tally_text(const PaperTargets& targets, const MethodFindings& method) {
-  const Tally count = tally(targets, method.findings);
-  return method_title(method.method) + ": " + std::to_string(count.inside) + " inside, " +
-         std::to_string(count.outside) + " outside, " + std::to_string(count.not_measured) +
-         " not measured";
-}
-
-// The first page, but for its head.
-void add_lead(Report& report, const PaperReport& made, const std::vector<MethodFindings>& methods) {
-  PaperTargets targets = read_targets(shipped_targets());
-  std::string counts;
-  for (const MethodFindings& method : methods)
-    counts += (counts.empty() ? "" : ". ") + tally_text(targets, method);
-  const std::size_t all = targets.targets.size();
+// The rows of the first page: of a part of the programme what that part measures.
+std::vector<Target> rows_of(const PaperReport& made, const std::vector<Found>& found) {
+  std::vector<Target> targets = read_targets(shipped_targets()).targets;
   if (!made.all_figures)
-    std::erase_if(targets.targets, [&](const Target& target) {
-      return std::ranges::none_of(methods, [&](const MethodFindings& method) {
-        return (!made.beside || method.method != made.beside->method) &&
-               method.findings.contains(target.id);
-      });
+    std::erase_if(targets, [&](const Target& target) {
+      return std::ranges::none_of(
+          found, [&](const Found& by) { return by.numbers.findings.contains(target.id); });
     });
-  if (targets.targets.empty()) {
-    report.lead.emplace_back(Paragraph{"None of the " + std::to_string(all) +
-                                       " numbers of the paper is measured by this part of the "
-                                       "programme."});
-    return;
-  }
-  counts += ". These are of the " + std::to_string(all) + " numbers of the paper";
-  if (targets.targets.size() < all)
-    counts += "; the table has the " + std::to_string(targets.targets.size()) +
-              " that this part of the programme measures";
-  report.lead.emplace_back(Paragraph{counts + "."});
-  report.lead.emplace_back(
-      comparison_table(targets, methods, read_evidence(shipped_evidence()), made.folder));
+  return targets;
 }
 
 void add_commands(Section& section, const std::string& command) {
@@ -168,10 +144,7 @@ Report paper_report(const PaperReport& made, const std::vector<Programme>& progr
                commits_of(results, jobs.size());
   }
   if (made.beside) methods.push_back(*made.beside);
-  // NSCD, the paper's own, stands first.
-  std::stable_partition(methods.begin(), methods.end(),
-                        [](const MethodFindings& method) { return method.method == kNscdMethod; });
-  add_lead(report, made, methods);
+  add_first_page(report, rows_of(made, found), methods, made.folder);
   const std::vector<std::string> missing = add_figures(report, made, found);
 
   Section free{.title = "What was free, and what each choice does", .blocks = {}};

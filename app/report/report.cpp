@@ -58,6 +58,12 @@ std::string symbol_of(Cell::Mark mark) {
   return kSymbols[static_cast<int>(mark)];
 }
 
+ReportLink link_from(const fs::path& report, const fs::path& file, std::string text) {
+  const fs::path from = fs::absolute(report).lexically_normal();
+  const fs::path to = fs::absolute(file).lexically_normal();
+  return {.text = std::move(text), .address = to.lexically_proximate(from).generic_string()};
+}
+
 std::vector<Section> all_sections(const Report& report) {
   std::vector<Section> sections = report.sections;
   if (report.provenance.empty()) return sections;

@@ -44,6 +44,10 @@ struct ReportLink {
   std::string address{};
 };
 
+// To a file, as seen from the folder of a report.
+ReportLink link_from(const std::filesystem::path& report, const std::filesystem::path& file,
+                     std::string text);
+
 struct Cell {
   // What a cell is to the eye: besides its colour it has a symbol and says it in words.
   enum class Mark : std::uint8_t { none, inside, outside, undecided };

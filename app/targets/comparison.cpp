@@ -58,10 +58,13 @@ std::vector<ByMethod> entries_of(const Target& target, const std::vector<MethodF
   return entries;
 }
 
-Cell number_cell(const Target& target, const ByMethod& entry) {
+Cell number_cell(const Target& target, const ByMethod& entry, const std::filesystem::path& report) {
   if (!entry.measured) return {"not measured", Cell::Mark::undecided};
-  return {ours_text(target, *entry.measured),
-          entry.inside ? Cell::Mark::inside : Cell::Mark::outside};
+  Cell cell{ours_text(target, *entry.measured),
+            entry.inside ? Cell::Mark::inside : Cell::Mark::outside};
+  if (const std::filesystem::path& from = entry.measured->report; !from.empty())
+    cell.links.push_back(link_from(report, from, from.parent_path().filename().string()));
+  return cell;
 }
 
 Cell inside_cell(const std::vector<ByMethod>& entries) {
@@ -157,7 +160,7 @@ Table comparison_table(const PaperTargets& targets, const std::vector<MethodFind
   for (const Target& target : targets.targets) {
     const std::vector<ByMethod> entries = entries_of(target, methods);
     std::vector<Cell> row{{quantity_text(target)}, {paper_text(target)}};
-    for (const ByMethod& entry : entries) row.push_back(number_cell(target, entry));
+    for (const ByMethod& entry : entries) row.push_back(number_cell(target, entry, report));
     row.push_back(inside_cell(entries));
     row.push_back(reason_cell(target, entries, evidence, report));
     table.rows.push_back(std::move(row));

@@ -23,6 +23,7 @@ struct Measured {
   std::optional<double> standard_error{};  // of the mean; absent where it is unknown
   int n = 1;                               // realizations, or what the target counts
   std::string note{};                      // what was different, what could be seen
+  std::filesystem::path report{};          // that it is from; empty: the one that shows it
 };
 
 // Mean, standard error and number of the values; there must be one.
@@ -53,7 +54,8 @@ Verdict verdict_on(const Target& target, const Measured& measured);
 std::string paper_text(const Target& target);
 
 // A row a target: experiment, paper, each method's number, what is inside, and for what is outside the measured reason,
-// or that there is none. Links are as seen from the folder of the report.
+// or that there is none. A number that is from another report links to it. Links are as seen from the folder of the
+// report.
 Table comparison_table(const PaperTargets& targets, const std::vector<MethodFindings>& methods,
                        const Evidence& evidence, const std::filesystem::path& report);
 

@@ -73,10 +73,7 @@ Evidence read_evidence(const std::filesystem::path& file) {
 std::filesystem::path shipped_evidence() { return assets_folder() / "paper" / "evidence.json"; }
 
 ReportLink evidence_link(const std::string& file, const std::filesystem::path& report) {
-  namespace fs = std::filesystem;
-  const fs::path from = fs::absolute(report).lexically_normal();
-  const fs::path to = fs::absolute(assets_folder() / file).lexically_normal();
-  return {.text = file, .address = to.lexically_proximate(from).generic_string()};
+  return link_from(report, assets_folder() / file, file);
 }
 
 Table choices_table(const Evidence& evidence, const std::filesystem::path& report) {

@@ -10,6 +10,7 @@
 #include "app/json/json_reader.h"
 #include "app/options/threads_option.h"
 #include "app/paper/findings_file.h"
+#include "app/paper_report/collected_report.h"
 #include "app/paper_report/paper_report.h"
 #include "app/report/provenance.h"
 #include "core/base/errors.h"
@@ -32,6 +33,7 @@ struct ReproduceArguments {
   std::optional<double> push_step;
   std::optional<std::string> method;
   std::optional<fs::path> beside;  // another method's findings.json
+  std::vector<fs::path> collect;   // findings.json of which a table is made, and nothing else
   std::optional<fs::path> report;  // only this is made, in this folder
   std::optional<int> grains_per_depth;
   fs::path out = "out/paper";
@@ -111,7 +113,10 @@ std::string command_of(const ReproduceArguments& options) {
   if (options.grains_per_depth)
     add("--grains-per-depth", std::to_string(*options.grains_per_depth));
   if (options.beside) add("--beside", from_here(*options.beside));
-  add("--out", from_here(options.out));
+  if (options.collect.empty())
+    add("--out", from_here(options.out));
+  else
+    add("--collect", joined(options.collect, ",", from_here));
   if (options.report) add("--report", from_here(*options.report));
   return command_text(words);
 }
@@ -186,7 +191,27 @@ void list_runs(const std::vector<Programme>& programmes) {
   }
 }
 
+// What could not be drawn is told; the rest of the report is there.
+void write(const Report& report, const fs::path& folder) {
+  for (const std::string& problem : write_report(report, folder))
+    std::fprintf(stderr, "quicksand: %s\n", problem.c_str());
+}
+
+void name_report(const fs::path& folder) {
+  std::printf("%s\n%s\n", (folder / "report.html").c_str(), (folder / "report.md").c_str());
+}
+
+int collect(const ReproduceArguments& options) {
+  const PaperScale scale = scale_of(options, kExactMethod);
+  const fs::path folder = options.report_folder();
+  write(collected_report(options.collect, {scale.width, scale.height}, folder, command_of(options)),
+        folder);
+  name_report(folder);
+  return kFine;
+}
+
 int reproduce(const ReproduceArguments& options) {
+  if (!options.collect.empty()) return collect(options);
   const std::vector<Programme> programmes = planned(options);
   const PaperReport made{.folder = options.report_folder(),
                          .beside = beside(options, programmes),
@@ -226,14 +251,12 @@ int reproduce(const ReproduceArguments& options) {
     interrupted = pool.interrupted;
     outcomes.push_back(std::move(pool.outcomes));
   }
-  for (const std::string& problem :
-       write_report(paper_report(made, programmes, outcomes), made.folder))
-    std::fprintf(stderr, "quicksand: %s\n", problem.c_str());
+  write(paper_report(made, programmes, outcomes), made.folder);
   for (std::size_t p = 0; p < programmes.size(); ++p)
     list_failed(programmes[p].jobs.jobs(), outcomes[p]);
   const Counts counts = counted(outcomes);
-  std::printf("%zu of %zu runs finished\n%s\n%s\n", counts.finished, counts.all,
-              (made.folder / "report.html").c_str(), (made.folder / "report.md").c_str());
+  std::printf("%zu of %zu runs finished\n", counts.finished, counts.all);
+  name_report(made.folder);
   if (interrupted) {
     std::printf("interrupted; the same command goes on from there\n");
     return kInterrupted;
@@ -249,15 +272,27 @@ Command add_reproduce(CLI::App& program) {
       "Run the paper's experiments and write a report that sets its numbers beside ours.");
   const auto options = std::make_shared<ReproduceArguments>();
   const std::string names = joined(paper_figures(), ", ", &PaperFigure::name);
-  command->add_option("figures", options->figures, "all if none is given; one or more of: " + names)
-      ->type_name("FIGURE");
+  CLI::Option* const figures = command
+                                   ->add_option("figures", options->figures,
+                                                "all if none is given; one or more of: " + names)
+                                   ->type_name("FIGURE");
   command->add_option("--out", options->out, "folder of runs and report [out/paper]")
       ->type_name("DIR");
-  command
-      ->add_option(
-          "--report", options->report,
-          "compute nothing: write into this folder the report of what is finished in --out")
-      ->type_name("DIR");
+  CLI::Option* const report =
+      command
+          ->add_option(
+              "--report", options->report,
+              "compute nothing: write into this folder the report of what is finished in --out")
+          ->type_name("DIR");
+  CLI::Option* const collect =
+      command
+          ->add_option("--collect", options->collect,
+                       "findings.json of reports: write one table of them into --report; of each "
+                       "number the first file that has it counts")
+          ->type_name("FILE,...")
+          ->delimiter(',')
+          ->needs(report)
+          ->excludes(figures);
   add_threads_option(*command, options->threads, kThreadsOfRuns);
   command->add_flag("--quick", options->quick,
                     "a small box, two realizations and both methods, in minutes");
@@ -300,14 +335,17 @@ Command add_reproduce(CLI::App& program) {
   command
       ->add_option("--beside", options->beside,
                    "findings.json of another method's report, for a column of its own")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->excludes(collect);
   command->footer(
       "Runs that have finished are not repeated: the same command goes on after an interruption.\n"
       "DIR receives report.html, report.md, plots/ and a folder for each run; where it holds runs "
       "of\n"
       "other settings, they stay and nothing is computed.\n\n"
       "Examples:\n  quicksand reproduce --quick --out out/quick\n"
-      "  quicksand reproduce --method nscd --out out/nscd --report out/nscd_so_far");
+      "  quicksand reproduce --method nscd --out out/nscd --report out/nscd_so_far\n"
+      "  quicksand reproduce --collect out/nscd/findings.json,out/paper/findings.json --report "
+      "out/all");
   return {command, [options] { return reproduce(*options); }};
 }
 

@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "app/jobs/run_record.h"
+#include "app/paper/findings_file.h"
+#include "app/paper_report/collected_report.h"
 #include "app/paper_report/merge_sections.h"
+#include "core/base/errors.h"
 #include "tests/support/paper_fixture.h"
 
 namespace quicksand::test {
@@ -179,6 +182,35 @@ TEST_F(Records, OfAnotherBuildCountIfTheirScenesSayTheSame) {
   scene["step"]["curvature_term"] = false;
   write_whole(job.folder.scene(), scene.dump());
   EXPECT_TRUE(read_record(job).other_scene);
+}
+
+// Each number is the first file's that has it, and says where it is from.
+TEST_F(PaperReportTest, OfOtherReportsTakesEachNumberFromTheFirstThatHasIt) {
+  const auto write = [&](const char* folder, const char* method, const Findings& findings) {
+    std::filesystem::create_directories(folder_.path() / folder);
+    folder_.write(std::string(folder) + "/report.md", "");
+    const auto file = folder_.path() / folder / "findings.json";
+    write_findings(file, {method, findings}, {51, 199});
+    return file;
+  };
+  const std::string density = "unperturbed.volume_fraction", after = "piston.after.coordination";
+  const auto ten =
+      write("ten", "nscd", {{density, {.value = 0.41, .standard_error = 0.01, .n = 10}}});
+  const auto one = write("one", "nscd", {{density, {.value = 0.3}}, {after, {.value = 3.17}}});
+  const auto exact = write("exact", "exact", {{density, {.value = 0.38}}});
+  const Report report = collected_report({exact, ten, one}, {51, 199}, folder_.path(), "command");
+  const Table& table = first_page(report);
+  EXPECT_EQ(table.columns[2].title, "NSCD");
+  const auto& of_density = row(table, "unperturbed specimen: volume fraction");
+  EXPECT_EQ(of_density[2].text, "0.410 ± 0.010, n = 10");
+  ASSERT_EQ(of_density[2].links.size(), 1U);
+  EXPECT_EQ(of_density[2].links[0].text, "ten");
+  EXPECT_EQ(of_density[2].links[0].address, "ten/report.md");
+  EXPECT_EQ(of_density[3].links[0].address, "exact/report.md");
+  EXPECT_EQ(row(table, "after the piston: coordination number")[2].links[0].text, "one");
+  const std::string counts = std::get<Paragraph>(report.lead[0]).text;
+  EXPECT_NE(counts.find("NSCD: 2 inside, 0 outside, "), std::string::npos) << counts;
+  EXPECT_THROW(collected_report({ten}, {24, 50}, folder_.path(), ""), InputError);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // The paper's experiments: what is found in their results.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/paper/paper_strength.h"
@@ -66,6 +67,46 @@ TEST_F(Reproduce, DragIsJudgedByWhatItChangesMost) {
   drag->report(PaperResults(jobs.jobs()), section, findings);
   EXPECT_NEAR(findings.at("penetration.drag_effect").value, 0.25, 1e-12);
   EXPECT_EQ(findings.at("penetration.drag_effect").note, "of active bonds");
+}
+
+// Two runs: the first is half-way down in its second row, at the ground in its third, and rests in its last; the other
+// ends half-way down.
+TEST_F(Reproduce, BondsAreCountedOnTheIntrudersWayAndAtRest) {
+  PaperScale scale = small();
+  scale.push_forces = {1};
+  PaperJobs jobs(scale, folder_.path());
+  const auto penetration = make_penetration_experiment();
+  penetration->plan(jobs);
+  const RunGroup pushes = jobs.pushes(jobs.samples(), 1);
+  const std::string header =
+      "time,step,phase,depth,packing_top,active_bond_fraction,remaining_bond_fraction,"
+      "intact_active_bond_fraction,intact_coordination\n";
+  const auto leave = [&](std::size_t run, double active, const std::string& rows) {
+    leave_results(jobs.jobs()[pushes.runs[run]],
+                  {{"depth", 19},
+                   {"active_bond_fraction", active},
+                   {"remaining_bond_fraction", 0.5},
+                   {"intact_active_bond_fraction", 0.5},
+                   {"intact_coordination", 2.5}},
+                  header + rows);
+  };
+  leave(0, 0.3,
+        "0,0,push,0,20,1,1,1,2\n1,1,push,10,20,0.9,0.8,1,2\n"
+        "2,2,push,19,20,0.7,0.6,0.9,2.1\n9,9,push,19,20,0.3,0.5,0.5,2.5\n");
+  leave(1, 0.5, "0,0,push,0,20,1,1,1,2\n1,1,push,11,20,0.7,0.8,1,2\n");
+  Section section;
+  Findings findings;
+  penetration->report(PaperResults(jobs.jobs()), section, findings);
+  const auto found = std::ranges::find_if(section.blocks, [](const Block& block) {
+    const auto* table = std::get_if<Table>(&block);
+    return table && table->columns.size() > 1 && table->columns[1].title == "intruder";
+  });
+  ASSERT_NE(found, section.blocks.end());
+  const Table& table = std::get<Table>(*found);
+  ASSERT_EQ(table.rows.size(), 3U);
+  EXPECT_EQ(table.rows[0][2].text, "0.80 ± 0.10") << "half-way down";
+  EXPECT_EQ(table.rows[1][2].text, "0.7 (1)") << "one of two came to the ground";
+  EXPECT_EQ(table.rows[2][2].text, "0.40 ± 0.10") << "at rest";
 }
 
 class DensityOfSamples : public Reproduce {

@@ -1,0 +1,45 @@
+#include "app/paper_report/first_page.h"
+
+#include <algorithm>
+
+#include "core/base/format.h"
+
+namespace quicksand {
+
+namespace {
+
+std::string tally_text(const PaperTargets& targets, const MethodFindings& method) {
+  const Tally count = tally(targets, method.findings);
+  return method_title(method.method) + ": " + std::to_string(count.inside) + " inside, " +
+         std::to_string(count.outside) + " outside, " + std::to_string(count.not_measured) +
+         " not measured";
+}
+
+}  // namespace
+
+void add_first_page(Report& report, const std::vector<Target>& targets,
+                    std::vector<MethodFindings>& methods, const std::filesystem::path& folder) {
+  PaperTargets shown = read_targets(shipped_targets());
+  std::ranges::stable_partition(
+      methods, [](const MethodFindings& method) { return method.method == "nscd"; });
+  const std::string all = std::to_string(shown.targets.size());
+  if (targets.empty()) {
+    report.lead.emplace_back(Paragraph{"None of the " + all +
+                                       " numbers of the paper is measured by this part of the "
+                                       "programme."});
+    return;
+  }
+  std::string counts =
+      joined(methods, ". ",
+             [&](const MethodFindings& method) { return tally_text(shown, method); }) +
+      ". These are of the " + all + " numbers of the paper";
+  if (targets.size() < shown.targets.size())
+    counts += "; the table has the " + std::to_string(targets.size()) +
+              " that this part of the programme measures";
+  report.lead.emplace_back(Paragraph{counts + "."});
+  shown.targets = targets;
+  report.lead.emplace_back(
+      comparison_table(shown, methods, read_evidence(shipped_evidence()), folder));
+}
+
+}  // namespace quicksand
