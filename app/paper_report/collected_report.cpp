@@ -1,7 +1,6 @@
 #include "app/paper_report/collected_report.h"
 
 #include <algorithm>
-#include <array>
 
 #include "app/json/json_reader.h"
 #include "app/paper/findings_file.h"
@@ -27,27 +26,25 @@ std::vector<MethodFindings> merged(const std::vector<std::filesystem::path>& fil
   return methods;
 }
 
-// What the paper prints as a number, against ours.
+// Ours over the paper's, of what it prints as a number.
 Plot agreement(const PaperTargets& targets, const std::vector<MethodFindings>& methods) {
-  constexpr std::array kEnds{0.01, 100.0};
   Plot plot{.name = "agreement",
             .title = "Numbers that the paper prints",
-            .x = {.label = "paper's", .low = kEnds[0], .high = kEnds[1], .logarithmic = true},
-            .y = {.label = "ours", .low = kEnds[0], .high = kEnds[1], .logarithmic = true}};
+            .x = {.label = "the paper's number", .logarithmic = true},
+            .y = {.label = "ours over the paper's", .logarithmic = true},
+            .references = {{.name = "equal", .low = 1}}};
   for (const MethodFindings& method : methods) {
     Curve curve{.name = method_title(method.method)};
     for (const Target& target : targets.targets) {
       const auto found = method.findings.find(target.id);
       if (target.printed.empty() || found == method.findings.end()) continue;
-      add_point(curve, *target.low, found->second);
+      Measured over = found->second;
+      over.value /= *target.low;
+      if (over.standard_error) *over.standard_error /= *target.low;
+      add_point(curve, *target.low, over);
     }
     plot.curves.push_back(std::move(curve));
   }
-  plot.curves.push_back({.name = "equal",
-                         .kind = Curve::Kind::line,
-                         .role = Curve::Role::paper,
-                         .x = {kEnds.begin(), kEnds.end()},
-                         .y = {kEnds.begin(), kEnds.end()}});
   return plot;
 }
 
@@ -65,9 +62,10 @@ Report collected_report(const std::vector<std::filesystem::path>& files, const V
   add_first_page(report, targets.targets, methods, folder);
   Section all{.title = "All numbers in one picture", .blocks = {}};
   all.add(Figure{.plot = agreement(targets, methods),
-                 .caption = "Numbers that the paper prints, each in its own unit, and ours with "
-                            "standard errors. What it gives as an interval or in words is left "
-                            "out.",
+                 .caption =
+                     "Ours over the paper's number, with standard errors, against that number in "
+                     "its own unit. What the paper gives as an interval or in words is left "
+                     "out.",
                  .command = command});
   report.sections = {
       std::move(all),
