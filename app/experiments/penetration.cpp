@@ -13,15 +13,15 @@ namespace {
 constexpr double kWeak = 0.33, kEqual = 1, kStrong = 3;
 
 constexpr FinalQuantity kShown[] = {{"depth", "depth [d]"},
-                                    {"active_bond_fraction", "active of contacts"},
-                                    {"remaining_bond_fraction", "remaining of initial"},
-                                    {"coordination", "coordination"},
+                                    {"active_bond_fraction", "active share"},
+                                    {"remaining_bond_fraction", "remaining share"},
+                                    {"coordination", "coordination number"},
                                     {"coordination_within_1e-3", "of gaps below 1e-3 d"},
                                     {"coordination_within_1e-2", "of gaps below 1e-2 d"},
                                     {"channel_active_bond_fraction", "channel: active"},
-                                    {"channel_coordination", "channel: coordination"},
+                                    {"channel_coordination", "channel: coordination number"},
                                     {"intact_active_bond_fraction", "intact: active"},
-                                    {"intact_coordination", "intact: coordination"}};
+                                    {"intact_coordination", "intact: coordination number"}};
 
 class Penetration : public PaperExperiment {
  public:
@@ -72,10 +72,10 @@ class Penetration : public PaperExperiment {
                .title = "Bonds after the push",
                .x = force,
                .y = {.label = "share", .low = 0, .high = 1.02}};
-    ours(bonds, "active of contacts", "active_bond_fraction");
-    ours(bonds, "remaining of initial", "remaining_bond_fraction");
-    bonds.curves.push_back(paper_curve("paper: active of contacts", "active_of_contacts"));
-    bonds.curves.push_back(paper_curve("paper: remaining of initial", "remaining_of_initial"));
+    ours(bonds, "active share", "active_bond_fraction");
+    ours(bonds, "remaining share", "remaining_bond_fraction");
+    bonds.curves.push_back(paper_curve("paper: active share", "active_of_contacts"));
+    bonds.curves.push_back(paper_curve("paper: remaining share", "remaining_of_initial"));
     section.add(
         Figure{std::move(bonds),
                "Shares of bonds against the push force, with bands of one standard error. The "

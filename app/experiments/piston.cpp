@@ -26,8 +26,8 @@ class Piston : public PaperExperiment {
         {"coordination", "coordination number"},
         {"coordination_within_1e-3", "the same, of gaps below 1e-3 d"},
         {"coordination_within_1e-2", "the same, of gaps below 1e-2 d"},
-        {"active_bond_fraction", "active bonds of contacts"},
-        {"remaining_bond_fraction", "remaining of initial bonds"}};
+        {"active_bond_fraction", "active share"},
+        {"remaining_bond_fraction", "remaining share"}};
     Table table{.caption = "Before and after the piston, which is taken away at the end.",
                 .columns = {{"quantity"}, {"before", true}, {"after", true}}};
     for (const FinalQuantity& line : kLines)
@@ -63,11 +63,11 @@ class Piston : public PaperExperiment {
               .title = "Compaction by the piston",
               .x = {.label = "height of the piston", .unit = "d"},
               .y = {.label = "coordination number"},
-              .y2 = Axis{.label = "active bonds of contacts", .low = 0, .high = 1.02}};
+              .y2 = Axis{.label = "active share", .low = 0, .high = 1.02}};
     Curve coordination = while_falling(results, "coordination");
     coordination.name = "coordination number (left)";
     Curve active = while_falling(results, "active_bond_fraction");
-    active.name = "active bonds of contacts (right)";
+    active.name = "active share (right)";
     active.second_axis = true;
     add_with_band(plot, std::move(coordination));
     add_settled(plot, results, "coordination", false);
@@ -82,7 +82,7 @@ class Piston : public PaperExperiment {
          .x = {before, after},
          .y = {paper("piston.before.coordination"), paper("piston.after.coordination")}});
     plot.curves.push_back(
-        {.name = "paper: active bonds of contacts (right)",
+        {.name = "paper: active share (right)",
          .role = Curve::Role::paper,
          .second_axis = true,
          .x = {before, after},

@@ -62,12 +62,12 @@ class Samples : public PaperExperiment {
 
   void report(const PaperResults& results, Section& section, Findings& findings) const override {
     Table table{.caption =
-                    "Samples after deposition and settling. Volume fraction of the lower 70 %; "
+                    "Specimens after deposition and settling. Volume fraction of the lower 70 %; "
                     "mean ± standard error over realizations.",
                 .columns = {{"deposition"},
                             {"volume fraction", true},
-                            {"coordination", true},
-                            {"active of contacts", true}}};
+                            {"coordination number", true},
+                            {"active share", true}}};
     Plot plot{
         .name = "samples",
         .title = "Specimens: coordination number and volume fraction",

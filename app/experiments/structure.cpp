@@ -50,7 +50,7 @@ class StructureOfSamples : public PaperExperiment {
   void ask_for_runs(PaperJobs& jobs) override {
     thickness_ = jobs.scale().height / kSlices;
     const RunGroup samples = jobs.samples();
-    states_ = {{"sample", samples},
+    states_ = {{"specimen", samples},
                {"after a push with F_c", jobs.pushes(samples, 1)},
                {"after the piston", jobs.pistons(samples)}};
   }

@@ -19,9 +19,9 @@ struct FinalQuantity {
   const char* title;  // of its column
 };
 inline constexpr FinalQuantity kAfterPush[] = {{"depth", "depth [d]"},
-                                               {"active_bond_fraction", "active of contacts"},
-                                               {"remaining_bond_fraction", "remaining of initial"},
-                                               {"coordination", "coordination"}};
+                                               {"active_bond_fraction", "active share"},
+                                               {"remaining_bond_fraction", "remaining share"},
+                                               {"coordination", "coordination number"}};
 inline constexpr FinalQuantity kAfterPiston[] = {
     {"volume_fraction", "volume fraction"}, kAfterPush[1], kAfterPush[2], kAfterPush[3]};
 

@@ -48,8 +48,8 @@ struct KnownShare {
   const char* title;
 };
 constexpr KnownShare kKnownShares[] = {
-    {"active_bond_fraction", "active_of_contacts", "active of contacts"},
-    {"remaining_bond_fraction", "remaining_of_initial", "remaining of initial"}};
+    {"active_bond_fraction", "active_of_contacts", "active share"},
+    {"remaining_bond_fraction", "remaining_of_initial", "remaining share"}};
 
 std::string target_id(const KnownPush& push, const KnownShare& share) {
   return "penetration." + std::string(push.target) + "." + share.target;
@@ -114,14 +114,14 @@ class BreakRules : public PaperExperiment {
         .caption =
             "After the push, when everything rests, by the specimen's volume fraction. Steps are "
             "dt, but halved until no bonded pair turns farther than max_turn; plain ones are not.",
-        .columns = {{"sample"},
+        .columns = {{"specimen"},
                     {"rule"},
                     {"dt [√(d/g)]", true},
                     {"mean step [√(d/g)]", true},
                     {"push force [F_c]", true},
                     {"depth [d]", true},
-                    {"active of contacts", true},
-                    {"remaining of initial", true},
+                    {"active share", true},
+                    {"remaining share", true},
                     {"intact: active", true},
                     {"coordination", true}}};
     for (const BreakSetting& setting : settings_)

@@ -59,20 +59,19 @@ class Choices : public PaperExperiment {
         {"case"}, pushes_, kAfterPush, all_));
     const PaperTargets targets = read_targets(shipped_targets());
     const auto paper = [&](const char* id) { return paper_text(targets.at(id)); };
-    section.add(Paragraph{"The paper has " + paper("penetration.1.0.active_of_contacts") +
-                          " active of contacts and " +
-                          paper("penetration.1.0.remaining_of_initial") +
-                          " remaining of initial bonds, and the intruder almost at the bottom."});
+    section.add(Paragraph{
+        "The paper has an active share of " + paper("penetration.1.0.active_of_contacts") +
+        " and a remaining share of " + paper("penetration.1.0.remaining_of_initial") +
+        ", and the intruder almost at the bottom."});
     section.add(pull_outcomes(results));
     section.add(Paragraph{"The paper's largest pull-out force is " +
                           paper("penetration.pull_out_over_push") + " times the push force."});
     section.add(outcome_table(results, "The same specimens after the piston, under other loads.",
                               {"case"}, pistons_, kAfterPiston, all_));
     section.add(Paragraph{
-        "The paper has a volume fraction of " + paper("piston.after.volume_fraction") + ", " +
-        paper("piston.active_of_contacts") + " active of contacts, " +
-        paper("piston.remaining_of_initial") +
-        " remaining of initial bonds and a coordination number of " +
+        "The paper has a volume fraction of " + paper("piston.after.volume_fraction") +
+        ", an active share of " + paper("piston.active_of_contacts") + ", a remaining share of " +
+        paper("piston.remaining_of_initial") + " and a coordination number of " +
         paper("piston.after.coordination") +
         ". Its load is not among the facts that we have of it. Choices of the deposition are those "
         "of the figure specimens, failure criterion and time step those of break_rule."});

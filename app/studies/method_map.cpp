@@ -31,8 +31,8 @@ struct Share {
   const char* label;
 };
 constexpr Share kRemaining{"remaining_of_initial", "remaining_bond_fraction",
-                           "remaining over initial bonds"},
-    kActive{"active_of_contacts", "active_bond_fraction", "active bonds over contacts"};
+                           "remaining share"},
+    kActive{"active_of_contacts", "active_bond_fraction", "active share"};
 
 // Pushes that differ by the time step only, the longest first.
 struct Series {

@@ -141,8 +141,8 @@ class NscdSettings : public PaperExperiment {
                   "away on the way. Rule: where, of these shares of the box below it, the specimen "
                   "of the setting in use keeps the share of initial bonds nearest to the paper's "
                   "after it has settled; the other numbers are predictions."});
-    constexpr FinalQuantity kShown[] = {{"remaining_bond_fraction", "remaining of initial bonds"},
-                                        {"active_bond_fraction", "active of contacts"},
+    constexpr FinalQuantity kShown[] = {{"remaining_bond_fraction", "remaining share"},
+                                        {"active_bond_fraction", "active share"},
                                         {"coordination", "coordination (d_c)"},
                                         {"coordination_within_1e-3", "coordination (1e-3 d)"},
                                         {"coordination_within_1e-2", "coordination (1e-2 d)"},

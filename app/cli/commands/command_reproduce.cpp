@@ -343,7 +343,6 @@ Command add_reproduce(CLI::App& program) {
       "of\n"
       "other settings, they stay and nothing is computed.\n\n"
       "Examples:\n  quicksand reproduce --quick --out out/quick\n"
-      "  quicksand reproduce --method nscd --out out/nscd --report out/nscd_so_far\n"
       "  quicksand reproduce --collect out/nscd/findings.json,out/paper/findings.json --report "
       "out/all");
   return {command, [options] { return reproduce(*options); }};

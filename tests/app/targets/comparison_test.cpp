@@ -196,8 +196,8 @@ TEST_F(ComparisonTable, IsFollowedByHowWordsAreReadAndWhatWasSeen) {
     return std::ranges::find_if(table.rows,
                                 [&](const auto& row) { return row[0].text == quantity; });
   };
-  ASSERT_NE(row_of("pushed with 1 F_c: active bonds over contacts"), table.rows.end());
-  EXPECT_EQ(row_of("pushed with 1 F_c: active bonds over contacts")->back().text, "seen");
+  ASSERT_NE(row_of("pushed with 1 F_c: active share"), table.rows.end());
+  EXPECT_EQ(row_of("pushed with 1 F_c: active share")->back().text, "seen");
   EXPECT_EQ(row_of("unperturbed specimen: volume fraction"), table.rows.end());
 }
 
