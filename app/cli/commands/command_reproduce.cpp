@@ -113,10 +113,12 @@ std::string command_of(const ReproduceArguments& options) {
   if (options.grains_per_depth)
     add("--grains-per-depth", std::to_string(*options.grains_per_depth));
   if (options.beside) add("--beside", from_here(*options.beside));
-  if (options.collect.empty())
+  if (options.collect.empty()) {
     add("--out", from_here(options.out));
-  else
-    add("--collect", joined(options.collect, ",", from_here));
+  } else {
+    words.emplace_back("--collect");
+    for (const fs::path& file : options.collect) words.push_back(from_here(file));
+  }
   if (options.report) add("--report", from_here(*options.report));
   return command_text(words);
 }
@@ -204,8 +206,10 @@ void name_report(const fs::path& folder) {
 int collect(const ReproduceArguments& options) {
   const PaperScale scale = scale_of(options, kExactMethod);
   const fs::path folder = options.report_folder();
-  write(collected_report(options.collect, {scale.width, scale.height}, folder, command_of(options)),
-        folder);
+  const Report report =
+      collected_report(options.collect, {scale.width, scale.height}, folder, command_of(options));
+  if (options.dry_run) return kFine;
+  write(report, folder);
   name_report(folder);
   return kFine;
 }
@@ -289,8 +293,7 @@ Command add_reproduce(CLI::App& program) {
           ->add_option("--collect", options->collect,
                        "findings.json of reports: write one table of them into --report; of each "
                        "number the first file that has it counts")
-          ->type_name("FILE,...")
-          ->delimiter(',')
+          ->type_name("FILE")
           ->needs(report)
           ->excludes(figures);
   add_threads_option(*command, options->threads, kThreadsOfRuns);
@@ -343,7 +346,7 @@ Command add_reproduce(CLI::App& program) {
       "of\n"
       "other settings, they stay and nothing is computed.\n\n"
       "Examples:\n  quicksand reproduce --quick --out out/quick\n"
-      "  quicksand reproduce --collect out/nscd/findings.json,out/paper/findings.json --report "
+      "  quicksand reproduce --collect out/nscd/findings.json out/paper/findings.json --report "
       "out/all");
   return {command, [options] { return reproduce(*options); }};
 }

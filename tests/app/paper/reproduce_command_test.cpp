@@ -55,6 +55,23 @@ TEST_F(ReproduceCommand, ATooSmallBoxIsRefused) {
   EXPECT_NE(outcome.err.find("from 12 to 1000"), std::string::npos) << outcome.err;
 }
 
+TEST_F(ReproduceCommand, CollectsTheNumbersOfReportsAndComputesNothing) {
+  const auto findings = [](const char* report) {
+    return (kSource / "assets/paper" / report / "findings.json").string();
+  };
+  const std::string all = at("all").string();
+  const Outcome outcome =
+      reproduce({"--collect", findings("nscd_ten"), findings("full_three"), "--report", all});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(contents(at("all/report.md")).find("/nscd_ten/report.md"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(at("out")));
+  EXPECT_EQ(reproduce({"--collect", findings("nscd_ten")}).exit_code, 2) << "into which folder?";
+  const Outcome other = reproduce(
+      {"--collect", findings("nscd_ten"), "--report", all, "--width", "24", "--height", "50"});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_NE(other.err.find("is of a box of 51 x 199 d"), std::string::npos) << other.err;
+}
+
 TEST_F(ReproduceCommand, RunsOfOtherSettingsAreNotOverwritten) {
   const std::string scene = "paper/runs/sample/00/scene.json";
   std::filesystem::create_directories((folder_.path() / scene).parent_path());
