@@ -9,7 +9,7 @@ namespace quicksand {
 
 namespace {
 
-constexpr std::size_t kMost = 20;  // plots, values of a plot, histories
+constexpr std::size_t kMostShown = 20;  // plots, values of a plot, histories
 constexpr Limits kFactor = between(-1e12, 1e12, "1");
 
 void describe_value(Fields& f, ReportedValue& v) {
@@ -37,10 +37,10 @@ void describe_plot(Fields& f, ReportPlot& p) {
   f.text({"label", "of the vertical axis", Presence::required}, p.label);
   f.text({"unit", "of the vertical axis"}, p.unit);
   f.flag({"logarithmic", "whether the vertical axis is"}, p.logarithmic);
-  f.list({"values", "a curve each", Presence::required}, kMost, p.values, describe_value);
+  f.list({"values", "a curve each", Presence::required}, kMostShown, p.values, describe_value);
   f.list({"references",
           "lines drawn beside the curves, such as a measurement, in the units of the plot"},
-         kMost, p.references, describe_reference);
+         kMostShown, p.references, describe_reference);
 }
 
 void describe_history(Fields& f, ReportHistory& h) {
@@ -62,10 +62,10 @@ void describe_axis(Fields& f, ReportAxis& x) {
 
 void describe_report(Fields& f, ReportChoices& report) {
   f.object({"x", "horizontal axis of the plots"}, [&](Fields& g) { describe_axis(g, report.x); });
-  f.list({"plots", "numbers of summary.json over that parameter"}, kMost, report.plots,
+  f.list({"plots", "numbers of summary.json over that parameter"}, kMostShown, report.plots,
          describe_plot);
   f.list({"histories", "columns of series.csv over each other, as means over the realizations"},
-         kMost, report.histories, describe_history);
+         kMostShown, report.histories, describe_history);
 }
 
 std::vector<std::string> reported_paths(const ReportChoices& report) {

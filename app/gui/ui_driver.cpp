@@ -19,7 +19,7 @@ std::string text_of(const Json& value) {
 }
 
 // In the order of the enum.
-constexpr std::array<std::string_view, 24> kKeys{
+constexpr std::array<std::string_view, 24> kKeyNames{
     "tab", "left",   "right",  "up",        "down",  "page_up", "page_down", "home",
     "end", "insert", "delete", "backspace", "space", "enter",   "escape",    "a",
     "c",   "v",      "x",      "y",         "z",     "control", "shift",     "alt"};
@@ -268,12 +268,12 @@ std::vector<Json> UiDriver::press(Key key) {
 }
 
 std::vector<Json> UiDriver::press(std::string_view key) {
-  const auto* const found = std::ranges::find(kKeys, key);
-  if (found == kKeys.end()) {
+  const auto* const found = std::ranges::find(kKeyNames, key);
+  if (found == kKeyNames.end()) {
     refuse_name("key", "there is no key \"" + std::string(key) + "\"", key,
-                {kKeys.begin(), kKeys.end()});
+                {kKeyNames.begin(), kKeyNames.end()});
   }
-  return press(static_cast<Key>(found - kKeys.begin()));
+  return press(static_cast<Key>(found - kKeyNames.begin()));
 }
 
 std::vector<Json> UiDriver::wait(int frames) {

@@ -74,7 +74,7 @@ void describe_vector(Archive& archive, Vector& v) {
 }
 
 template <class Archive, class Law>
-void describe_law(Archive& archive, Law& law) {
+void archive_law(Archive& archive, Law& law) {
   const auto number = [&](auto& x) { archive.value(x); };
   optional_value(archive, law.friction, number);
   optional_value(archive, law.rolling_friction, number);
@@ -83,7 +83,7 @@ void describe_law(Archive& archive, Law& law) {
 }
 
 template <class Archive, class AnyWall>
-void describe_wall(Archive& archive, AnyWall& wall) {
+void archive_wall(Archive& archive, AnyWall& wall) {
   describe_vector(archive, wall.point), describe_vector(archive, wall.normal);
   describe_vector(archive, wall.velocity);
   archive.value(wall.mass), archive.value(wall.force), archive.value(wall.role);
@@ -91,15 +91,15 @@ void describe_wall(Archive& archive, AnyWall& wall) {
 
 // All but bodies and pairs.
 template <class Archive, class AnyWorld>
-void describe_scene(Archive& archive, AnyWorld& world) {
+void archive_scene(Archive& archive, AnyWorld& world) {
   archive.value(world.box.width), archive.value(world.box.height);
   archive.value(world.box.sides), archive.value(world.box.floor);
   optional_value(archive, world.gravity, [&](auto& g) { describe_vector(archive, g); });
   optional_value(archive, world.drag,
                  [&](auto& drag) { archive.value(drag.linear), archive.value(drag.quadratic); });
-  describe_law(archive, world.grain_law);
-  describe_law(archive, world.wall_law);
-  describe_law(archive, world.intruder_law);
+  archive_law(archive, world.grain_law);
+  archive_law(archive, world.wall_law);
+  archive_law(archive, world.intruder_law);
   archive.value(world.bonds.formed), archive.value(world.bonds.broken);
   archive.value(world.bonds.healed), archive.value(world.bonds.initial);
   archive.value(world.bonding), archive.value(world.rebonding);
@@ -109,9 +109,9 @@ void describe_scene(Archive& archive, AnyWorld& world) {
   archive.value(walls);
   if constexpr (Archive::kReads) {
     // One by one: how many there are is only what the bytes say.
-    for (std::uint32_t k = 0; k < walls; ++k) describe_wall(archive, world.walls.emplace_back());
+    for (std::uint32_t k = 0; k < walls; ++k) archive_wall(archive, world.walls.emplace_back());
   } else {
-    for (const Wall& wall : world.walls) describe_wall(archive, wall);
+    for (const Wall& wall : world.walls) archive_wall(archive, wall);
   }
 }
 
@@ -301,7 +301,7 @@ Bytes snapshot_of(const World& world) {
     columns.trajectory_y.push_back(narrow(place.y()));
   }
   ColumnWriter writer;
-  describe_scene(writer, world);
+  archive_scene(writer, world);
   describe_columns(writer, std::as_const(columns));
   if (!world.shapes.empty()) {
     const ShapeColumns shapes = columns_of(world.shapes);
@@ -315,7 +315,7 @@ World world_from_snapshot(std::span<const std::uint8_t> bytes) {
   Checkpoint checked;
   World& world = checked.world;
   Columns columns;
-  describe_scene(reader, world);
+  archive_scene(reader, world);
   describe_columns(reader, columns);
   ShapeColumns shapes;
   if (!reader.at_end()) describe_shape_columns(reader, shapes);

@@ -1,11 +1,14 @@
 // Which moments of a run's history a command is about.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstddef>
 #include <optional>
 
 #include "app/history/history.h"
+
+namespace CLI {
+class App;
+}
 
 namespace quicksand {
 

@@ -1,11 +1,14 @@
 // The options that say how pictures look, the same for every command that makes some.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "render/base/view.h"
+
+namespace CLI {
+class App;
+}
 
 namespace quicksand {
 

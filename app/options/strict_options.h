@@ -1,10 +1,13 @@
 // The options for the validation of a run, the same for every command that computes one.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 
 #include "app/run_folder/validation.h"
+
+namespace CLI {
+class App;
+}
 
 namespace quicksand {
 

@@ -1,5 +1,6 @@
 #include "app/options/threads_option.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <thread>
 
@@ -7,14 +8,14 @@ namespace quicksand {
 
 namespace {
 
-constexpr std::int64_t kMost = 1024;  // more is taken for a mistake
+constexpr std::int64_t kMostThreads = 1024;  // more is taken for a mistake
 
 }  // namespace
 
 void add_threads_option(CLI::App& command, std::int64_t& threads, const char* meaning) {
   command.add_option("--threads", threads, std::string(meaning) + " [number of cores]")
       ->type_name("N")
-      ->check(CLI::Range(std::int64_t{1}, kMost).description(""));
+      ->check(CLI::Range(std::int64_t{1}, kMostThreads).description(""));
 }
 
 int thread_count(std::int64_t asked) {

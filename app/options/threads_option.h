@@ -1,8 +1,11 @@
 // How many threads a command uses: shared between its runs, or all for its one run.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
+
+namespace CLI {
+class App;
+}
 
 namespace quicksand {
 

@@ -16,9 +16,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Play {
+class PlayedFile {
  public:
-  Play(const PlayOptions& options, SessionFile file)
+  PlayedFile(const PlayOptions& options, SessionFile file)
       : options_(options),
         file_(std::move(file)),
         folder_{options.out.empty() ? fs::path("out") / file_.name : options.out},
@@ -108,7 +108,7 @@ class Play {
 }  // namespace
 
 int play_session(const PlayOptions& options) {
-  return Play(options, read_session_file(options.file)).complete();
+  return PlayedFile(options, read_session_file(options.file)).complete();
 }
 
 }  // namespace quicksand

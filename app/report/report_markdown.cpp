@@ -35,7 +35,7 @@ std::string code(const std::string& text, bool in_table = false) {
   return "`" + inside + "`";
 }
 
-std::string cell_text(const Cell& cell) {
+std::string markdown_cell(const Cell& cell) {
   std::string text = symbol_of(cell.mark) + markdown_text(cell.text);
   for (const ReportLink& link : cell.links)
     text += " ([" + markdown_text(link.text) + "](" + link.address + "))";
@@ -83,7 +83,7 @@ class MarkdownWriter {
     for (const std::vector<Cell>& row : block.rows) {
       std::vector<std::string> cells;
       cells.reserve(row.size());
-      for (const Cell& cell : row) cells.push_back(cell_text(cell));
+      for (const Cell& cell : row) cells.push_back(markdown_cell(cell));
       table += table_row(cells);
     }
     if (!block.caption.empty()) add("*" + markdown_text(block.caption) + "*");

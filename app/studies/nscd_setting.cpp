@@ -141,16 +141,16 @@ class NscdSettings : public PaperExperiment {
                   "away on the way. Rule: where, of these shares of the box below it, the specimen "
                   "of the setting in use keeps the share of initial bonds nearest to the paper's "
                   "after it has settled; the other numbers are predictions."});
-    constexpr FinalQuantity kShown[] = {{"remaining_bond_fraction", "remaining share"},
-                                        {"active_bond_fraction", "active share"},
-                                        {"coordination", "coordination (d_c)"},
-                                        {"coordination_within_1e-3", "coordination (1e-3 d)"},
-                                        {"coordination_within_1e-2", "coordination (1e-2 d)"},
-                                        {"volume_fraction", "volume fraction"},
-                                        {"packing_top", "height [d]"}};
+    constexpr FinalQuantity kColumns[] = {{"remaining_bond_fraction", "remaining share"},
+                                          {"active_bond_fraction", "active share"},
+                                          {"coordination", "coordination (d_c)"},
+                                          {"coordination_within_1e-3", "coordination (1e-3 d)"},
+                                          {"coordination_within_1e-2", "coordination (1e-2 d)"},
+                                          {"volume_fraction", "volume fraction"},
+                                          {"packing_top", "height [d]"}};
     Table table =
         outcome_table(results, "The specimen after the piston, by where the piston is taken away.",
-                      {"filled below the piston"}, pistons_, kShown, 1);
+                      {"filled below the piston"}, pistons_, kColumns, 1);
     table.rows.insert(table.rows.begin(), {{"paper"},
                                            {paper_text(targets.at("piston.remaining_of_initial"))},
                                            {paper_text(targets.at("piston.active_of_contacts"))},

@@ -10,7 +10,7 @@ namespace quicksand {
 
 namespace {
 
-constexpr std::size_t kMost = 1000;
+constexpr std::size_t kMostEntries = 1000;
 
 constexpr Shape kListOfTexts{"a list of texts",
                              [](const Json& value) {
@@ -58,9 +58,9 @@ Evidence read_evidence(const std::filesystem::path& file) {
   return in_file(file, [&] {
     Evidence evidence;
     read_fields(read_json(file), "the evidence", [&](Fields& f) {
-      f.list({"reasons", "why numbers are outside", Presence::required}, kMost, evidence.reasons,
-             describe_reason);
-      f.list({"choices", "what was free", Presence::required}, kMost, evidence.choices,
+      f.list({"reasons", "why numbers are outside", Presence::required}, kMostEntries,
+             evidence.reasons, describe_reason);
+      f.list({"choices", "what was free", Presence::required}, kMostEntries, evidence.choices,
              describe_choice);
     });
     const PaperTargets targets = read_targets(shipped_targets());

@@ -14,9 +14,9 @@
 #include "app/bench/problems/record.h"
 #include "app/bench/results.h"
 #include "app/cli/commands.h"
+#include "app/options/scene_options.h"
 #include "app/report/provenance.h"
 #include "app/run_folder/run_folder.h"
-#include "app/scene/scene_options.h"
 #include "core/base/format.h"
 #include "core/base/parallel.h"
 

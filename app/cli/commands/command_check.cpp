@@ -4,7 +4,7 @@
 
 #include "app/base/exit_code.h"
 #include "app/cli/commands.h"
-#include "app/scene/scene_options.h"
+#include "app/options/scene_options.h"
 #include "app/scene/scene_report.h"
 #include "app/scene_json/scenario_json.h"
 #include "core/scene/scenario.h"

@@ -5,9 +5,9 @@
 #include "app/cli/run_outcome.h"
 #include "app/options/number_range.h"
 #include "app/options/picture_options.h"
+#include "app/options/scene_options.h"
 #include "app/options/strict_options.h"
 #include "app/options/threads_option.h"
-#include "app/scene/scene_options.h"
 #include "core/base/parallel.h"
 #include "core/scene/scenario.h"
 

@@ -1,9 +1,11 @@
 // The options that name a scene and change it, the same for every command that reads one.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include "app/scene/scene_file.h"
+
+namespace CLI {
+class App;
+}
 
 namespace quicksand {
 

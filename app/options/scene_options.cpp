@@ -1,4 +1,6 @@
-#include "app/scene/scene_options.h"
+#include "app/options/scene_options.h"
+
+#include <CLI/CLI.hpp>
 
 namespace quicksand {
 
