@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kBondingTouches[] = {"first_touch", "every_touch"};
 constexpr std::string_view kPushEnds[] = {"rest", "intruder_rest"};
-constexpr double kDense = 0.91;  // more than any packing of equal disks reaches
+constexpr double kPacked = 0.91;  // more than any packing of equal disks reaches
 
 void describe_polydispersity(Fields& f, Polydispersity& p) {
   f.number({"deviation", "standard deviation, after the cut", Presence::required},
@@ -44,7 +44,8 @@ void describe_fields(Fields& f, DepositPhase& p, const Scenario& scenario) {
   if (p.grains == 0 && p.height == 0) {
     f.refuse("grains", "and height are both 0; give a number of grains, a height [d] or both");
   }
-  if (p.grains == 0 && kDense * scenario.box.width * p.height * 4 / std::numbers::pi > kMaxBodies) {
+  if (p.grains == 0 &&
+      kPacked * scenario.box.width * p.height * 4 / std::numbers::pi > kMaxBodies) {
     f.refuse("height", "times the box's width has room for more than " +
                            std::to_string(kMaxBodies) + " grains");
   }
