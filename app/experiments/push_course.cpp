@@ -11,7 +11,7 @@ namespace quicksand {
 namespace {
 
 constexpr double kHalfWay = 0.5, kArrival = 0.95;  // over the box's height
-constexpr std::array kColumns{"active_bond_fraction", "remaining_bond_fraction",
+constexpr std::array kCounted{"active_bond_fraction", "remaining_bond_fraction",
                               "intact_active_bond_fraction", "intact_coordination"};
 
 // The row in which the intruder's lowest point has first come this deep.
@@ -44,7 +44,7 @@ Table table_of(const PaperResults& results, const PushCurve& curve, double heigh
                                        {"at the ground", kArrival * height},
                                        {"at rest", HUGE_VAL}}) {
       std::vector<Cell> row{{number_text(curve.forces[k])}, {where}};
-      for (const char* quantity : kColumns)
+      for (const char* quantity : kCounted)
         row.push_back(cell_of(std::isfinite(depth)
                                   ? mean_at(results, curve.pushes[k], depth, quantity)
                                   : results.mean(curve.pushes[k], quantity),
@@ -64,10 +64,10 @@ Curve over_time(const PaperResults& results, const RunGroup& pushes, const std::
     std::vector<double> values;
     for (const RunResults* run : results.runs(pushes)) {
       const std::vector<double>& times = run->column("time");
-      if (times.empty() || !run->has_column(kColumns[0])) continue;
+      if (times.empty() || !run->has_column(kCounted[0])) continue;
       const auto after = std::ranges::upper_bound(times, times.front() + time);
       values.push_back(
-          run->column(kColumns[0])[static_cast<std::size_t>(after - times.begin()) - 1]);
+          run->column(kCounted[0])[static_cast<std::size_t>(after - times.begin()) - 1]);
     }
     add_point(curve, time, mean_over(values));
   }
@@ -80,7 +80,7 @@ Curve at_the_ground(const PaperResults& results, const RunGroup& pushes, double 
   for (const RunResults* run : results.runs(pushes))
     if (const auto row = row_at(*run, kArrival * height)) {
       times.push_back(run->column("time")[*row] - run->column("time").front());
-      shares.push_back(run->column(kColumns[0])[*row]);
+      shares.push_back(run->column(kCounted[0])[*row]);
     }
   Curve point{.role = Curve::Role::fit};
   if (const auto time = mean_over(times)) add_point(point, time->value, mean_over(shares));
