@@ -30,8 +30,7 @@ struct Share {
   const char* quantity;
   const char* label;
 };
-constexpr Share kRemaining{"remaining_of_initial", "remaining_bond_fraction",
-                           "remaining share"},
+constexpr Share kRemaining{"remaining_of_initial", "remaining_bond_fraction", "remaining share"},
     kActive{"active_of_contacts", "active_bond_fraction", "active share"};
 
 // Pushes that differ by the time step only, the longest first.
