@@ -10,7 +10,7 @@ namespace quicksand {
 
 namespace {
 
-constexpr double kHalfWay = 0.5, kArrival = 0.95;  // over the box's height
+constexpr double kHalfWay = 0.5, kFloor = 0.95;  // over the box's height
 constexpr std::array kCounted{"active_bond_fraction", "remaining_bond_fraction",
                               "intact_active_bond_fraction", "intact_coordination"};
 
@@ -41,7 +41,7 @@ Table table_of(const PaperResults& results, const PushCurve& curve, double heigh
     table.columns.push_back({title, true});
   for (std::size_t k = 0; k < curve.forces.size(); ++k)
     for (const auto& [where, depth] : {std::pair{"half-way down", kHalfWay * height},
-                                       {"at the ground", kArrival * height},
+                                       {"at the floor", kFloor * height},
                                        {"at rest", HUGE_VAL}}) {
       std::vector<Cell> row{{number_text(curve.forces[k])}, {where}};
       for (const char* quantity : kCounted)
@@ -74,11 +74,11 @@ Curve over_time(const PaperResults& results, const RunGroup& pushes, const std::
   return curve;
 }
 
-// Where the intruder reaches the ground, in the colour of the curve before; not in the legend, which is full.
-Curve at_the_ground(const PaperResults& results, const RunGroup& pushes, double height) {
+// Where the intruder reaches the floor, in the colour of the curve before; not in the legend, which is full.
+Curve at_the_floor(const PaperResults& results, const RunGroup& pushes, double height) {
   std::vector<double> times, shares;
   for (const RunResults* run : results.runs(pushes))
-    if (const auto row = row_at(*run, kArrival * height)) {
+    if (const auto row = row_at(*run, kFloor * height)) {
       times.push_back(run->column("time")[*row] - run->column("time").front());
       shares.push_back(run->column(kCounted[0])[*row]);
     }
@@ -99,7 +99,7 @@ void add_push_course(Section& section, const PaperResults& results, const PushCu
   for (std::size_t k = 0; k < curve.forces.size(); ++k) {
     add_with_band(plot, over_time(results, curve.pushes[k],
                                   number_text(curve.forces[k]) + " × cohesion force"));
-    plot.curves.push_back(at_the_ground(results, curve.pushes[k], height));
+    plot.curves.push_back(at_the_floor(results, curve.pushes[k], height));
   }
   section.add(
       Figure{std::move(plot),

@@ -5,7 +5,7 @@
 
 namespace quicksand {
 
-// A table of bonds and contacts with the intruder half-way down, at the ground, and at rest, and a plot of the active
+// A table of bonds and contacts with the intruder half-way down, at the floor, and at rest, and a plot of the active
 // share over time. `height`: of the box [d]; `all`: realizations that there should be.
 void add_push_course(Section& section, const PaperResults& results, const PushCurve& curve,
                      double height, int all);

@@ -69,7 +69,7 @@ TEST_F(Reproduce, DragIsJudgedByWhatItChangesMost) {
   EXPECT_EQ(findings.at("penetration.drag_effect").note, "of active bonds");
 }
 
-// Two runs: the first is half-way down in its second row, at the ground in its third, and rests in its last; the other
+// Two runs: the first is half-way down in its second row, at the floor in its third, and rests in its last; the other
 // ends half-way down.
 TEST_F(Reproduce, BondsAreCountedOnTheIntrudersWayAndAtRest) {
   PaperScale scale = small();
@@ -105,7 +105,7 @@ TEST_F(Reproduce, BondsAreCountedOnTheIntrudersWayAndAtRest) {
   const Table& table = std::get<Table>(*found);
   ASSERT_EQ(table.rows.size(), 3U);
   EXPECT_EQ(table.rows[0][2].text, "0.80 ± 0.10") << "half-way down";
-  EXPECT_EQ(table.rows[1][2].text, "0.7 (1)") << "one of two came to the ground";
+  EXPECT_EQ(table.rows[1][2].text, "0.7 (1)") << "one of two came to the floor";
   EXPECT_EQ(table.rows[2][2].text, "0.40 ± 0.10") << "at rest";
 }
 
