@@ -33,7 +33,8 @@ std::string problem_of(const Piece& link) {
   if (hash == link.text.size()) return {};
   const auto page = pages().find(file);
   if (page == pages().end()) return "an anchor of what is no page";
-  return page->second.sections.contains(link.text.substr(hash + 1)) ? "" : "there is no such anchor";
+  return page->second.sections.contains(link.text.substr(hash + 1)) ? ""
+                                                                    : "there is no such anchor";
 }
 
 TEST(Pages, LinkToFilesAndAnchorsThatAreThere) {

@@ -1,9 +1,9 @@
 // One description of the view: command line, run.json, session and panel have the same names.
 #include "app/view/view_fields.h"
 
-#include <CLI/CLI.hpp>
 #include <gtest/gtest.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "app/json/json_reader.h"
