@@ -5,10 +5,7 @@
 #include <optional>
 
 #include "app/history/history.h"
-
-namespace CLI {
-class App;
-}
+#include "app/options/cli_app.h"
 
 namespace quicksand {
 

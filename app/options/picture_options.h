@@ -4,11 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "app/options/cli_app.h"
 #include "render/base/view.h"
-
-namespace CLI {
-class App;
-}
 
 namespace quicksand {
 

@@ -1,11 +1,8 @@
 // The options that name a scene and change it, the same for every command that reads one.
 #pragma once
 
+#include "app/options/cli_app.h"
 #include "app/scene/scene_file.h"
-
-namespace CLI {
-class App;
-}
 
 namespace quicksand {
 

@@ -3,11 +3,8 @@
 
 #include <optional>
 
+#include "app/options/cli_app.h"
 #include "app/run_folder/validation.h"
-
-namespace CLI {
-class App;
-}
 
 namespace quicksand {
 

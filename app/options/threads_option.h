@@ -3,9 +3,7 @@
 
 #include <cstdint>
 
-namespace CLI {
-class App;
-}
+#include "app/options/cli_app.h"
 
 namespace quicksand {
 

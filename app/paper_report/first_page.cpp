@@ -20,8 +20,8 @@ std::string tally_text(const PaperTargets& targets, const MethodFindings& method
 void add_first_page(Report& report, const std::vector<Target>& targets,
                     std::vector<MethodFindings>& methods, const std::filesystem::path& folder) {
   PaperTargets shown = read_targets(shipped_targets());
-  std::ranges::stable_partition(
-      methods, [](const MethodFindings& method) { return method.method == "nscd"; });
+  std::stable_partition(methods.begin(), methods.end(),
+                        [](const MethodFindings& method) { return method.method == "nscd"; });
   const std::string all = std::to_string(shown.targets.size());
   if (targets.empty()) {
     report.lead.emplace_back(Paragraph{"None of the " + all +
