@@ -2,6 +2,8 @@
 // report takes its figures from it, or from the section that the link names, and so does a table beneath it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <regex>
 
@@ -36,16 +38,16 @@ Printed printed(const std::string& text) {
 
 // All numbers of a text, without their signs; what stands in `code` and the years of sources are none.
 std::vector<Printed> figures_of(std::string text) {
-  static const std::regex kCode("`[^`]*`"), kTarget(R"(\]\([^)]*\))"),
-      kSource(R"(\[[^\]]* \d{4}\])"), kPower(R"((\d) (?:×|x) 10⁻(\d))"),
-      kThousands(R"((\d) (\d{3})\b)"), kNumber(R"((^|[^\w.])(\d+(?:\.\d+)?(?:e[+-]?\d+)?))");
-  text = std::regex_replace(text, kTarget, "]");
-  text = std::regex_replace(text, kCode, " ");
-  text = std::regex_replace(text, kSource, " ");
-  text = std::regex_replace(text, kPower, "$1e-$2");
-  text = std::regex_replace(text, kThousands, "$1$2");
+  static const std::regex code("`[^`]*`"), target(R"(\]\([^)]*\))"),
+      source_of(R"(\[[^\]]* \d{4}\])"), power(R"((\d) (?:×|x) 10⁻(\d))"),
+      thousands(R"((\d) (\d{3})\b)"), number(R"((^|[^\w.])(\d+(?:\.\d+)?(?:e[+-]?\d+)?))");
+  text = std::regex_replace(text, target, "]");
+  text = std::regex_replace(text, code, " ");
+  text = std::regex_replace(text, source_of, " ");
+  text = std::regex_replace(text, power, "$1e-$2");
+  text = std::regex_replace(text, thousands, "$1$2");
   std::vector<Printed> found;
-  for (std::sregex_iterator it(text.begin(), text.end(), kNumber), end; it != end; ++it)
+  for (std::sregex_iterator it(text.begin(), text.end(), number), end; it != end; ++it)
     found.push_back(printed((*it)[2]));
   return found;
 }
@@ -62,10 +64,10 @@ bool stands_among(const Printed& figure, const std::vector<Printed>& reported) {
 
 // The texts of the reports, or of their sections, that a paragraph links to.
 std::string reported_in(const Piece& paragraph) {
-  static const std::regex kReport(R"(\]\(([^)#]*report\.md)(?:#([^)]*))?\))");
+  static const std::regex report(R"(\]\(([^)#]*report\.md)(?:#([^)]*))?\))");
   const std::string& text = paragraph.text;
   std::string all;
-  for (std::sregex_iterator it(text.begin(), text.end(), kReport), end; it != end; ++it) {
+  for (std::sregex_iterator it(text.begin(), text.end(), report), end; it != end; ++it) {
     const fs::path file = paragraph.file.parent_path() / (*it)[1].str();
     if (!fs::exists(file)) continue;
     all += (*it)[2].matched ? read_page(file).sections[(*it)[2]] : contents(file);

@@ -64,7 +64,7 @@ TEST(Bands, AreOfOneStandardErrorAndInTheColourOfTheirCurve) {
 class PaperReportTest : public PaperFixture {
  protected:
   // Of two pushes that finished by NSCD, and as many by exact steps, of which one did not.
-  Report report(std::optional<MethodFindings> other = {}) const {
+  Report report(const std::optional<MethodFindings>& other = {}) const {
     std::vector<Programme> programmes;
     std::vector<std::vector<JobOutcome>> outcomes;
     for (const std::string method : {"nscd", "exact"}) {
@@ -189,7 +189,7 @@ TEST_F(PaperReportTest, OfOtherReportsTakesEachNumberFromTheFirstThatHasIt) {
   const auto write = [&](const char* folder, const char* method, const Findings& findings) {
     std::filesystem::create_directories(folder_.path() / folder);
     folder_.write(std::string(folder) + "/report.md", "");
-    const auto file = folder_.path() / folder / "findings.json";
+    std::filesystem::path file = folder_.path() / folder / "findings.json";
     write_findings(file, {method, findings}, {51, 199});
     return file;
   };
