@@ -95,11 +95,6 @@ class Samples : public PaperExperiment {
       numbers.push_back(std::to_string(k + 1));
     }
     plot.annotations = numbered(points, numbers);
-    if (points.y.size() > 1) {
-      constexpr double kRoomForLabels = 0.15;  // below the lowest point, of what all points span
-      const auto [least, most] = std::ranges::minmax(points.y);
-      plot.y.low = least - kRoomForLabels * (most - least);
-    }
     plot.curves.push_back(std::move(points));
     section.add(std::move(table));
     section.add(Figure{std::move(plot),
@@ -186,13 +181,13 @@ class Samples : public PaperExperiment {
   // Points that lie together share a label, "1, 3, 5", below them: it is longer, and more lies above.
   static std::vector<Annotation> numbered(const Curve& points,
                                           const std::vector<std::string>& numbers) {
-    constexpr double kNear = 0.04;  // of what all points span
+    constexpr double kNear = 0.04, kHeight = 0.1;  // and a label's height, of what all points span
     if (numbers.empty()) return {};
     const auto span = [](const std::vector<double>& x) {
       const auto [low, high] = std::ranges::minmax(x);
       return high - low;
     };
-    const double near_x = kNear * span(points.x), near_y = kNear * span(points.y);
+    const double near_x = kNear * span(points.x), near_y = kHeight * span(points.y);
     std::vector<Annotation> labels;
     for (std::size_t k = 0; k < numbers.size(); ++k) {
       const auto label = std::ranges::find_if(labels, [&](const Annotation& l) {
@@ -201,7 +196,7 @@ class Samples : public PaperExperiment {
       if (label == labels.end())
         labels.push_back({points.x[k], points.y[k], numbers[k]});
       else
-        *label = {label->x, label->y, label->text + ", " + numbers[k], true};
+        *label = {label->x, std::min(label->y, points.y[k]), label->text + ", " + numbers[k], true};
     }
     return labels;
   }

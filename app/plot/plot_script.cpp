@@ -102,6 +102,7 @@ class Script {
       for (const double end : {reference.low, reference.high})
         reference.of_x ? x_.add(end, plot.x) : y_.add(end, plot.y);
     }
+    make_room_for_labels();
   }
 
   std::string text() {
@@ -130,6 +131,18 @@ class Script {
   }
 
  private:
+  // So that none of them lies on the axis below or above.
+  void make_room_for_labels() {
+    constexpr double kHeight = 0.12;  // of a label and its distance, of the extent
+    const Extent points = y_;
+    for (const Annotation& a : plot_.annotations) {
+      const double up = a.below ? -kHeight : kHeight;
+      y_.add(plot_.y.logarithmic ? a.y * std::pow(points.high / points.low, up)
+                                 : a.y + up * (points.high - points.low),
+             plot_.y);
+    }
+  }
+
   void add(const std::string& piece, const PlotPieces::Values& values = {}) {
     script_ += pieces_.fill(piece, values) + "\n";
   }

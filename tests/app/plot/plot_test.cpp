@@ -189,6 +189,21 @@ TEST(PlotScript, LabelsStandAboveOrBelowTheirPoints) {
   EXPECT_EQ(plot_script(plot).find("offset 0.6, -"), std::string::npos);
 }
 
+// The lowest point is at 1 and its label below it: the axis begins farther down than without.
+TEST(PlotScript, LabelsHaveRoomBeforeTheAxis) {
+  const auto begin_of = [](const Plot& plot) {
+    const std::string script = plot_script(plot), setting = "set yrange [";
+    return std::stod(script.substr(script.find(setting) + setting.size()));
+  };
+  Plot plot{.name = "labels"};
+  plot.curves.push_back({.x = {1, 2}, .y = {1, 2}});
+  const double bare = begin_of(plot);
+  plot.annotations = {{2, 2, "under", true}};
+  EXPECT_EQ(begin_of(plot), bare) << "the label lies within";
+  plot.annotations = {{1, 1, "under", true}};
+  EXPECT_LT(begin_of(plot), bare - 0.1);
+}
+
 // What begins shortly before something else has its name beside it, not under it.
 TEST(PlotScript, NamesOfLinesNearEachOtherStandApart) {
   Plot plot{.name = "near", .curves = {{.x = {0, 100}, .y = {0, 1}}}};
