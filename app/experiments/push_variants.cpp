@@ -149,8 +149,13 @@ class WaterDrag : public PaperExperiment {
   void ask_for_runs(PaperJobs& jobs) override {
     const RunGroup samples = jobs.samples();
     constexpr double kWater = 1e-3;  // viscosity [Pa s]
+    // Debris sinks at 1.1 sqrt(g d) by Stokes' law, through all of the height at most: until it rests takes longer than
+    // other pushes are given.
+    constexpr double kSinking = 1.5;  // [sqrt(d/g) for each d]
     without_ = jobs.pushes(samples, kForce);
-    with_ = jobs.pushes(samples, kForce, "drag", {{"drag", {{"viscosity", kWater}}}});
+    with_ = jobs.pushes(samples, kForce, "drag",
+                        {{"drag", {{"viscosity", kWater}}},
+                         {"phases[0].max_time", kSinking * jobs.scale().height}});
   }
 
   void report(const PaperResults& results, Section& section, Findings& findings) const override {

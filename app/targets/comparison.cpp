@@ -146,20 +146,25 @@ std::string paper_text(const Target& target) {
 
 Table comparison_table(const PaperTargets& targets, const std::vector<MethodFindings>& methods,
                        const Evidence& evidence, const std::filesystem::path& report) {
-  Table table{
-      .caption =
-          "Mean ± standard error; n counts realizations where it does not say otherwise. Inside: "
-          "within the paper's interval, or half a unit of the last digit that it prints, widened "
-          "by two standard errors of ours; inside by its error, where only these reach it. Where "
-          "the error is unknown nothing is added, and the "
-          "verdict is that of a single specimen.",
-      .columns = {{.title = "experiment"}, {.title = "paper"}}};
+  const bool by_nscd = std::ranges::find(methods, "nscd", &MethodFindings::method) != methods.end();
+  const auto is_marked = [&](const Target& target) { return by_nscd && target.chose_nscd; };
+  std::string caption =
+      "Mean ± standard error; n counts realizations where it does not say otherwise. Inside: "
+      "within the paper's interval, or half a unit of the last digit that it prints, widened "
+      "by two standard errors of ours; inside by its error, where only these reach it. Where "
+      "the error is unknown nothing is added, and the verdict is that of a single specimen.";
+  if (std::ranges::any_of(targets.targets, is_marked))
+    caption +=
+        " †: chose the setting of NSCD, in another specimen, so that ours by NSCD is no "
+        "prediction.";
+  Table table{.caption = caption, .columns = {{.title = "experiment"}, {.title = "paper"}}};
   for (const MethodFindings& method : methods)
     table.columns.push_back({.title = method_title(method.method), .number = true});
   table.columns.insert(table.columns.end(), {{.title = "inside or not"}, {.title = "why outside"}});
   for (const Target& target : targets.targets) {
     const std::vector<ByMethod> entries = entries_of(target, methods);
-    std::vector<Cell> row{{quantity_text(target)}, {paper_text(target)}};
+    std::vector<Cell> row{{quantity_text(target) + (is_marked(target) ? " †" : "")},
+                          {paper_text(target)}};
     for (const ByMethod& entry : entries) row.push_back(number_cell(target, entry, report));
     row.push_back(inside_cell(entries));
     row.push_back(reason_cell(target, entries, evidence, report));

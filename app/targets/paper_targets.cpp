@@ -48,6 +48,7 @@ void describe(Fields& f, Entry& e) {
   f.exactly_one({"printed", "interval", "at_least", "at_most"});
   f.text({"words", "the paper's, where it gives no number"}, e.target.words);
   f.text({"counts", "what a measurement's n counts, if not realizations"}, e.target.counts);
+  f.flag({"chose_nscd", "whether the setting of NSCD was chosen by it"}, e.target.chose_nscd);
   f.text({"source", "where it stands", Presence::required}, e.target.source);
   f.text({"because", "how words became this bound, or where the interval is from"},
          e.target.because);

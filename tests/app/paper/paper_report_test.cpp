@@ -112,7 +112,7 @@ TEST_F(PaperReportTest, HasBothMethodsOnItsFirstPageWithTheirNumberOfRuns) {
   const Table& table = first_page(report);
   EXPECT_EQ(table.columns[2].title, "NSCD");
   EXPECT_EQ(table.columns[3].title, "exact");
-  const auto& push = row(table, "pushed with 1 F_c: active share");
+  const auto& push = row(table, "pushed with 1 F_c: active share †");
   EXPECT_EQ(push[2].text, "0.68 ± 0, n = 2");
   EXPECT_EQ(push[3].text, "0.4, n = 1 (error unknown)");
   EXPECT_EQ(push[4].text, "NSCD inside, exact outside");
@@ -126,7 +126,7 @@ TEST_F(PaperReportTest, HasAnotherMethodsColumnFromItsFindings) {
   const Report report = this->report(MethodFindings{
       "exact",
       {{"penetration.1.0.active_of_contacts", {.value = 0.7, .standard_error = 0.2, .n = 4}}}});
-  const auto& push = row(first_page(report), "pushed with 1 F_c: active share");
+  const auto& push = row(first_page(report), "pushed with 1 F_c: active share †");
   EXPECT_EQ(push[3].text, "0.7 ± 0.2, n = 4");
   EXPECT_EQ(push[4].text, "NSCD inside, exact inside by its error");
 }
@@ -201,7 +201,7 @@ TEST_F(PaperReportTest, OfOtherReportsTakesEachNumberFromTheFirstThatHasIt) {
   const Report report = collected_report({exact, ten, one}, {51, 199}, folder_.path(), "command");
   const Table& table = first_page(report);
   EXPECT_EQ(table.columns[2].title, "NSCD");
-  const auto& of_density = row(table, "unperturbed specimen: volume fraction");
+  const auto& of_density = row(table, "unperturbed specimen: volume fraction †");
   EXPECT_EQ(of_density[2].text, "0.410 ± 0.010, n = 10");
   ASSERT_EQ(of_density[2].links.size(), 1U);
   EXPECT_EQ(of_density[2].links[0].text, "ten");

@@ -182,6 +182,18 @@ TEST_F(ComparisonTable, SaysWhyWhatIsOutsideIsOrThatNoReasonIsMeasured) {
   EXPECT_EQ(none.rows[1][3].text, "outside");
 }
 
+TEST_F(ComparisonTable, MarksTheNumbersThatChoseTheSettingOfNscd) {
+  const auto marked = [&](const std::vector<MethodFindings>& methods) {
+    const Table table = comparison_table(paper_, methods, evidence_, "out");
+    const auto of_rule = std::ranges::count_if(
+        table.rows, [](const auto& row) { return row[0].text.ends_with("†"); });
+    EXPECT_EQ(table.caption.find("†") != std::string::npos, of_rule > 0);
+    return of_rule;
+  };
+  EXPECT_EQ(marked({nscd_, exact_}), 5) << "two of the specimen, two of a push, one of the piston";
+  EXPECT_EQ(marked({exact_}), 0) << "its setting was not chosen by any";
+}
+
 TEST_F(ComparisonTable, CountsEveryNumberOfThePaper) {
   const Tally counts = tally(paper_, nscd_.findings);
   EXPECT_EQ(counts.inside, 2);
