@@ -8,7 +8,8 @@ namespace quicksand {
 
 namespace {
 
-constexpr std::size_t kLongestWord = 64;  // longer ones are not names
+constexpr std::size_t kLongestWord = 64;      // longer ones are not names
+constexpr std::ptrdiff_t kLongBeginning = 6;  // letters that two names share by more than chance
 
 std::string lower(std::string_view word) {
   std::string result(word);
@@ -50,6 +51,10 @@ std::string nearest_name(std::string_view word, const std::vector<std::string>& 
     if (typed.size() >= 3 && candidate.find(typed) != std::string::npos) {
       distance = std::min(distance, 1);
     }
+    // So is what begins alike ("remaining_bonds" for "remaining_bond_fraction").
+    const auto parted = std::ranges::mismatch(typed, candidate).in1 - typed.begin();
+    if (parted >= kLongBeginning && 3 * static_cast<std::size_t>(parted) >= 2 * typed.size())
+      distance = std::min(distance, 2);
     if (distance < best_distance) {
       best_distance = distance;
       best = name;

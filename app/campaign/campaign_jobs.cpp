@@ -178,13 +178,16 @@ class Expansion {
     }
   }
 
-  // Reads a state to start from once for all runs that do.
+  // Reads a state to start from once for all runs that ask the same of it.
   void check_start(const Scenario& scenario) {
     if (scenario.start_from.empty()) return;
-    const std::string box = number_text(scenario.box.width) +
-                            (scenario.box.floor ? " floor " : " ") +
-                            std::to_string(static_cast<int>(scenario.box.sides));
-    if (!checked_.insert(scenario.start_from + " " + box).second) return;
+    // What the state must suit.
+    Scenario asked = scenario;
+    asked.disks.clear();
+    const Json json = to_json(asked);
+    const std::string wants =
+        json.at("box").dump() + json.at("phases").dump() + (scenario.step.nscd ? "nscd" : "");
+    if (!checked_.insert(scenario.start_from + wants).second) return;
     try {
       start_world(scenario);
     } catch (const InputError& error) {

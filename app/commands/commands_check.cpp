@@ -31,6 +31,8 @@ struct Measure {
     if (!quantity.empty()) {
       const auto value = quantity_of(session, quantity, place + ".quantity");
       result[quantity] = value ? Json(*value) : Json(nullptr);
+      if (console.print)
+        console.print(quantity + (value ? " = " + number_text(*value) : " has no value"));
     } else {
       const Row row = session.measure_now();
       for (const Quantity& known : quantities()) {

@@ -152,7 +152,9 @@ struct Record {
   std::optional<double> every;
 
   void describe(Fields& f) {
-    f.flag({"on", "false: ends the recording", Presence::required}, on);
+    f.flag({"on", "false: ends the recording, with the present moment as its last sample",
+            Presence::required},
+           on);
     f.text(
         {"folder",
          "in the output folder; receives frames, series.csv, film.png and, with ffmpeg, film.mp4"},
@@ -164,8 +166,7 @@ struct Record {
   Json perform(Console& console, const std::string& place) {
     if (!on) {
       if (!console.recording) throw CommandFailure("nothing is being recorded");
-      Json result = console.recording->finish();
-      console.recording.reset();
+      Json result = console.finish_recording();
       console.session().sample_every(std::nullopt);
       return result;
     }

@@ -51,9 +51,12 @@ struct RunCommand {
       };
     const RunStop stop = session.run(end);
     require_success(session);
-    if (until && stop == RunStop::finished)
+    if (until && stop == RunStop::finished) {
+      const std::optional<double> reached = quantity_of(session, until->quantity, place);
       throw CommandFailure("the scene ended before " + until->quantity + " was " +
-                           words_of(*until));
+                           words_of(*until) + "; at the end it " +
+                           (reached ? "was " + message_number(*reached) : "had no value"));
+    }
     return {{"ended_by", word_of(stop)},
             {"steps", session.world().step - first},
             {"phase", session.phase_name()}};
@@ -129,6 +132,8 @@ struct Apply {
         bodies.push_back(k);
     if (bodies.empty()) throw InputError(place + ".inside", "no grain has its centre there");
     for (const int k : bodies) console.session().apply(k, force);
+    if (inside && console.print)
+      console.print("a force on each of " + std::to_string(bodies.size()) + " grains");
     return {{"bodies", bodies.size()}};
   }
 };

@@ -44,9 +44,12 @@ fs::path Console::output(const std::string& name, const std::string& place) cons
   return path;
 }
 
-void Console::finish_recording() {
-  if (recording) recording->finish();
+Json Console::finish_recording() {
+  if (!recording) return {};
+  if (!session_.timeline()) session_.sample();
+  Json result = recording->finish();
   recording.reset();
+  return result;
 }
 
 std::string Console::save_cut_short() {

@@ -34,8 +34,8 @@ class Console {
   // A file that a command writes: inside the folder for output, whatever the name says. Makes its
   // folder. Throws InputError for absolute names and those that lead out of it.
   std::filesystem::path output(const std::string& name, const std::string& place) const;
-  // Ends the recording, if there is one.
-  void finish_recording();
+  // Ends the recording, if there is one, with the present moment as its last sample; what it has made.
+  Json finish_recording();
   // Ends what a session that is cut short was recording, and saves its state under a name that no command gives by
   // itself. What to tell of it: "; the state is in out/x/interrupted.cbor", empty without a scene.
   std::string save_cut_short();

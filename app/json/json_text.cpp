@@ -57,12 +57,20 @@ class Builder : public nlohmann::json_sax<Json> {
     } else if (problem.find("number overflow") != std::string::npos) {
       problem = "the number " + token + " is not finite in double precision";
     }
-    throw InputError("", "not valid JSON at " +
-                             line_and_column(text_, position == 0 ? 0 : position - 1) + ": " +
-                             problem);
+    const std::size_t at = position == 0 ? 0 : position - 1;
+    throw InputError(
+        "", "not valid JSON at " + line_and_column(text_, at) + ": " + problem + comma_hint(at));
   }
 
  private:
+  // A comma before a closing bracket is usual elsewhere; the parser only says what it did not expect.
+  std::string comma_hint(std::size_t at) const {
+    if (at >= text_.size() || (text_[at] != ']' && text_[at] != '}')) return {};
+    const std::size_t before = text_.find_last_not_of(" \t\r\n", at == 0 ? 0 : at - 1);
+    if (before == std::string_view::npos || text_[before] != ',') return {};
+    return "; the comma at " + line_and_column(text_, before) + " is one too many";
+  }
+
   Json* insert(Json value) {
     if (open_.empty()) {
       root_ = std::move(value);

@@ -15,21 +15,32 @@ namespace {
 using Keys = std::vector<std::string>;
 
 // Besides its type. A kind without a line here does not compile.
-struct SetUpBy {
+class SetUpBy {
+ public:
   // Either way of depositing stays what it is.
   Keys operator()(const DepositPhase& p) const { return {p.adiabatic ? "interval" : "adiabatic"}; }
   Keys operator()(const SettlePhase&) const { return {}; }
   Keys operator()(const PushPhase& p) const {
-    Keys keys{"diameter", "density", "x", "threshold"};
-    if (p.threshold) keys.emplace_back("force");
-    return keys;
+    return with_search({"diameter", "density", "x", "threshold"}, p.threshold.has_value(), "force");
   }
   Keys operator()(const PullPhase&) const { return {"first_force"}; }
   Keys operator()(const ShearPhase&) const { return {"first_force", "depths", "grains_per_depth"}; }
   Keys operator()(const HealPhase&) const { return {}; }
   Keys operator()(const PistonPhase&) const { return {"mass"}; }
-  Keys operator()(const PenetratePhase&) const { return {"shape", "density", "x"}; }
-  Keys operator()(const VanePhase&) const { return {"shape", "density", "x", "depth", "clear"}; }
+  Keys operator()(const PenetratePhase& p) const {
+    return with_search({"shape", "density", "x", "threshold"}, p.threshold.has_value(), "force");
+  }
+  Keys operator()(const VanePhase& p) const {
+    return with_search({"shape", "density", "x", "depth", "clear", "threshold"},
+                       p.threshold.has_value(), "torque");
+  }
+
+ private:
+  // A search has made use of its first force.
+  static Keys with_search(Keys keys, bool searches, const char* first) {
+    if (searches) keys.emplace_back(first);
+    return keys;
+  }
 };
 
 }  // namespace

@@ -105,7 +105,7 @@ Table final_values(std::span<const RunResults> runs, const std::vector<std::stri
   Table table{.columns = columns};
   for (const Quantity& quantity : quantities()) {
     // What is counted between samples is no final value; the next table has the sums.
-    if (quantity.help.find("since the last sample") != std::string_view::npos) continue;
+    if (quantity.of_steps) continue;
     const std::string unit = typeset_unit(quantity.unit);
     std::vector<Cell> row{{std::string(quantity.name)}, {unit}};
     for (const RunResults& run : runs)
@@ -158,7 +158,7 @@ std::optional<Table> work_split(std::span<const RunResults> runs,
 // The values of a scene by their paths, bodies left out: they may be many.
 void flatten(const Json& value, const std::string& path,
              std::map<std::string, std::string>& leaves) {
-  if (path == "disks" || path == "walls") {
+  if (path == "bodies" || path == "walls") {
     leaves[path] = std::to_string(value.size()) + " listed";
   } else if (value.is_object()) {
     for (const auto& [key, inside] : value.items()) {

@@ -152,6 +152,13 @@ Scenario read_scene(const SceneRequest& request) {
   }
 }
 
+void refuse_swept_shapes(const Scenario& scenario, const World& world, const std::string& where) {
+  if (!scenario.step.nscd || world.shapes.empty()) return;
+  throw InputError(where,
+                   "has an intruder of several parts, and nscd sweeps over disks and walls only; "
+                   "leave nscd out");
+}
+
 World start_world(const Scenario& scenario) {
   if (scenario.start_from.empty()) {
     require_memory(scenario, 0);
@@ -169,7 +176,9 @@ World start_world(const Scenario& scenario) {
   require_intruder(scenario, state);
   require_way_down(scenario, state);
   refuse_second_intruder(scenario, state);
+  refuse_swept_shapes(scenario, state, scenario.start_from);
   world.disks = std::move(state.disks);
+  world.shapes = std::move(state.shapes);
   world.walls = std::move(state.walls);
   world.bonds = std::move(state.bonds);
   world.contacts = std::move(state.contacts);

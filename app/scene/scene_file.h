@@ -34,4 +34,7 @@ std::string read_scene_text(const std::filesystem::path& file);
 // be read or its box is another one.
 World start_world(const Scenario& scenario);
 
+// Throws InputError, `where`, if the scene's method sweeps and the world has an intruder of several parts.
+void refuse_swept_shapes(const Scenario& scenario, const World& world, const std::string& where);
+
 }  // namespace quicksand

@@ -170,7 +170,18 @@ struct PhaseText {
   }
 };
 
+// tau_b, the step below which the energy criterion never acts between two grains, as no impulse of a step then carries
+// the energy of their bond (limits.md). Absent where another criterion decides or nothing sticks. [sqrt(d/g)]
+std::optional<double> bond_time(const Scenario& s) {
+  const ContactLaw& law = s.grain_law;
+  if (s.step.break_rule != FailureCriterion::energy || !law.cohesion_force.value_or(0))
+    return std::nullopt;
+  constexpr double kReducedMass = 0.5;  // of two grains [m]
+  return std::sqrt(2 * law.cohesion_range * kReducedMass / *law.cohesion_force);
+}
+
 std::string phases_text(const Scenario& s) {
+  const std::optional<double> shortest = bond_time(s);
   std::string text;
   for (std::size_t i = 0; i < s.phases.size(); ++i) {
     const Phase& phase = s.phases[i];
@@ -181,6 +192,9 @@ std::string phases_text(const Scenario& s) {
         "", "dt = " + number(phase.dt.value_or(s.step.dt)) + ", a sample every " +
                 number(sample_interval(s, phase, {})) + " sqrt(d/g)" +
                 (phase.solver_tolerance ? ", residual " + number(*phase.solver_tolerance) : ""));
+    if (shortest && phase.dt.value_or(s.step.dt) < *shortest)
+      text += line("", "warning: dt is below " + number(*shortest) +
+                           " sqrt(d/g), where the energy criterion never acts");
   }
   return text.empty() ? line("phases", "none: nothing will be computed") : text;
 }

@@ -141,11 +141,7 @@ void describe_fields(Fields& f, PenetratePhase& p, const Scenario& scenario) {
           "stays"},
          p.release);
   describe_bonding(f, p.bonding, p.bonds);
-  if (f.reading()) {
-    if (over_cohesion && !law.cohesion_force)
-      f.refuse("force_over_cohesion", "needs contact.cohesion_force, which is absent; give force");
-    p.force = over_cohesion ? *over_cohesion * *law.cohesion_force : force.value_or(0);
-  }
+  if (f.reading()) p.force = given_force(f, "force_over_cohesion", force, over_cohesion, law);
   describe_critical_drive(
       f,
       "instead of one drive, seeks the smallest force that drives it to the depth, by trials from "

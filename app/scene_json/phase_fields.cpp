@@ -90,6 +90,14 @@ void describe_rest(Fields& f, double& rest_speed, double& rest_time, double& max
   f.number({"max_time", "ends the phase in any case"}, above(0, kMaxTime, "sqrt(d/g)"), max_time);
 }
 
+double given_force(Fields& f, const char* over_key, std::optional<double> force,
+                   std::optional<double> over_cohesion, const ContactLaw& law) {
+  if (!over_cohesion) return force.value_or(0);
+  if (law.cohesion_force.value_or(0) == 0)
+    f.refuse(over_key, "needs contact.cohesion_force above 0; give the force itself");
+  return *over_cohesion * *law.cohesion_force;
+}
+
 void describe_force(Fields& f, const char* help, double least, double& force,
                     const ContactLaw& law) {
   std::optional<double> plain = force;
@@ -98,11 +106,7 @@ void describe_force(Fields& f, const char* help, double least, double& force,
   f.number({"force_over_cohesion", "the same, over the grains' cohesion force"},
            between(least * 1e6, 1e6, "F_c"), over_cohesion);
   f.exactly_one({"force", "force_over_cohesion"});
-  if (!f.reading()) return;
-  if (over_cohesion && !law.cohesion_force) {
-    f.refuse("force_over_cohesion", "needs contact.cohesion_force, which is absent; give force");
-  }
-  force = over_cohesion ? *over_cohesion * *law.cohesion_force : *plain;
+  if (f.reading()) force = given_force(f, "force_over_cohesion", plain, over_cohesion, law);
 }
 
 namespace {

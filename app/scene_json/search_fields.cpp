@@ -32,12 +32,8 @@ void describe_trials(Fields& f, SearchTrials& t, const ContactLaw& law) {
             "a trial ends when everything rests, or as soon as the body that is pulled rests and "
             "no bond has failed for rest_time"},
            kTrialEnds, t.until);
-  if (!f.reading()) return;
-  if (force_over_cohesion && law.cohesion_force.value_or(0) == 0) {
-    f.refuse("first_force_over_cohesion",
-             "needs contact.cohesion_force above 0, which is absent; give first_force");
-  }
-  t.first_force = force_over_cohesion ? *force_over_cohesion * *law.cohesion_force : *force;
+  if (f.reading())
+    t.first_force = given_force(f, "first_force_over_cohesion", force, force_over_cohesion, law);
 }
 
 }  // namespace

@@ -126,8 +126,7 @@ std::size_t write_film_page(const std::filesystem::path& file, const RunFolder& 
     frames.push_back(frame_of(session));
     bytes += frames.back().text.size() + kAround;
     while (bytes > most && frames.size() > 1) {
-      for (std::size_t i = 0; 2 * i < frames.size(); ++i)
-        if (i > 0) frames[i] = std::move(frames[2 * i]);
+      for (std::size_t i = 1; 2 * i < frames.size(); ++i) frames[i] = std::move(frames[2 * i]);
       frames.resize((frames.size() + 1) / 2);
       stride *= 2;
       bytes = fixed;

@@ -31,13 +31,19 @@ bool holds_at_once(const std::string& path) {
   return std::ranges::find(kHoldAtOnce, part) != kHoldAtOnce.end();
 }
 
-// Whether the path is of a field that the present phase has made use of when it began.
-bool is_set_up(const std::string& path, const Protocol& protocol) {
+// Whether a field differs that the present phase has made use of when it began.
+bool is_too_late(const Scenario& before, const Scenario& after, const Protocol& protocol) {
   const Phase* now = protocol.phase();
-  const std::string prefix = "phases[" + std::to_string(protocol.state().phase) + "].";
-  if (!now || !protocol.state().entered || !path.starts_with(prefix)) return false;
+  const auto present = static_cast<std::size_t>(protocol.state().phase);
+  if (!now || !protocol.state().entered || before.phases.size() <= present ||
+      after.phases.size() <= present)
+    return false;
+  const auto fields = [&](const Scenario& scenario) -> Json {
+    return to_json(scenario).at("phases").at(present);
+  };
+  const Json old = fields(before), changed = fields(after);
   return std::ranges::any_of(set_up_by(*now), [&](const std::string& key) {
-    return path.substr(prefix.size()).starts_with(key);
+    return old.value(key, Json()) != changed.value(key, Json());
   });
 }
 
@@ -77,7 +83,8 @@ void Session::remember(const Row& row) {
   if (samples_++ % stride_ != 0) return;
   history_.push_back(row);
   if (history_.size() < kMostSamples) return;
-  for (std::size_t i = 0; 2 * i < history_.size(); ++i) history_[i] = std::move(history_[2 * i]);
+  // From 1 on: a row that is moved onto itself may lose its text.
+  for (std::size_t i = 1; 2 * i < history_.size(); ++i) history_[i] = std::move(history_[2 * i]);
   history_.resize((history_.size() + 1) / 2);
   stride_ *= 2;
 }
@@ -141,6 +148,7 @@ bool Session::set(const std::string& path, const Json& value) {
   set_value(json, path, value, path);
   Scenario changed = scenario_from_json(json);
   validate(changed);
+  refuse_swept_shapes(changed, world(), path);
   changes_.push_back({path, scenario_});
   if (changes_.size() > kMostChanges) changes_.erase(changes_.begin());
   return take_over(path, std::move(changed));
@@ -155,10 +163,10 @@ bool Session::undo() {
 }
 
 bool Session::take_over(const std::string& path, Scenario changed) {
+  const bool too_late = path.starts_with("phases") && is_too_late(scenario_, changed, protocol());
   scenario_ = std::move(changed);
   take_scene_into_view();
   if (!holds_at_once(path)) return false;
-  const bool too_late = is_set_up(path, protocol());
   Scenario now = scenario_;
   const bool phases_fit =
       !by_hand_ && same_kinds(scenario_.phases, phases(), protocol().state().phase);
@@ -184,6 +192,8 @@ void Session::sample_every(std::optional<double> every) {
   every_ = every;
   sampled_run_->sample_every(every);
 }
+
+void Session::sample() { sampled_run_->sample(); }
 
 RunStop Session::run(const RunUntil& until) {
   require_computing();

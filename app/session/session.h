@@ -101,6 +101,8 @@ class Session {
   const std::vector<Row>& history() const { return timeline_ ? timeline_->rows() : history_; }
   // The quantities of this moment.
   Row measure_now() const;
+  // Samples this moment, unless it is sampled already.
+  void sample();
   // Time between samples from now on; that of the scene if absent [sqrt(d/g)].
   void sample_every(std::optional<double> every);
   // Receives each sample as it is taken. May be empty.

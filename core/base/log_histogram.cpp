@@ -2,15 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace quicksand {
 
 void LogHistogram::add(double x) {
   if (counts.empty()) counts.resize(kBins + 1);
-  // Also of what is not a number.
-  if (!(x <= largest)) largest = x;
-  const double place = x > 0 ? kBinsPerDecade * (std::log10(x) - kLowest) : x <= 0 ? 0 : kBins;
+  // What is not a number is beyond all.
+  if (std::isnan(x)) x = std::numeric_limits<double>::infinity();
+  largest = std::max(largest, x);
+  const double place = x > 0 ? kBinsPerDecade * (std::log10(x) - kLowest) : 0;
   ++counts[static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(kBins)))];
 }
 

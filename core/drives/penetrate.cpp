@@ -48,9 +48,9 @@ class Penetrate final : public RunningPhaseOf<PenetratePhase> {
     if (settings().threshold) return begin_force_trial(stage, {0, -1, 0});
     const double share = ramp(stage, settings().ramp_time);
     if (settings().speed)
-      prescribe(stage.world, body(stage), {0, -share * *settings().speed, 0});
-    else
-      stage.world.disks.applied[body(stage)] = {0, -share * settings().force, 0};
+      return prescribe(stage.world, body(stage), {0, -share * *settings().speed, 0});
+    set_free(stage.world, body(stage));  // a session may have driven it at a speed so far
+    stage.world.disks.applied[body(stage)] = {0, -share * settings().force, 0};
   }
 
   bool finished(Stage& stage) override {

@@ -41,9 +41,9 @@ class Vane final : public RunningPhaseOf<VanePhase> {
     const int intruder = stage.world.intruder();
     const double share = ramp(stage, settings().ramp_time);
     if (settings().angular_velocity)
-      prescribe(stage.world, intruder, {0, 0, share * *settings().angular_velocity});
-    else
-      stage.world.disks.applied[intruder] = {0, 0, share * settings().torque};
+      return prescribe(stage.world, intruder, {0, 0, share * *settings().angular_velocity});
+    set_free(stage.world, intruder);  // a session may have turned it at a speed so far
+    stage.world.disks.applied[intruder] = {0, 0, share * settings().torque};
   }
 
   bool finished(Stage& stage) override {

@@ -23,6 +23,7 @@ TEST(NearestName, OffersWhatWasMeantAndNothingFarFetched) {
   EXPECT_EQ(nearest_name("frction", names), "friction");
   EXPECT_EQ(nearest_name("Friction", names), "friction");
   EXPECT_EQ(nearest_name("rolling", names), "rolling_friction");
+  EXPECT_EQ(nearest_name("rolling_friends", names), "rolling_friction") << "begins alike";
   EXPECT_EQ(nearest_name("temperature", names), "");
   EXPECT_EQ(suggestion("temperature", names),
             "; known: friction, rolling_friction, cohesion_force");

@@ -195,6 +195,26 @@ TEST_F(SessionTest, ARecordingLeavesFramesAndSeries) {
   EXPECT_EQ(std::count(series.begin(), series.end(), '\n'), 7);
 }
 
+TEST_F(SessionTest, ARecordingEndsWithTheMomentAtWhichItIsEnded) {
+  ASSERT_EQ(play({load(), R"({"command": "view", "width": 200, "height": 150})",
+                  R"({"command": "record", "on": true, "folder": "film", "every": 100})",
+                  R"({"command": "run", "steps": 3})", R"({"command": "record", "on": false})"})
+                .exit_code,
+            0);
+  const std::string series = contents(at("out/film/series.csv"));
+  EXPECT_EQ(std::count(series.begin(), series.end(), '\n'), 3) << "names, beginning, end";
+  EXPECT_EQ(transcript()[4]["result"]["frames"], 2);
+}
+
+TEST_F(SessionTest, WhatIsMeasuredIsPrintedAndAWaitInVainSaysHowFarItCame) {
+  const Outcome measured = play({load(), R"({"command": "measure", "quantity": "grains"})"});
+  EXPECT_NE(measured.out.find("grains = "), std::string::npos) << measured.out;
+  const Outcome waited =
+      play({load(), R"({"command": "run", "until": {"quantity": "grains", "at_least": 1e6}})"});
+  EXPECT_EQ(waited.exit_code, 1);
+  EXPECT_NE(waited.err.find("; at the end it was "), std::string::npos) << waited.err;
+}
+
 TEST_F(SessionTest, ThePanelIsReachedByTheNamesOfItsWidgets) {
   const Outcome played = play(
       {load(), R"({"command": "set_widget", "widget": "Controls/Steps per frame", "value": 3})",

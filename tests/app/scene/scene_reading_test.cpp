@@ -79,6 +79,17 @@ TEST(SceneReading, AnAppendedPhaseIsReadLikeAWrittenOne) {
   EXPECT_NE(message.find("did you mean \"heal\""), std::string::npos) << message;
 }
 
+TEST(SceneReading, AForceOverNoCohesionIsRefusedInEveryPhase) {
+  for (const char* phase : {R"("push", "force_over_cohesion": 1)",
+                            R"("penetrate", "force_over_cohesion": 1, "depth": 1)",
+                            R"("pull", "first_force_over_cohesion": 1)"}) {
+    const std::string message =
+        refusal(kSceneReadingScene,
+                {"contact.cohesion_force=0", "phases[0]={\"type\": " + std::string(phase) + "}"});
+    EXPECT_NE(message.find("needs contact.cohesion_force above 0"), std::string::npos) << message;
+  }
+}
+
 TEST(SceneReading, APlainSceneIsRead) { EXPECT_EQ(refusal(kSceneReadingScene), ""); }
 
 struct Mistake {
@@ -239,6 +250,9 @@ INSTANTIATE_TEST_SUITE_P(Every, SceneMistake, testing::ValuesIn(kMistakes),
                          [](const auto& mistake) { return std::string(mistake.param.name); });
 
 TEST(SceneReading, SyntaxErrorsSayLineAndColumn) {
+  EXPECT_NE(
+      refusal("{\n  \"bodies\": [],\n}").find("the comma at line 2, column 15 is one too many"),
+      std::string::npos);
   EXPECT_NE(refusal("{\n  \"box\": {\"width\": NaN}\n}").find("line 2, column 20"),
             std::string::npos)
       << refusal("{\n  \"box\": {\"width\": NaN}\n}");

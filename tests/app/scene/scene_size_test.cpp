@@ -54,6 +54,20 @@ TEST(SceneSize, AMillionDisksAreReportedWithTheMemoryTheyNeed) {
             std::string::npos);
 }
 
+// tau_b of two grains: sqrt(2 d_c m/2 / F_c) = sqrt(1e-4/1e2) = 1e-3.
+TEST(SceneReport, WarnsOfStepsBelowWhichTheEnergyCriterionNeverActs) {
+  const auto report = [](const char* dt) {
+    return scene_report(scenario_from_json(parse_json(
+        std::string(
+            R"({"name": "a", "box": {"width": 10}, "gravity": {}, "contact": {"cohesion_force": 100, "cohesion_range": 2e-4},
+                        "phases": [{"type": "settle", "dt": )") +
+        dt + "}]}")));
+  };
+  const std::string warning = "dt is below 0.001 sqrt(d/g), where the energy criterion never acts";
+  EXPECT_NE(report("0.9e-3").find(warning), std::string::npos) << report("0.9e-3");
+  EXPECT_EQ(report("1.1e-3").find(warning), std::string::npos);
+}
+
 TEST(SceneSize, WhatCannotBeListedIsRefused) {
   if (!kMemoryCanBeBounded) GTEST_SKIP() << "not under the address sanitizer";
   const BoundedMemory bound(kRoom);

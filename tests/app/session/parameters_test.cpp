@@ -81,6 +81,7 @@ TEST(SessionHistory, IsThinnedAndKeepsItsBeginning) {
   EXPECT_LT(history.size(), Session::kMostSamples);
   EXPECT_GT(history.size(), Session::kMostSamples / 3);
   EXPECT_EQ(history.front().sample.step, 0);
+  EXPECT_EQ(history.front().phase, history[1].phase);
   const auto step = history[1].sample.step - history[0].sample.step;
   for (std::size_t i = 1; i < history.size(); ++i)
     ASSERT_EQ(history[i].sample.step - history[i - 1].sample.step, step);

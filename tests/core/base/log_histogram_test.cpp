@@ -30,6 +30,8 @@ TEST(LogHistogram, ZerosAndWhatIsNotFiniteAreCountedAtTheEnds) {
   EXPECT_EQ(h.counts.front(), 2);
   EXPECT_EQ(h.counts.back(), 2);
   EXPECT_EQ(h.total(), 4);
+  h.add(1);
+  EXPECT_EQ(h.quantile(1), std::numeric_limits<double>::infinity()) << "none is forgotten";
 }
 
 }  // namespace
