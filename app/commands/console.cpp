@@ -179,7 +179,7 @@ void Console::include(const fs::path& file, const std::string& place) {
     folders_.base = outside;
   };
   try {
-    for (std::size_t i = 0; i < included.commands.size() && !quit; ++i) {
+    for (std::size_t i = 0; i < included.commands.size() && !quit && !session_.is_to_end(); ++i) {
       try {
         perform(included.commands[i], place_of(i));
       } catch (const InputError& error) {

@@ -278,7 +278,7 @@ std::vector<Json> UiDriver::press(std::string_view key) {
 
 std::vector<Json> UiDriver::wait(int frames) {
   begin();
-  for (int i = 0; i < frames; ++i) frame();
+  for (int i = 0; i < frames && !session_.is_to_end(); ++i) frame();
   return take();
 }
 

@@ -68,6 +68,7 @@ class Session {
   // Called now and then while a step is solved, when the world is still as it was before the step. May change views, not
   // what is computed. True gives the step up, which cuts the run short. May be empty.
   std::function<bool()> meanwhile;
+  bool is_to_end() const { return meanwhile && meanwhile(); }
 
   // A checkpoint with which run --continue goes on, too. Throw InputError.
   void save(const std::filesystem::path& file) const;

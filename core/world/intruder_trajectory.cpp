@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "core/world/extent.h"
@@ -36,11 +37,27 @@ std::vector<Stretch> stretches_of(std::span<const Vec2> places) {
   return stretches;
 }
 
-// The least of `nearest` and the distance of p from the stretch.
-double nearer(const Stretch& stretch, const Vec2& p, double nearest) {
-  if (stretch.around.squaredExteriorDistance(p) >= nearest * nearest) return nearest;
-  for (std::size_t k = 0; k + 1 < stretch.places.size(); ++k)
-    nearest = std::min(nearest, distance_from_segment(p, stretch.places[k], stretch.places[k + 1]));
+// The same from the segment and its periodic images, however long it is: with the shift of p along x the distance is
+// convex, and least where the segment is nearest to p's height, so that the least is on either side of that.
+double distance_from_images(const Vec2& p, const Vec2& from, const Vec2& to, double width) {
+  const double rise = to.y() - from.y();
+  const double share = rise != 0 ? std::clamp((p.y() - from.y()) / rise, 0.0, 1.0) : 0.5;
+  const double before = std::floor((from.x() + share * (to.x() - from.x()) - p.x()) / width);
+  return std::min(distance_from_segment(p + Vec2(before * width, 0), from, to),
+                  distance_from_segment(p + Vec2((before + 1) * width, 0), from, to));
+}
+
+// The least of `nearest` and the distance of p from the stretch and, where the sides are periodic, its images.
+double nearer(const Stretch& stretch, const Vec2& p, const Box& box, double nearest) {
+  // Of all images of p this is the nearest to the box around the stretch.
+  const Vec2 image = p + Vec2(box.image_shift(stretch.around.center().x() - p.x()), 0);
+  if (stretch.around.squaredExteriorDistance(image) >= nearest * nearest) return nearest;
+  for (std::size_t k = 0; k + 1 < stretch.places.size(); ++k) {
+    const Vec2 &from = stretch.places[k], &to = stretch.places[k + 1];
+    nearest = std::min(nearest, box.sides == Sides::periodic
+                                    ? distance_from_images(image, from, to, box.width)
+                                    : distance_from_segment(image, from, to));
+  }
   return nearest;
 }
 
@@ -75,28 +92,9 @@ std::vector<double> distances_from_trajectory(const World& world, double at_most
   if (trajectory.places.empty()) return distances;
   if (trajectory.places.size() == 1) trajectory.places.push_back(trajectory.places.front());
   const std::vector<Stretch> stretches = stretches_of(trajectory.places);
-  const bool periodic = world.box.sides == Sides::periodic;
-  const double width = world.box.width;
-  for (std::size_t i = 0; i < distances.size(); ++i) {
-    const Vec2& p = world.disks.position[i];
-    double& nearest = distances[i];
-    for (const Stretch& stretch : stretches) {
-      const double low = stretch.around.min().y() - nearest,
-                   high = stretch.around.max().y() + nearest;
-      if (p.y() <= low || p.y() >= high) continue;
-      if (!periodic) {
-        nearest = nearer(stretch, p, nearest);
-        continue;
-      }
-      // A point of the stretch is nearest to an image that is at most half a box beside it.
-      const double centre = stretch.around.center().x();
-      const Vec2 image = p + Vec2(world.box.image_shift(centre - p.x()), 0);
-      const double extent = stretch.around.sizes().x();
-      const int reach = static_cast<int>(std::min(1 + extent / (2 * width), 1e9));
-      for (int k = -reach; k <= reach; ++k)
-        nearest = nearer(stretch, image + Vec2(k * width, 0), nearest);
-    }
-  }
+  for (std::size_t i = 0; i < distances.size(); ++i)
+    for (const Stretch& stretch : stretches)
+      distances[i] = nearer(stretch, world.disks.position[i], world.box, distances[i]);
   return distances;
 }
 

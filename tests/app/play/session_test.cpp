@@ -264,6 +264,19 @@ TEST_F(SessionTest, CutShortItLeavesWhatItsUserSaved) {
   EXPECT_EQ(parse_json(read_checkpoint(at("out/interrupted.cbor")).scene)["name"], "collapse");
 }
 
+// Neither a file that is included nor frames of the panel go on after it.
+TEST_F(SessionTest, CutShortItEndsWithinAnIncludedFileAndWithinFrames) {
+  folder_.write("inside.json", R"({"commands": [{"command": "print", "text": "ready"},
+    {"command": "frames", "count": 1000000}, {"command": "print", "text": "went on"}]})");
+  folder_.write("session.json", R"({"commands": [{"command": "load", "scene": "chain"},
+    {"command": "include", "file": "inside.json"}]})");
+  Program program({"session", "session.json", "--out", "out"}, folder_.path());
+  wait_for("the session's print", [&] { return contents(at(".stdout")) == "ready\n"; });
+  program.signal(SIGINT);
+  EXPECT_EQ(program.wait().exit_code, 130);
+  EXPECT_EQ(contents(at(".stdout")), "ready\n");
+}
+
 class ShippedSession : public ProgramFixture, public testing::WithParamInterface<fs::path> {};
 
 TEST_P(ShippedSession, SlowPlaysToItsEnd) {

@@ -108,6 +108,18 @@ TEST(DistanceFromTrajectory, IsThatOfTheNearestPointOfTheNearestImage) {
   }
 }
 
+// A billion boxes long: whoever looks at each image does not end.
+TEST(DistanceFromTrajectory, OfAFlightThroughManyBoxesIsThatOfItsNearestPass) {
+  World world = intruder_and_grain();
+  world.disks.position[0] = {5, 8};
+  move_to(world, {5, 10});
+  move_to(world, {1e10 + 5, 10});
+  EXPECT_NEAR(distances_from_trajectory(world, 100)[0], 2, tolerance::rounding());
+  // It sinks by 3 d on a billion boxes, and so passes every height of every column at next to no distance.
+  move_to(world, {2e10 + 5, 7});
+  EXPECT_NEAR(distances_from_trajectory(world, 100)[0], 0, 1e-8);
+}
+
 // The whole protocol: the first place is where the push put it, and a restart keeps the trajectory.
 TEST(IntruderTrajectory, IsRecordedByAPushAndKeptByACheckpoint) {
   Scenario scene = small_collapse(Method::automatic);
