@@ -156,7 +156,9 @@ std::vector<SessionCommand> run_commands() {
               {"pause", kRunGroup, "Ends what start began.", R"({"command": "pause"})"}),
           define<Apply>({"apply", kRunGroup,
                          "Lets a force act on the centre of a body, or of each grain of a region, "
-                         "from now on, instead of the one that acted, besides its weight.",
+                         "from now on, instead of the one that acted, besides its weight. Bonds "
+                         "that there are by the first one count as initial, unless a phase has "
+                         "said so before.",
                          R"({"command": "apply", "body": 12, "force": [100, 0]})"})};
 }
 

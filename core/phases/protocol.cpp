@@ -109,7 +109,10 @@ void Protocol::take_push_force() {
   if (running_ && state_.entered) running_->renew_force(stage_);
 }
 
-void Protocol::apply(int body, const Vec2& force) { world_.disks.applied[body].head<2>() = force; }
+void Protocol::apply(int body, const Vec2& force) {
+  if (world_.bonds.initial == 0) world_.bonds.mark_initial();
+  world_.disks.applied[body].head<2>() = force;
+}
 
 bool Protocol::make_step(const Phase& phase) {
   record_trajectory(world_);
