@@ -23,7 +23,7 @@ struct Plot {
   bool logarithmic = false;
 };
 constexpr Plot kOverTime[] = {
-    {"active bonds", "Active bonds / contacts", "", "no contacts yet",
+    {"active share", "Active share", "", "no contacts yet",
      [](const Row& r) { return r.sample.active_bond_fraction; }},
     {"coordination", "Coordination number", "", "no samples yet",
      [](const Row& r) { return std::optional(r.sample.coordination); }},

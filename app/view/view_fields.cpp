@@ -23,6 +23,8 @@ constexpr auto kFlags = std::to_array<ViewFlag>(
 
 bool colours_by_value(const View& view) { return info(view.colouring).unit != "1"; }
 bool draws_forces(const View& view) { return view.forces; }
+// A panel has a text size of its own.
+bool nowhere_in_panels(const View&) { return false; }
 
 constexpr double kMostValue = 1e12;
 constexpr const char* kValueUnit = "sqrt(g d) or F_g/d";  // of speed and pressure
@@ -38,7 +40,11 @@ constexpr auto kNumbers = std::to_array<ViewNumber>(
      {{"force_scale", "force of a line 0.4 d wide; 0: from the data", "Force of 0.4 d", true},
       between(0, kMostValue, "F_g"),
       &View::force_scale,
-      draws_forces}});
+      draws_forces},
+     {{"text_size", "height of the text; 0: from the size of the picture", nullptr, true},
+      between(0, kLargestText, "px"),
+      &View::text_size,
+      nowhere_in_panels}});
 
 std::vector<std::string_view> colouring_names() {
   std::vector<std::string_view> names;

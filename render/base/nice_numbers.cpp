@@ -58,7 +58,8 @@ std::string short_number(double x) {
     return print(format("%.*g", 3, x / std::pow(10.0, exponent))) + "e" +
            print(format("%.*f", 0, exponent));
   }
-  return std::abs(x) >= 1000 ? print(format("%.*f", 0, x)) : print(format("%.*g", 3, x));
+  // From where three digits would be rounded to a power of ten.
+  return std::abs(x) >= 999.5 ? print(format("%.*f", 0, x)) : print(format("%.*g", 3, x));
 }
 
 std::string fixed_number(double x, int decimals) {

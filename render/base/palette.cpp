@@ -53,8 +53,8 @@ const Palette kLight{
 };
 
 const Palette kDark{
-    .bonds = {hex(0xFFF0BF), hex(0xF6A23C), hex(0xD4552F), hex(0x4A86B8), hex(0x2B4A6B)},
-    .damage = {hex(0xFFF0BF), hex(0xF6A23C), hex(0xD4552F), hex(0x86486E), hex(0x2B4A6B)},
+    .bonds = {hex(0xAE2540), hex(0xDE6034), hex(0xF8BE4E), hex(0x4A86B8), hex(0x2B4A6B)},
+    .damage = {hex(0xAE2540), hex(0xDE6034), hex(0xF8BE4E), hex(0x6FA287), hex(0x2B4A6B)},
     .counts = count_colours(Theme::dark),
     .intruder = hex(0xC3CAD6),
     .intruder_outline = hex(0xFFFFFF),

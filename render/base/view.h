@@ -79,8 +79,7 @@ struct View {
   std::string method = {};
   // Adds SI units to the scale bar and the time.
   std::optional<PhysicalScale> physical = std::nullopt;
-  // [px]; follows from the size of the picture if absent.
-  std::optional<double> text_size = std::nullopt;
+  double text_size = 0;  // [px]; 0: follows from the size of the picture
 
   bool operator==(const View&) const = default;
 };
@@ -88,6 +87,7 @@ struct View {
 // Sizes that can be drawn [px].
 constexpr int kSmallestPicture = 64;
 constexpr int kLargestPicture = 8192;
+constexpr double kSmallestText = 6, kLargestText = 100;
 // How far from the origin the corners of a window may lie [d].
 constexpr double kFarthestWindow = 1e7;
 

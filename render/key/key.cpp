@@ -7,6 +7,7 @@
 #include "render/key/key_words.h"
 #include "render/key/scale_bar.h"
 #include "render/layers/network.h"
+#include "render/layers/packing.h"
 
 namespace quicksand {
 namespace {
@@ -72,7 +73,23 @@ void add_gravity(Legend& key, const KeyContent& content) {
   key.add({.title = {}, .words = {std::move(word)}, .line_each = true});
 }
 
-void add_lines(Legend& key, const KeyContent& content, double scale) {
+// The dashed line, and what lies beyond it.
+Legend::Word periodic_word(const Font& font, Theme theme) {
+  const Palette& colours = palette(theme);
+  const double radius = 0.4 * font.size();
+  return labelled(font, std::round(1.3 * font.size()), "periodic side, pale images", colours.ink,
+                  [=, size = font.size()](DrawList& list, const Vec2& at) {
+                    const double line = std::round(at.x()) + 0.5;
+                    list.dashed_line({line, at.y() - size / 2}, {line, at.y() + size / 2}, 1,
+                                     std::round(size / 6), colours.ink);
+                    list.disk(at + Vec2(0.35 * size + radius, 0), radius,
+                              mix(colours.bonds[2], colours.background, kPalingBeyondSides), 1,
+                              with_alpha(colours.outline,
+                                         (1 - kPalingBeyondSides) * colours.outline.a / 255.0));
+                  });
+}
+
+void add_lines(Legend& key, const KeyContent& content, double scale, bool all) {
   const Font& font = content.font;
   const View& view = content.view;
   const Palette& colours = palette(view.theme);
@@ -99,9 +116,9 @@ void add_lines(Legend& key, const KeyContent& content, double scale) {
       group.words.push_back(std::move(word));
     }
   }
-  if (view.broken_bonds) {
+  if (view.broken_bonds && (all || scale >= kLeastScaleOfBars)) {
     group.words.push_back(
-        labelled(font, std::round(0.8 * font.size()), "broken bond", colours.ink,
+        labelled(font, std::round(0.8 * font.size()), "broken bond, still near", colours.ink,
                  [=, &font](DrawList& list, const Vec2& at) {
                    const double half = 0.4 * font.size();
                    const double width = std::clamp(bar_width(scale), 2.0, 0.25 * font.size());
@@ -109,6 +126,8 @@ void add_lines(Legend& key, const KeyContent& content, double scale) {
                              width, colours.broken, true);
                  }));
   }
+  if (content.world.box.sides == Sides::periodic && (all || content.sides_in_sight))
+    group.words.push_back(periodic_word(font, view.theme));
   key.add(std::move(group));
 }
 
@@ -128,7 +147,7 @@ Legend make_key(const KeyContent& content, double pixels_per_diameter, double wi
   }
   if (view.legend) {
     add_colours(key, content, all);
-    add_lines(key, content, pixels_per_diameter);
+    add_lines(key, content, pixels_per_diameter, all);
     add_gravity(key, content);
   }
   return key;

@@ -21,7 +21,8 @@ struct KeyContent {
   double force_scale;  // [F_g]
   std::span<const std::string> caption;
   std::span<const Reading> readings;
-  bool close_up = false;  // whether the scale is that of a close-up
+  bool sides_in_sight = false;  // of a periodic box
+  bool close_up = false;        // whether the scale is that of a close-up
 };
 // `pixels_per_diameter`: scale of the panel that widths and the scale bar refer to; the room that
 // the words take does not depend on it. Captions are given `widest` [px] and cut to it. With `all`,

@@ -9,6 +9,8 @@ namespace {
 constexpr double kPad = 0.7;               // around the key, over the size of the text
 constexpr double kDetailFrom = 0.4;        // share of the width; a packing narrower gets a close-up
 constexpr double kLeastDetailHeight = 12;  // [d]
+constexpr double kTitleLine =
+    1.3;  // that says which scale is a close-up's, over the size of the text
 
 // Size of the world in the picture if it may take up that much, with margins [px].
 Vec2 fitted(const LayoutRequest& r, double width, double height) {
@@ -23,15 +25,15 @@ PixelRect whole(const PixelRect& rect) {
   return {std::round(rect.x), std::round(rect.y), std::floor(rect.width), std::floor(rect.height)};
 }
 
+double pad_of(const LayoutRequest& r) { return std::round(kPad * r.text_size); }
 Layout with_strip(const LayoutRequest& r, const Legend& key, double pad) {
   Layout layout;
-  const double width = std::max(1.0, r.width - 2 * pad);
-  const double key_height = key.empty() ? 0 : std::ceil(key.height(width, false));
-  const double head = key.empty() ? 0 : key_height + 2 * pad;
+  const PixelRect place = strip_place(r, key);
+  const double head = key.empty() ? 0 : place.height + 2 * pad;
   const Vec2 size = fitted(r, r.width, r.height - head);
   // Key and packing stay together, in the middle.
   const double top = std::max(0.0, (r.height - head - size.y()) / 2);
-  layout.key = whole({pad, top + pad, width, key_height});
+  layout.key = whole({pad, top + pad, place.width, place.height});
   layout.packing = {0, std::round(top) + head, static_cast<double>(r.width),
                     std::min(size.y(), r.height - head)};
   return layout;
@@ -57,7 +59,8 @@ Layout with_column(const LayoutRequest& r, const Legend& key, double pad) {
     layout.detail = whole({x, pad, detail_width, r.height - 2 * pad});
     x = layout.detail->right() + 2 * pad;
   }
-  const double key_height = std::ceil(key.height(key_width, true));
+  const double title = layout.detail ? kTitleLine * r.text_size : 0;
+  const double key_height = std::ceil(key.height(key_width, true) + title);
   const double key_top =
       std::clamp(layout.packing.y, pad, std::max(pad, r.height - pad - key_height));
   layout.key = whole({x, key_top, key_width, key_height});
@@ -66,8 +69,20 @@ Layout with_column(const LayoutRequest& r, const Legend& key, double pad) {
 
 }  // namespace
 
+PixelRect strip_place(const LayoutRequest& r, const Legend& key) {
+  const double pad = pad_of(r), width = std::max(1.0, r.width - 2 * pad);
+  return {pad, pad, width, key.empty() ? 0 : std::ceil(key.height(width, false))};
+}
+
+int fitting_height(const LayoutRequest& r, const Legend& key) {
+  const double head = key.empty() ? 0 : strip_place(r, key).height + 2 * pad_of(r);
+  const Vec2 margins(r.margins.left + r.margins.right, r.margins.top + r.margins.bottom);
+  const double scale = std::max(1.0, r.width - margins.x()) / r.world.x();
+  return static_cast<int>(std::ceil(head + r.world.y() * scale + margins.y()));
+}
+
 Layout arrange(const LayoutRequest& request, const Legend& key) {
-  const double pad = std::round(kPad * request.text_size);
+  const double pad = pad_of(request);
   const Layout strip = with_strip(request, key, pad);
   if (key.empty()) return strip;
   const Layout column = with_column(request, key, pad);

@@ -31,6 +31,10 @@ struct LayoutRequest {
   double text_size = 12;  // [px]
   bool detail = false;
 };
+// Where the key stands as a strip at the top, with equal room around it [px].
+PixelRect strip_place(const LayoutRequest& request, const Legend& key);
+// Height of a picture that the packing fills in its whole width, with the key above it [px].
+int fitting_height(const LayoutRequest& request, const Legend& key);
 Layout arrange(const LayoutRequest& request, const Legend& key);
 
 }  // namespace quicksand

@@ -45,7 +45,7 @@ std::vector<Reading> readings(const World& world, const View& view) {
   if (!world.bonds.list.empty() || world.grain_law.cohesion_force) {
     const std::optional<double>& active = sample.active_bond_fraction;
     all.push_back(
-        {"active bonds " + (active ? percent(*active) : std::string("-")), "active bonds 100.0 %"});
+        {"active share " + (active ? percent(*active) : std::string("-")), "active share 100.0 %"});
   }
   all.push_back(depth(sample));
   if (!world.shapes.empty()) {

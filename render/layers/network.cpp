@@ -13,7 +13,6 @@ namespace {
 
 constexpr double kThinnestForce = 0.35;  // [px]; weaker forces are left out
 constexpr double kWidestForce = 1.2;     // [d]
-constexpr double kThinnestRimmed = 2;    // width of a bar [px]
 constexpr double kBarLength = 0.62;      // over the smaller diameter [1]
 
 // Calls draw(from, to) in pixels for each visible image of the link.
@@ -52,9 +51,7 @@ double bond_width(double pixels_per_diameter) {
   return std::clamp(0.14 * pixels_per_diameter, 0.7, 5.0);
 }
 
-double bar_width(double pixels_per_diameter) {
-  return std::clamp(0.2 * pixels_per_diameter, 1.3, 8.0);
-}
+double bar_width(double pixels_per_diameter) { return std::min(0.2 * pixels_per_diameter, 8.0); }
 
 double usual_force(const World& world) {
   std::vector<double> forces;
@@ -108,6 +105,7 @@ void draw_forces(DrawList& list, const World& world, const View& view, const Pan
 }
 
 void draw_broken_bonds(DrawList& list, const World& world, const View& view, const Panel& panel) {
+  if (panel.camera.scale() < kLeastScaleOfBars) return;
   const double width = bar_width(panel.camera.scale());
   const Palette& colours = palette(view.theme);
   for (const Bond& bond : world.bonds.list) {
@@ -129,9 +127,7 @@ void draw_broken_bonds(DrawList& list, const World& world, const View& view, con
     bar.along = 2 * kBarLength * smaller * perpendicular(normal);
     at_each_image(world, panel, bar, [&](const Vec2& from, const Vec2& to) {
       // A rim of the background sets the bars off from any colour of grains.
-      if (width > kThinnestRimmed) {
-        list.line(from, to, 1.6 * width, with_alpha(colours.background, 0.85), true);
-      }
+      list.line(from, to, 1.6 * width, with_alpha(colours.background, 0.85), true);
       list.line(from, to, width, colours.broken, true);
     });
   }

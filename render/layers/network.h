@@ -9,6 +9,8 @@ namespace quicksand {
 
 // A broken bond is marked as long as its bodies are not farther apart than this [d].
 constexpr double kStillClose = 0.3;
+// Bars on smaller grains would blend with their colours [px a d].
+constexpr double kLeastScaleOfBars = 8;
 constexpr double kReferenceWidth = 0.4;  // width of a line of the reference force [d]
 
 // The nice number above the 99th of a hundred normal forces; 0 where there are none [F_g].
@@ -27,7 +29,7 @@ void draw_bonds(DrawList& list, const World& world, const View& view, const Pane
 // Normal forces, compressive and tensile in different colours.
 void draw_forces(DrawList& list, const World& world, const View& view, const Panel& panel,
                  double scale_force);
-// Bars across the contact, where bonds broke.
+// Bars across the contact, where bonds broke; none where grains are too small for them.
 void draw_broken_bonds(DrawList& list, const World& world, const View& view, const Panel& panel);
 
 // Widths of lines [px], shared with the legend.

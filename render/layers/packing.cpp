@@ -157,7 +157,7 @@ void draw_periodic_sides(DrawList& list, const World& world, const View& view, c
     const double at = std::round(panel.camera.to_pixel({x, 0}).x());
     const PixelRect beyond = x == 0 ? PixelRect{panel.clip.x, top, at - panel.clip.x, bottom - top}
                                     : PixelRect{at, top, panel.clip.right() - at, bottom - top};
-    list.rectangle(beyond, with_alpha(colours.background, 0.55));
+    list.rectangle(beyond, with_alpha(colours.background, kPalingBeyondSides));
     const double centre = x == 0 ? at - 0.5 : at + 0.5;
     list.dashed_line({centre, top}, {centre, bottom}, 1, 4, colours.faint_ink);
   }

@@ -16,6 +16,7 @@ void draw_disks(DrawList& list, const World& world, const View& view, const Colo
 void draw_walls(DrawList& list, const World& world, const View& view, const Panel& panel,
                 double text_size);
 // Dashed lines at periodic sides; what lies beyond is paled, since it is drawn elsewhere too.
+constexpr double kPalingBeyondSides = 0.55;
 void draw_periodic_sides(DrawList& list, const World& world, const View& view, const Panel& panel);
 
 }  // namespace quicksand

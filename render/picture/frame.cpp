@@ -74,6 +74,56 @@ Panel detail_panel(const World& world, const PixelRect& place, const WorldRect& 
   return {Camera(part, place), place};
 }
 
+bool sides_in_sight(const World& world, const WorldRect& window) {
+  const auto shown = [&](double x) { return x >= window.low.x() && x <= window.high.x(); };
+  return world.box.sides == Sides::periodic && (shown(0) || shown(world.box.width));
+}
+
+// What is known before anything has a place.
+struct Plan {
+  Plan(const World& world, const View& view, const Font& font, std::span<const std::string> caption)
+      : grains(colour_grains(world, view)),
+        numbers(view.numbers ? readings(world, view) : std::vector<Reading>()),
+        window(window_with_margins(world, view)),
+        margins(wall_margins(world, font.size())),
+        content{world,
+                view,
+                font,
+                grains.scale,
+                view.forces ? force_scale(world, view) : 1,
+                caption,
+                numbers,
+                sides_in_sight(world, window)} {}
+  Plan(const Plan&) = delete;
+  Plan& operator=(const Plan&) = delete;
+
+  LayoutRequest request() const {
+    return {.width = content.view.width,
+            .height = content.view.height,
+            .world = window.size(),
+            .margins = margins,
+            .text_size = content.font.size(),
+            .detail = content.view.detail};
+  }
+  // The room of the key does not depend on the scale; what it says does.
+  Legend room() const { return make_key(content, 1, widest_caption(), true); }
+  Legend key(double pixels_per_diameter) const {
+    return make_key(content, pixels_per_diameter, widest_caption(), false);
+  }
+
+  ColouredGrains grains;
+  std::vector<Reading> numbers;
+  WorldRect window;
+  Margins margins;
+  KeyContent content;  // refers to the grains and numbers
+
+ private:
+  double widest_caption() const {
+    const double text = content.font.size();
+    return std::max(10.0, std::min(content.view.width - 2 * text, kCaptionRoom * text));
+  }
+};
+
 // Part of the panel between periodic sides: lines would hang in the air beyond.
 PixelRect inside_the_sides(const World& world, const Panel& panel) {
   PixelRect rect = panel.clip;
@@ -116,7 +166,7 @@ void draw_detail_frames(DrawList& list, const Panel& packing, const Panel& detai
 }  // namespace
 
 double text_size(const View& view) {
-  if (view.text_size) return *view.text_size;
+  if (view.text_size > 0) return view.text_size;
   return std::clamp(std::round(9 + std::min(view.width, view.height) / 120.0), 10.0, 40.0);
 }
 
@@ -148,48 +198,50 @@ void check(const View& view) {
   if (view.force_scale != 0 && !positive(view.force_scale)) {
     throw InputError("force_scale", "must be positive, or 0, which takes it from the data");
   }
-  if (view.text_size && !(*view.text_size >= 6 && *view.text_size <= 100)) {
-    throw InputError("text_size", "text must be from 6 to 100 pixels high");
+  if (view.text_size != 0 && !(view.text_size >= kSmallestText && view.text_size <= kLargestText)) {
+    throw InputError("text_size",
+                     "text must be from 6 to 100 pixels high, or 0, which takes it from the size");
   }
 }
 
 Frame compose(const World& world, const View& view, const Font& font,
               std::span<const std::string> caption) {
   check(view);
-  const Palette& colours = palette(view.theme);
-  const double text = font.size();
-  const ColouredGrains grains = colour_grains(world, view);
-  const double scale_force = view.forces ? force_scale(world, view) : 1;
-  const std::vector<Reading> numbers =
-      view.numbers ? readings(world, view) : std::vector<Reading>();
-  KeyContent content{world, view, font, grains.scale, scale_force, caption, numbers};
-  const double widest = std::max(10.0, std::min(view.width - 2 * text, kCaptionRoom * text));
-
-  // The room of the key does not depend on the scale; what it says does.
-  const WorldRect window = window_with_margins(world, view);
-  const Margins margins = wall_margins(world, text);
-  const Layout layout = arrange({.width = view.width,
-                                 .height = view.height,
-                                 .world = window.size(),
-                                 .margins = margins,
-                                 .text_size = text,
-                                 .detail = view.detail},
-                                make_key(content, 1, widest, true));
-  Frame frame{DrawList(view.width, view.height, colours.background), layout,
-              packing_panel(layout.packing, window, margins), std::nullopt};
-  content.close_up = layout.detail.has_value();
-  if (layout.detail) frame.detail = detail_panel(world, *layout.detail, window, margins.bottom);
+  Plan plan(world, view, font, caption);
+  const Colour frames = palette(view.theme).faint_ink;
+  const Layout layout = arrange(plan.request(), plan.room());
+  Frame frame{DrawList(view.width, view.height, palette(view.theme).background), layout,
+              packing_panel(layout.packing, plan.window, plan.margins), std::nullopt};
+  plan.content.close_up = layout.detail.has_value();
+  if (layout.detail)
+    frame.detail = detail_panel(world, *layout.detail, plan.window, plan.margins.bottom);
 
   DrawList& list = frame.list;
-  draw_world(list, world, view, grains, frame.packing, text, scale_force);
+  const double text = font.size(), scale_force = plan.content.force_scale;
+  draw_world(list, world, view, plan.grains, frame.packing, text, scale_force);
   if (frame.detail) {
-    draw_world(list, world, view, grains, *frame.detail, text, scale_force);
-    draw_detail_frames(list, frame.packing, *frame.detail, colours.faint_ink);
+    draw_world(list, world, view, plan.grains, *frame.detail, text, scale_force);
+    draw_detail_frames(list, frame.packing, *frame.detail, frames);
   }
   const Camera& shown = frame.detail ? frame.detail->camera : frame.packing.camera;
-  const Legend key = make_key(content, shown.scale(), widest, false);
-  key.draw(list, layout.key, layout.column);
+  plan.key(shown.scale()).draw(list, layout.key, layout.column);
   return frame;
+}
+
+DrawList compose_key(const World& world, const View& view, const Font& font,
+                     double pixels_per_diameter) {
+  const Plan plan(world, view, font, {});
+  const PixelRect place = strip_place(plan.request(), plan.room());
+  DrawList list(view.width, static_cast<int>(place.bottom() + place.y),
+                palette(view.theme).background);
+  plan.key(pixels_per_diameter).draw(list, place, false);
+  return list;
+}
+
+int fitting_height(const World& world, const View& view, const Font& font,
+                   std::span<const std::string> caption) {
+  const Plan plan(world, view, font, caption);
+  return fitting_height(plan.request(), plan.room());
 }
 
 }  // namespace quicksand

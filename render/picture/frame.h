@@ -23,6 +23,13 @@ struct Frame {
 Frame compose(const World& world, const View& view, const Font& font,
               std::span<const std::string> caption = {});
 
+// The key alone, in a strip as wide as the view: of panels that have one scale.
+DrawList compose_key(const World& world, const View& view, const Font& font,
+                     double pixels_per_diameter);
+// Height of a picture of this width that the packing fills in its whole width [px].
+int fitting_height(const World& world, const View& view, const Font& font,
+                   std::span<const std::string> caption = {});
+
 // Size of the text of a view [px].
 double text_size(const View& view);
 // Throws InputError for sizes out of range, empty windows and ranges, scales that are not positive.

@@ -11,6 +11,8 @@
 
 namespace quicksand {
 
+class Font;
+
 // Owns one drawing context. Use it from one thread; several renderers may live side by side.
 class Renderer {
  public:
@@ -23,9 +25,17 @@ class Renderer {
   // (a scene's name, the present phase); their count should stay the same throughout a film.
   // Throws InputError if the view asks for a size that cannot be drawn.
   Image draw(const World& world, const View& view, std::span<const std::string> caption = {});
+  // As high as the packing needs that fills the whole width, with the key above it.
+  Image draw_fitting(const World& world, View view, std::span<const std::string> caption = {});
+  // Side by side, each with a caption and its own numbers, over one key, with one range of colours and one scale of
+  // forces. Worlds with equal boxes have equal scales.
+  Image draw_panels(std::span<const World* const> worlds, View view,
+                    std::span<const std::string> captions);
 
  private:
   struct Impl;
+  const Font& font_of(const View& view);
+
   std::unique_ptr<Impl> impl_;
 };
 

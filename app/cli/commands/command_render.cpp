@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdio>
 #include <memory>
+#include <vector>
 
 #include "app/base/exit_code.h"
 #include "app/base/nearest_name.h"
@@ -27,9 +28,9 @@ namespace fs = std::filesystem;
 constexpr auto kRanges = std::to_array<std::string_view>({"history", "moment"});
 
 struct RenderArguments {
-  fs::path source;  // checkpoint, or folder of a run
+  std::vector<fs::path> sources;  // checkpoints, or the folder of a run
   fs::path out;
-  std::optional<double> time;
+  std::vector<double> times;
   bool film = false;
   MomentOptions moments;
   std::optional<std::string> range;
@@ -41,16 +42,45 @@ void require_png(const fs::path& out) {
     throw InputError(out.string(), "must end in .png; that is what is written");
 }
 
-void render_state(const RenderArguments& options, const View& view) {
-  if (options.time || options.film || options.moments.given() || options.range)
-    throw InputError(options.source.string(),
+struct Shown {
+  World world;
+  std::string scene, phase;
+};
+
+// One picture with the names of scene and phase, or panels a, b, c, each with that of its phase.
+void write_picture(const RenderArguments& options, const View& view,
+                   const std::vector<Shown>& shown) {
+  require_png(options.out);
+  if (shown.size() == 1) {
+    const auto caption = std::to_array<std::string>({shown[0].scene, shown[0].phase});
+    return write_png(options.out, Renderer().draw(shown[0].world, view, caption));
+  }
+  constexpr std::size_t kMostPanels = 26;
+  if (shown.size() > kMostPanels)
+    throw InputError("a picture of " + std::to_string(shown.size()) + " panels",
+                     "has more than there are letters; draw a film");
+  std::vector<const World*> worlds;
+  std::vector<std::string> captions;
+  for (const Shown& one : shown) {
+    captions.push_back(std::string(1, static_cast<char>('a' + worlds.size())) + "  " + one.phase);
+    worlds.push_back(&one.world);
+  }
+  write_png(options.out, Renderer().draw_panels(worlds, view, captions));
+}
+
+void render_states(const RenderArguments& options, const View& view) {
+  if (!options.times.empty() || options.film || options.moments.given() || options.range)
+    throw InputError(options.sources.front().string(),
                      "is one state; --time, --film, --from, --to and --range need the folder of a "
                      "run");
-  require_png(options.out);
-  const StateFile state = read_state(options.source);
-  const auto caption = std::to_array<std::string>({state.scenario.name, state.phase});
-  write_png(options.out,
-            Renderer().draw(state.checkpoint.world, view_of(state.scenario, view), caption));
+  std::vector<Shown> shown;
+  View of_scene = view;
+  for (const fs::path& source : options.sources) {
+    StateFile state = read_state(source);
+    of_scene = view_of(state.scenario, view);
+    shown.push_back({std::move(state.checkpoint.world), state.scenario.name, state.phase});
+  }
+  write_picture(options, of_scene, shown);
 }
 
 // Whether scales are those of the whole history.
@@ -59,10 +89,13 @@ bool fixed_scales(const RenderArguments& options) {
   return named(kRanges, word, std::identity(), "--range " + word, "is no range") == kRanges.front();
 }
 
-void render_moment(const RenderArguments& options, const History& history, std::size_t k,
-                   const Scenario& scenario, const View& view) {
-  const auto caption = std::to_array<std::string>({scenario.name, history.moments()[k].phase_name});
-  write_png(options.out, Renderer().draw(history.world(k), view_of(scenario, view), caption));
+void render_moments(const RenderArguments& options, const History& history,
+                    const std::vector<std::size_t>& moments, const Scenario& scenario,
+                    const View& view) {
+  std::vector<Shown> shown;
+  for (const std::size_t k : moments)
+    shown.push_back({history.world(k), scenario.name, history.moments()[k].phase_name});
+  write_picture(options, view_of(scenario, view), shown);
 }
 
 void render_film(const RenderArguments& options, const History& history, const Moments& moments,
@@ -79,39 +112,44 @@ void render_film(const RenderArguments& options, const History& history, const M
     film.add(history.world(k), history.moments()[k].phase_name);
   if (const std::string problem = film.finish(); !problem.empty())
     throw InputError(options.out.string(), problem);
-  if (write_film_page(folder.film_page(), RunFolder{options.source}, view, moments.first,
+  if (write_film_page(folder.film_page(), RunFolder{options.sources.front()}, view, moments.first,
                       moments.end) == 0)
     std::fprintf(stderr, "quicksand: no %s: one sample is larger than a page may be\n",
                  folder.film_page().c_str());
 }
 
 void render_run(const RenderArguments& options, View view) {
-  if (options.time && (options.film || options.moments.given()))
+  if (!options.times.empty() && (options.film || options.moments.given()))
     throw InputError("--time", "draws one moment; a film is from --from to --to");
   if (options.moments.given() && !options.film)
     throw InputError("--from and --to",
                      "are of a film; add --film, or draw one moment with --time");
   if (!options.film) require_png(options.out);
   const bool fixed = fixed_scales(options);
-  const History history = history_of(RunFolder{options.source});
-  const Scenario scenario = read_scene({RunFolder{options.source}.scene(), {}, {}});
+  const History history = history_of(RunFolder{options.sources.front()});
+  const Scenario scenario = read_scene({RunFolder{options.sources.front()}.scene(), {}, {}});
   const Moments moments = moments_between(history, options.moments);
-  const std::size_t moment =
-      options.time ? moment_at(history, "--time", *options.time) : moments.end - 1;
+  std::vector<std::size_t> shown;
+  for (const double time : options.times) shown.push_back(moment_at(history, "--time", time));
+  if (shown.empty()) shown.push_back(moments.end - 1);
   if (fixed) view = fixed_over(history, view);
   if (options.film)
     render_film(options, history, moments, scenario, view);
   else
-    render_moment(options, history, moment, scenario, view);
+    render_moments(options, history, shown, scenario, view);
 }
 
 int render(const RenderArguments& options) {
   const View view = view_from(options.picture);
   std::error_code ignored;
-  if (fs::is_directory(options.source, ignored))
+  if (!fs::is_directory(options.sources.front(), ignored))
+    render_states(options, view);
+  else if (options.sources.size() == 1)
     render_run(options, view);
   else
-    render_state(options, view);
+    throw InputError(options.sources[1].string(),
+                     "follows the folder of a run, of which one is drawn; give states, or several "
+                     "times of one run");
   std::printf("%s\n", options.out.c_str());
   return kFine;
 }
@@ -123,8 +161,9 @@ Command add_render(CLI::App& program) {
       program.add_subcommand("render", "Draw a state, or any moment or part of a run again.");
   const auto options = std::make_shared<RenderArguments>();
   command
-      ->add_option("source", options->source,
-                   "checkpoint, or the folder of a run, finished or still computing")
+      ->add_option("source", options->sources,
+                   "checkpoint, or the folder of a run, finished or still computing; of several "
+                   "checkpoints each is a panel: a, b, c")
       ->type_name("STATE.cbor|DIR")
       ->required();
   command
@@ -135,9 +174,12 @@ Command add_render(CLI::App& program) {
       ->required();
   command->option_defaults()->group("Moments of a run");
   command
-      ->add_option("--time", options->time,
-                   "draw the sample nearest to this time [sqrt(d/g)]; the last one if absent")
-      ->type_name("TIME")
+      ->add_option("--time", options->times,
+                   "draw the sample nearest to this time [sqrt(d/g)], of several each as a panel; "
+                   "the last one if absent")
+      ->type_name("TIME,...")
+      ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(in_range(between(0, 1e12, "sqrt(d/g)")));
   command->add_flag("--film", options->film, "draw all samples, and join them to a film");
   add_moment_options(*command, options->moments);

@@ -50,6 +50,7 @@ TEST(NiceNumbers, AreShortInText) {
   EXPECT_EQ(short_number(0.05), "0.05");
   EXPECT_EQ(short_number(20), "20");
   EXPECT_EQ(short_number(1500), "1500");
+  EXPECT_EQ(short_number(1000 * (1 - 1e-15)), "1000");
   EXPECT_EQ(short_number(2e6), "2e6");
   EXPECT_EQ(short_number(-0.5), "−0.5");
   EXPECT_EQ(fixed_number(-0.001, 1), "0.0");

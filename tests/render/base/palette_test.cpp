@@ -65,6 +65,14 @@ TEST_P(InTheme, TextIsReadable) {
   EXPECT_GT(std::abs(lightness(colours.ink) - lightness(colours.background)), 75);
 }
 
+// From red over orange to blue in both, or a reader of one theme misreads the other.
+TEST_P(InTheme, TheHuesOfBondsGoFromRedToBlue) {
+  const std::array<Colour, 5>& bonds = palette(GetParam()).bonds;
+  for (const std::size_t i : {0, 1, 2}) EXPECT_GT(bonds[i].r, bonds[i].b + 50) << i;
+  for (const std::size_t i : {1, 2}) EXPECT_GT(bonds[i].g, bonds[i - 1].g + 40) << i;
+  for (const std::size_t i : {3, 4}) EXPECT_GT(bonds[i].b, bonds[i].r + 30) << i;
+}
+
 INSTANTIATE_TEST_SUITE_P(Themes, InTheme, testing::Values(Theme::light, Theme::dark),
                          [](const auto& p) { return p.param == Theme::light ? "Light" : "Dark"; });
 

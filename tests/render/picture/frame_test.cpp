@@ -8,6 +8,7 @@
 #include "core/base/errors.h"
 #include "core/scene/scenario.h"
 #include "render/base/palette.h"
+#include "render/layers/network.h"
 #include "tests/support/render/worlds.h"
 
 namespace quicksand {
@@ -93,6 +94,44 @@ TEST(Frame, OnlyBrokenBondsThatAreStillCloseAreMarked) {
   EXPECT_EQ(bars(), 2);
   world.disks.position[9].y() += 0.5;
   EXPECT_EQ(bars(), 1);
+}
+
+TEST(Frame, GrainsThatAreTooSmallForBarsHaveNoneAndTheKeySaysNothingOfThem) {
+  World world = worlds::arch();
+  world.box.height = 20;
+  const Colour broken = palette(Theme::light).broken;
+  for (const auto& [width, drawn] : {std::pair(400, true), {70, false}}) {
+    const View view{.width = width, .height = 600, .detail = false};
+    const Frame frame = compose(world, view, font());
+    ASSERT_EQ(frame.packing.camera.scale() >= kLeastScaleOfBars, drawn);
+    EXPECT_EQ(std::ranges::count(frame.list.segments(), broken, &SegmentShape::colour),
+              drawn ? 3 : 0);
+  }
+}
+
+TEST(Frame, TheKeyTellsOfPeriodicSidesWhereTheyAreInSight) {
+  const World world = worlds::arch();
+  const auto letters = [&](const World& shown, const WorldRect& window) {
+    return compose(shown, View{.window = window}, font()).list.glyphs().size();
+  };
+  const WorldRect all{{-1, 0}, {9, 6}}, inside{{1, 0}, {7, 6}};
+  EXPECT_GT(letters(world, all), letters(world, inside) + 15);
+  World between_walls = world;
+  between_walls.box.sides = Sides::walls;
+  EXPECT_EQ(letters(between_walls, all), letters(world, inside));
+}
+
+TEST(Frame, AFittingPictureIsFilledByItsPacking) {
+  World world = worlds::arch();
+  for (const double box_height : {6.0, 25.0}) {
+    world.box.height = box_height;
+    View view{.width = 300, .detail = false, .text_size = 12};
+    view.height = fitting_height(world, view, font());
+    const Frame frame = compose(world, view, font());
+    EXPECT_GT(frame.packing.clip.width, 0.99 * view.width);
+    EXPECT_FALSE(frame.layout.column);
+    EXPECT_NEAR(frame.packing.clip.bottom(), view.height, 2);
+  }
 }
 
 TEST(Frame, ForcesThatPullHaveAnotherColourThanForcesThatPush) {

@@ -80,13 +80,23 @@ TEST_F(Golden, LegendAsAStrip) {
 
 TEST_F(Golden, LegendAsAColumnWithACloseUp) {
   World world = worlds::arch_with_intruder();
-  world.box.height = 30;
+  world.box.height = 40;
   const View view{.width = 480,
-                  .height = 270,
+                  .height = 320,
                   .theme = Theme::dark,
                   .colouring = Colouring::pressure,
                   .forces = true};
   golden::expect_same(draw(world, view, {"An arch", "pushed"}), "legend_column");
+}
+
+TEST_F(Golden, PanelsUnderOneKey) {
+  const World first = worlds::arch(), second = worlds::arch_with_intruder();
+  const World* const panels[] = {&first, &second};
+  const std::string captions[] = {"a  before", "b  pushed"};
+  golden::expect_same(
+      renderer->draw_panels(panels, View{.width = 480, .height = 330, .expects_intruder = true},
+                            captions),
+      "panels");
 }
 
 TEST_F(Golden, SameWorldAndViewGiveTheSameBytes) {
