@@ -1,6 +1,6 @@
 // Controls made from the descriptions that the server sends: each sends a command when it is changed, and shows why a
 // value was refused.
-import {capitalised, element, short, unit_text} from "./numbers.js";
+import {capitalised, element, short, typeset, unit_text} from "./numbers.js";
 
 function help_of(field) {
   let help = capitalised(field.help || field.label);
@@ -49,7 +49,7 @@ function control(field, change) {
   });
   input.addEventListener("keydown", (event) => event.key === "Escape" && ((input.value = field.value ?? ""), input.blur()));
   if (field.kind === "flag") return element("label", {title: help}, input, capitalised(field.label));
-  const side = element("span", {className: "with_unit"}, input, unit ? element("small", {title: field.unit}, unit) : null);
+  const side = element("span", {className: "with_unit"}, input, unit ? element("small", {title: field.unit}, ...typeset(unit)) : null);
   return element("label", {className: "row", title: help}, element("span", {}, capitalised(field.label)), side, problem);
 }
 
@@ -97,6 +97,6 @@ export function show_actions(part, commands) {
     const input = force === null ? null : element("input", {type: "number", min: "0", step: "any", value: force, "aria-label": `Force of ${name.toLowerCase()} in grain weights`});
     const button = element("button", {type: "button", title: help}, name);
     button.addEventListener("click", () => commands.tried(...command(input ? Number(input.value) : 0)));
-    part.append(element("div", {className: "row"}, button, input ? element("span", {className: "with_unit"}, input, element("small", {}, "F_g")) : ""));
+    part.append(element("div", {className: "row"}, button, input ? element("span", {className: "with_unit"}, input, element("small", {}, ...typeset("F_g"))) : ""));
   }
 }

@@ -14,6 +14,13 @@ const with_alpha = ([r, g, b], alpha) => [r, g, b, Math.round(255 * alpha)];
 const mix = (a, b, t) => [0, 1, 2].map((i) => Math.round((1 - t) * a[i] + t * b[i]));
 
 export function text_size(width, height) { return clamp(Math.round(9 + Math.min(width, height) / 120), 10, 40); }
+// Bars of broken bonds would blend with the colours of smaller grains.
+export function draws_bars(camera) { return camera.scale >= 8; }
+// Whether a periodic side is in sight.
+export function shows_sides(frame, {window}) {
+  const {periodic, width} = frame.box;
+  return periodic && [0, width].some((x) => x >= window[0] && x <= window[2]);
+}
 export function hatch_depth(text) { return Math.round(0.55 * text); }
 
 class Drawing {
@@ -202,13 +209,14 @@ class Drawing {
   }
 
   broken_bonds() {
-    const {broken} = this.frame, width = clamp(0.2 * this.camera.scale, 1.3, 8);
+    if (!draws_bars(this.camera)) return;
+    const {broken} = this.frame, width = Math.min(0.2 * this.camera.scale, 8);
     const rim = packed(with_alpha(this.palette.background, 0.85));
     for (let i = 0; i < broken.length; i += 2) {
       const [mx, my, nx, ny, size] = this.touch(broken[i])?.subarray(4) ?? this.gap_of(broken[i], broken[i + 1]);
       const half = 0.62 * size;
       this.draw_link([mx + half * ny, my - half * nx, -2 * half * ny, 2 * half * nx], (...ends) => {
-        if (width > 2) this.list.line(...ends, 1.6 * width, rim, true);
+        this.list.line(...ends, 1.6 * width, rim, true);
         this.list.line(...ends, width, this.colour.broken, true);
       });
     }

@@ -1,5 +1,5 @@
 // What holds a grain: beside the mouse in short, in the panel in full.
-import {element, grouped, short} from "./numbers.js";
+import {element, grouped, short, typeset} from "./numbers.js";
 
 function readings(body) {
   const pair = ([x, y]) => `(${short(x)}, ${short(y)})`;
@@ -16,7 +16,7 @@ function readings(body) {
 }
 
 function rows_of(list) {
-  return element("dl", {}, ...list.flatMap(([name, value]) => [element("dt", {}, name), element("dd", {}, String(value))]));
+  return element("dl", {}, ...list.flatMap(([name, value]) => [element("dt", {}, ...typeset(name)), element("dd", {}, String(value))]));
 }
 
 function contacts(body) {

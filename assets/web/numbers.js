@@ -15,6 +15,11 @@ export function unit_text(unit) {
   return unit === "grain masses" ? "m_g" : unit.replace("sqrt", "√");
 }
 
+// Text with what stands behind an underscore set as a subscript, as in F_g.
+export function typeset(text) {
+  return text.split(/(_[A-Za-z]+)/).filter(Boolean).map((piece) => (piece[0] === "_" ? element("sub", {}, piece.slice(1)) : piece));
+}
+
 export function duration(seconds) {
   if (seconds < 60) return Math.ceil(seconds) + " s";
   if (seconds < 3600) return Math.round(seconds / 60) + " min";
@@ -22,6 +27,15 @@ export function duration(seconds) {
 }
 
 export function capitalised(text) { return text[0].toUpperCase() + text.slice(1).replaceAll("_", " "); }
+
+// A column of series.csv in the words of the panel.
+export function quantity(name) { return capitalised(name.replace("bond_fraction", "share")); }
+
+// Multiples of the smallest 1, 2 or 5 times a power of ten of which no more than `most` fit into a span.
+export function nice_step(span, most) {
+  const power = 10 ** Math.floor(Math.log10(span / most));
+  return power * [1, 2, 5, 10].find((first) => first * power * most >= span * (1 - 1e-9));
+}
 
 // 1, 2 or 5 times a power of ten, not above x.
 export function nice_below(x) {

@@ -1,8 +1,8 @@
 // The picture: the newest frame through the camera, with legend, scale bar and rings over it.
 import {Camera, Gestures, first_window, kZoomOfAKey} from "./camera.js";
-import {draw} from "./drawing.js";
+import {draw, draws_bars, shows_sides} from "./drawing.js";
 import {show_inspection, show_tooltip} from "./inspection.js";
-import {element, nice_below, short} from "./numbers.js";
+import {element, nice_below, short, typeset} from "./numbers.js";
 import {Painter} from "./painter.js";
 
 const by_id = (id) => document.getElementById(id);
@@ -15,7 +15,7 @@ export class Picture {
     this.canvas = by_id("picture");
     this.shaders = shaders;
     this.gestures = new Gestures(this.canvas, this);
-    new ResizeObserver(() => this.resize()).observe(by_id("view"));
+    new ResizeObserver(() => this.resize()).observe(this.canvas);
     for (const button of document.querySelectorAll("#camera button")) button.addEventListener("click", () => this.press(button.dataset.do));
   }
 
@@ -27,8 +27,8 @@ export class Picture {
   }
 
   resize() {
-    const ratio = window.devicePixelRatio || 1, view = by_id("view");
-    const [width, height] = [view.clientWidth, view.clientHeight].map((x) => Math.max(64, Math.round(x * ratio)));
+    const ratio = window.devicePixelRatio || 1, {clientWidth, clientHeight} = this.canvas;
+    const [width, height] = [clientWidth, clientHeight].map((x) => Math.max(64, Math.round(x * ratio)));
     if (this.canvas.width === width && this.canvas.height === height) return;
     [this.canvas.width, this.canvas.height] = [width, height];
     if (this.frame?.png) this.tell_size();
@@ -72,7 +72,7 @@ export class Picture {
     this.canvas.setAttribute("aria-label", `${frame.scene}: ${frame.bodies} bodies at time ${short(frame.time)}, phase ${frame.phase_name}`);
     this.show_rings(camera);
     this.show_scale_bar(camera);
-    this.show_legend();
+    this.show_legend(camera);
   }
 
   async paint_pixels(png) {
@@ -110,9 +110,24 @@ export class Picture {
     bar.lastElementChild.style.width = `${(size * camera.scale) / ratio}px`;
   }
 
-  show_legend() {
-    const part = by_id("legend"), {legend, shows, force_scale} = this.frame;
-    const text = JSON.stringify([legend, shows, force_scale]);
+  // What is drawn besides the colours of the grains, each with the class of its sign and what it means.
+  drawn(camera) {
+    const {palette, intruders, bonds, broken, force_scale, disks} = this.frame;
+    if (!disks) return [];
+    const force = force_scale ? `${short(force_scale)} F_g` : "";
+    return [
+      intruders.length ? ["", palette.intruder, "intruder"] : null,
+      bonds.length ? ["line", palette.ink, "active bond"] : null,
+      force ? ["line", palette.compressive, `compression, 0.4 d wide: ${force}`] : null,
+      force ? ["line", palette.tensile, "tension"] : null,
+      broken.length && draws_bars(camera) ? ["bar", palette.broken, "broken bond, still near"] : null,
+      shows_sides(this.frame, camera) ? ["side", palette.faint_ink, "periodic side, pale images"] : null,
+    ].filter(Boolean);
+  }
+
+  show_legend(camera) {
+    const part = by_id("legend"), {legend, shows} = this.frame, drawn = this.drawn(camera);
+    const text = JSON.stringify([legend, shows, drawn]);
     if (part.dataset.made === text) return;
     part.dataset.made = text;
     part.replaceChildren();
@@ -129,13 +144,13 @@ export class Picture {
       bar.style.background = `linear-gradient(to right, ${legend.bar.map(css).join()})`;
       part.append(bar, element("div", {className: "ends"}, ...legend.range.map((x) => element("span", {}, short(x)))));
     }
-    const items = legend.swatches.map(([colour, label]) => {
-      const swatch = element("i", {});
-      swatch.style.background = css(colour);
-      return element("li", {}, swatch, label);
-    });
-    if (items.length) part.append(element("ul", {}, ...items));
-    if (force_scale) part.append(element("div", {}, `Force: a line 0.4 d wide is ${short(force_scale)} F_g`));
+    const list = (signs) => element("ul", {}, ...signs.map(([kind, colour, label]) => {
+      const sign = element("i", {className: kind});
+      sign.style.setProperty("--sign", css(colour));
+      return element("li", {}, sign, element("span", {}, ...typeset(label)));
+    }));
+    if (legend.swatches.length) part.append(list(legend.swatches.map((swatch) => ["", ...swatch])));
+    if (drawn.length) part.append(list(drawn));
   }
 
   // What the gestures ask for.

@@ -1,11 +1,21 @@
 // Histories over time or over the way of an intruder: small plots with one cursor, which is a time.
-import {capitalised, element, short, unit_text} from "./numbers.js";
+import {capitalised, element, nice_step, quantity, short, typeset, unit_text} from "./numbers.js";
 
 const kFirst = ["active_bond_fraction", "coordination", "depth"];
 // What a plot may be over, and what a scene with a driven intruder shows first.
 const kOver = {time: "time", depth: "depth", intruder_angle: "angle"};
 const kOfDrive = {penetrate: ["resistance", "depth"], vane: ["intruder_torque", "intruder_angle"]};
-const kRoom = {left: 46, right: 8, top: 6, bottom: 16};
+const kRoom = {left: 46, right: 8, top: 7, bottom: 18};
+const kMostSteps = 3;  // between the ticks of the ordinate
+const kTickRoom = 45;  // of a tick of the abscissa [px]
+const kNearATick = 0.1;  // steps by which a curve may pass the last tick
+
+// Round numbers from low to high.
+function multiples(step, low, high) {
+  const all = [];
+  for (let k = Math.ceil(low / step - 1e-9); k <= high / step + 1e-9; ++k) all.push(Number((k * step).toPrecision(12)));
+  return all;
+}
 
 export class Plots {
   constructor(part) {
@@ -20,10 +30,10 @@ export class Plots {
 
   make(name, i) {
     const select = element("select", {"aria-label": `Quantity of plot ${i + 1}`});
-    const over = element("select", {"aria-label": `Over what plot ${i + 1} is`});
+    const over = element("select", {className: "over", "aria-label": `Over what plot ${i + 1} is`});
     const output = element("output", {}), canvas = element("canvas", {tabIndex: 0, role: "img"});
-    const head = element("div", {}, select, over, output);
-    const plot = {name, over: "time", select, over_select: over, output, canvas, element: element("div", {className: "plot"}, head, canvas)};
+    const head = element("div", {}, select, output);
+    const plot = {name, over: "time", select, over_select: over, output, canvas, element: element("div", {className: "plot"}, head, canvas, over)};
     select.addEventListener("change", () => {
       plot.name = select.value;
       this.draw();
@@ -52,14 +62,16 @@ export class Plots {
       if (plot.names === names.join()) continue;
       plot.names = names.join();
       const all = names.includes(plot.name) ? names : [plot.name, ...names];
-      plot.select.replaceChildren(...all.map((n) => element("option", {value: n}, capitalised(n))));
+      plot.select.replaceChildren(...all.map((n) => element("option", {value: n}, quantity(n))));
       plot.select.value = plot.name;
       const overs = Object.keys(kOver).filter((n) => n === "time" || n === plot.over || names.includes(n));
-      plot.over_select.replaceChildren(...overs.map((n) => element("option", {value: n}, "over " + kOver[n])));
+      plot.over_select.replaceChildren(...overs.map((n) => element("option", {value: n}, `${kOver[n]} [${this.unit_of(n)}]`)));
       plot.over_select.value = plot.over;
     }
     this.draw();
   }
+
+  unit_of(name) { return unit_text(this.message.columns.find((c) => c.name === name)?.unit ?? "sqrt(d/g)"); }
 
   // The phases of a scene: the last plots are of its drives.
   set_phases(phases) {
@@ -115,7 +127,7 @@ export class Plots {
     g.scale(ratio, ratio);
     g.font = "12px Roboto, sans-serif";
     const times = this.message.time ?? [], values = this.message[plot.name] ?? [];
-    const places = this.message[plot.over] ?? [], over = this.message.columns.find((c) => c.name === plot.over);
+    const places = this.message[plot.over] ?? [];
     const shown = values.map((v, i) => Number.isFinite(v) && Number.isFinite(places[i]));
     let low = Infinity, high = -Infinity, from = Infinity, to = -Infinity;
     values.forEach((v, i) => {
@@ -128,27 +140,37 @@ export class Plots {
       plot.output.textContent = "";
       g.fillStyle = colours.faint;
       g.fillText("no values yet", kRoom.left, h / 2);
-      return canvas.setAttribute("aria-label", `${capitalised(plot.name)}: no values yet`);
+      return canvas.setAttribute("aria-label", `${quantity(plot.name)}: no values yet`);
     }
     if (low === high) [low, high] = [low - (Math.abs(low) || 1) / 2, high + (Math.abs(high) || 1) / 2];
     to = Math.max(to, from + 1e-9);
+    const step = nice_step(high - low, kMostSteps);
+    [low, high] = [Math.min(low, Math.floor(low / step + kNearATick) * step), Math.max(high, Math.ceil(high / step - kNearATick) * step)];
     const width = w - kRoom.left - kRoom.right, height = h - kRoom.top - kRoom.bottom;
     plot.scale = {from, to, width};
     const x_of = (x) => kRoom.left + ((x - from) / (to - from)) * width, y_of = (v) => kRoom.top + (1 - (v - low) / (high - low)) * height;
     g.strokeStyle = colours.line;
     g.fillStyle = colours.faint;
-    g.textAlign = "right";
-    for (const v of [low, high]) {
-      const y = Math.round(y_of(v)) + 0.5;
+    const line = (x0, y0, x1, y1) => {
       g.beginPath();
-      g.moveTo(kRoom.left, y);
-      g.lineTo(w - kRoom.right, y);
+      g.moveTo(x0, y0);
+      g.lineTo(x1, y1);
       g.stroke();
-      g.fillText(short(v), kRoom.left - 5, y + (v === low ? 0 : 8));
+    };
+    g.textAlign = "right";
+    for (const v of multiples(step, low, high)) {
+      const y = Math.round(y_of(v)) + 0.5;
+      line(kRoom.left, y, w - kRoom.right, y);
+      g.fillText(short(v), kRoom.left - 5, y + 4);
     }
-    g.fillText(`${short(to)} ${unit_text(over?.unit ?? "sqrt(d/g)")}`, w - kRoom.right, h - 3);
-    g.textAlign = "left";
-    g.fillText(short(from), kRoom.left, h - 3);
+    // What it is over stands at the right end.
+    const free = plot.over_select.offsetLeft - canvas.offsetLeft;
+    g.textAlign = "center";
+    for (const v of multiples(nice_step(to - from, Math.max(2, Math.floor(width / kTickRoom))), from, to)) {
+      const x = Math.round(x_of(v)) + 0.5, text = short(v);
+      line(x, h - kRoom.bottom, x, h - kRoom.bottom + 3);
+      if (x + g.measureText(text).width / 2 < free) g.fillText(text, x, h - 3);
+    }
     g.strokeStyle = colours.curve;
     g.lineWidth = 1.5;
     g.beginPath();
@@ -161,8 +183,8 @@ export class Plots {
     const cursor = this.cursor ?? this.moment;
     const at = cursor === null ? values.length - 1 : this.nearest(cursor), unit = unit_text(column.unit);
     const text = `${short(values[at])}${unit ? " " + unit : ""}`;
-    plot.output.textContent = cursor === null ? text : `${text} at ${short(times[at])}`;
-    canvas.setAttribute("aria-label", `${capitalised(plot.name)} over ${kOver[plot.over]}, ${plot.output.textContent}`);
+    plot.output.replaceChildren(...typeset(cursor === null ? text : `${text} at ${short(times[at])}`));
+    canvas.setAttribute("aria-label", `${quantity(plot.name)} over ${kOver[plot.over]}, ${plot.output.textContent}`);
     if (cursor === null || !Number.isFinite(places[at])) return;
     g.strokeStyle = colours.accent;
     g.lineWidth = 1;

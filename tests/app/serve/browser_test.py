@@ -277,7 +277,7 @@ def shows_shapes(browser, server):
         assert worst >= 0.99, f"only {worst:.4f} of the pixels look alike"
         page.resize(1280, 800)
         # Its load over its way, and the cursor of the others at the place that is pointed at.
-        page.wait("[...document.querySelectorAll('.plot')].at(-1).textContent.includes('over depth')"
+        page.wait("[...document.querySelectorAll('.plot')].at(-1).textContent.includes('depth [d]')"
                   " && quicksand.plots.plots.at(-1).scale?.to > 0.2", what="resistance over depth")
         assert page.run("return quicksand.plots.plots.map((p) => p.over)") == ["time", "time", "depth"]
         x, y = page.run("const r = [...document.querySelectorAll('.plot canvas')].at(-1).getBoundingClientRect();"
@@ -288,7 +288,7 @@ def shows_shapes(browser, server):
                                   " return [message.depth[i], quicksand.plots.plots.at(-1).scale.to]")
         assert 0 < depth < reached, (depth, reached)
         page.screenshot(FOLDER / "cone.png")
-        page.choose(".plot:last-child select:nth-of-type(2)", "time")
+        page.choose(".plot:last-child .over", "time")
         page.wait("quicksand.plots.plots.at(-1).over === 'time'")
         problems = complaints(page)
         assert not problems, f"the page complained: {problems}"
