@@ -182,11 +182,30 @@ std::string needed(const std::vector<Found>& all, const std::string& observable,
   return setting_text(*cheapest->row) + format(" (%.2g s)", cheapest->seconds);
 }
 
+// Labels of points, each centred above its point, or below it where another is in its way.
+void add_labels(Plot& plot, std::vector<Annotation> labels) {
+  constexpr double kCharacter = 1.0 / 70;  // about its width, over that of the graph
+  constexpr double kOffset = 0.6;          // at which a label begins, in characters
+  std::ranges::sort(labels, {}, &Annotation::x);
+  const double first = std::log(labels.front().x);
+  const double character = kCharacter * (std::log(*plot.x.high) - first);
+  double taken = -HUGE_VAL;  // by those above, up to here
+  for (Annotation& label : labels) {
+    const double place = std::log(label.x);
+    const double half = character * static_cast<double>(label.text.size()) / 2;
+    label.below = place - half < taken;
+    if (!label.below) taken = place + half;
+    label.x = std::exp(std::max(place - half, first - character) - kOffset * character);
+  }
+  plot.annotations = std::move(labels);
+}
+
 Plot cost_plot(const std::vector<Found>& all, const std::string& observable, const char* name) {
   Plot plot{.name = name,
             .title = observable + " against the reference run",
             .x = {.label = "CPU time of the push, mean", .unit = "s", .logarithmic = true},
             .y = {.label = "mean deviation", .unit = "%"}};
+  std::vector<Annotation> labels;
   const auto add = [&](const std::string& text, const std::string& rule, bool usual_tolerance) {
     Curve curve{.name = text};
     for (const Found& found : all) {
@@ -196,10 +215,7 @@ Plot cost_plot(const std::vector<Found>& all, const std::string& observable, con
       curve.x.push_back(found.seconds);
       curve.y.push_back(100 * off.value);
       curve.y_error.push_back(100 * off.error.value_or(0));
-      // Above and below in turns, as neighbours are near.
-      if (usual_tolerance)
-        plot.annotations.push_back(
-            {curve.x.back(), curve.y.back(), format("%g", row.dt), curve.x.size() % 2 == 0});
+      if (usual_tolerance) labels.push_back({curve.x.back(), curve.y.back(), format("%g", row.dt)});
     }
     if (!curve.x.empty()) plot.curves.push_back(std::move(curve));
   };
@@ -209,6 +225,7 @@ Plot cost_plot(const std::vector<Found>& all, const std::string& observable, con
   constexpr double kRoomForLabels = 1.4;
   plot.x.high =
       kRoomForLabels * std::ranges::max(std::span(all).subspan(1), {}, &Found::seconds).seconds;
+  if (!labels.empty()) add_labels(plot, std::move(labels));
   plot.references.push_back({.low = -5, .high = 5, .role = quicksand::Reference::Role::guide});
   return plot;
 }

@@ -127,23 +127,52 @@ Table table_of(std::span<const Row> rows) {
   return table;
 }
 
-// Time against error of a scene: a curve a program, its settings the points.
+std::string program_of(const Row& row) { return row.method.substr(0, row.method.find(',')); }
+
+// Time against error of a scene. Of each program an open marker and a filled one of the same form: its defaults, and
+// its tuned setting.
 Plot scene_plot(std::span<const Row> rows, const std::string& scene) {
   constexpr double kLeast = 1e-12;  // below it an error is drawn here [d]
+  const bool of_heap = scene.starts_with("heap");
   Plot plot{.name = "peers_" + file_name_text(scene),
             .title = scene,
-            .x = {.label = "error: what rigid disks at rest would not do", .logarithmic = true},
+            .x = {.label = of_heap ? "largest overlap" : "largest displacement",
+                  .unit = "d",
+                  .logarithmic = true},
             .y = {.label = "CPU time", .unit = "s", .logarithmic = true}};
+  std::string last;
   for (const Row& row : rows) {
     if (row.name != scene || !row.error || row.seconds.cpu <= 0) continue;
-    plot.x.unit = row.unit;
-    const std::string program = row.method.substr(0, row.method.find(','));
-    if (plot.curves.empty() || plot.curves.back().name != program)
-      plot.curves.push_back({.name = program, .kind = Curve::Kind::line_points});
-    plot.curves.back().x.push_back(std::max(kLeast, *row.error));
-    plot.curves.back().y.push_back(row.seconds.cpu);
+    const std::string program = program_of(row);
+    if (program != last) {
+      plot.curves.push_back({.role = Curve::Role::paper});  // which has open markers
+      plot.curves.push_back({});
+      last = program;
+    }
+    const bool tuned = row.method.ends_with("tuned");
+    Curve& curve = plot.curves[plot.curves.size() - (tuned ? 1 : 2)];
+    curve.x.push_back(std::max(kLeast, *row.error));
+    curve.y.push_back(row.seconds.cpu);
+    // In the legend stands the tuned one, where there is one.
+    if (tuned) plot.curves[plot.curves.size() - 2].name.clear();
+    if (tuned || plot.curves.back().x.empty()) curve.name = program;
   }
   return plot;
+}
+
+// Programs that are installed but have no point in a scene.
+std::string missing_programs(std::span<const Row> rows, const std::string& scene) {
+  std::string missing;
+  for (const Peer& peer : peers()) {
+    bool installed = false, drawn = false;
+    for (const Row& row : rows) {
+      if (row.name != scene || row.found == kAbsent || !row.method.starts_with(peer.name)) continue;
+      installed = true;
+      drawn = drawn || (row.error && row.seconds.cpu > 0);
+    }
+    if (installed && !drawn) missing += (missing.empty() ? "" : ", ") + std::string(peer.name);
+  }
+  return missing;
 }
 
 }  // namespace
@@ -165,7 +194,7 @@ void report_peers(std::span<const Row> rows, const Options&, Section& section) {
       "precision: it is off by the distance of neighbouring numbers at least."});
   std::set<std::string> absent, scenes;
   for (const Row& row : rows)
-    if (row.found == kAbsent) absent.insert(row.method.substr(0, row.method.find(',')));
+    if (row.found == kAbsent) absent.insert(program_of(row));
   for (const Peer& peer : peers())
     if (absent.contains(std::string(peer.name)))
       section.add(
@@ -175,10 +204,12 @@ void report_peers(std::span<const Row> rows, const Options&, Section& section) {
   section.add(table_of(rows));
   for (const Row& row : rows) {
     if (row.unit != "d" || !row.error || !scenes.insert(row.name).second) continue;
-    section.add(quicksand::Figure{
-        scene_plot(rows, row.name),
-        row.name + ": further left and lower is better; each program's two points are its defaults "
-                   "and its tuned setting. Errors below 1e-12 d are drawn there."});
+    std::string caption = row.name +
+                          ": open markers are defaults, filled ones tuned settings; further left "
+                          "and lower is better. Errors below 1e-12 d are drawn there.";
+    if (const std::string missing = missing_programs(rows, row.name); !missing.empty())
+      caption += " Without a point, as they gave no answer or have no such bonds: " + missing + ".";
+    section.add(quicksand::Figure{scene_plot(rows, row.name), caption});
   }
 }
 

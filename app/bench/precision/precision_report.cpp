@@ -12,7 +12,10 @@ namespace quicksand::bench {
 namespace {
 
 constexpr std::array kMethods{"auto", "interior_point", "gauss_seidel"};
-constexpr double kTight = 1e-9;  // residual of a reference that can be relied on
+// In the legend of plots, in the same order.
+constexpr std::array kMethodNames{"solver chain", "interior point", "Gauss-Seidel"};
+constexpr double kLeastError = 1e-16;  // what rounding leaves; smaller ones are drawn here [g dt]
+constexpr double kTight = 1e-9;        // residual of a reference that can be relied on
 constexpr double kAgreement =
     0.1;  // distance of the references below which velocities are unique [g dt]
 
@@ -107,14 +110,33 @@ Table time_table(const std::vector<Problem>& problems) {
   return table;
 }
 
-// For each method the time that first gives an error at most this large.
-Curve frontier(const Problem& problem, const char* method) {
-  Curve curve{.name = method, .kind = Curve::Kind::line_points};
-  constexpr double kLeast = 1e-16;  // what rounding leaves
-  for (const Row* row : problem.rows) {
-    if (row->method != method) continue;
-    curve.x.push_back(std::max(kLeast, problem.error(*row)));
-    curve.y.push_back(1e3 * row->seconds.cpu);
+// Error and time of each measurement of a method, by error and then by time.
+Curve measurements(const Problem& problem, std::size_t method) {
+  std::vector<std::pair<double, double>> points;
+  for (const Row* row : problem.rows)
+    if (row->method == kMethods[method])
+      points.emplace_back(std::max(kLeastError, problem.error(*row)), 1e3 * row->seconds.cpu);
+  std::ranges::sort(points);
+  Curve curve{.name = kMethodNames[method]};
+  for (const auto& [error, time] : points) {
+    curve.x.push_back(error);
+    curve.y.push_back(time);
+  }
+  return curve;
+}
+
+// The least time that gives an error at most this large.
+Curve frontier(const Curve& measured) {
+  Curve curve{.kind = Curve::Kind::steps, .role = Curve::Role::fit};
+  for (std::size_t i = 0; i < measured.x.size(); ++i) {
+    if (!curve.y.empty() && measured.y[i] >= curve.y.back()) continue;
+    curve.x.push_back(measured.x[i]);
+    curve.y.push_back(measured.y[i]);
+  }
+  // It holds for all larger errors, too.
+  if (!curve.x.empty() && curve.x.back() < measured.x.back()) {
+    curve.x.push_back(measured.x.back());
+    curve.y.push_back(curve.y.back());
   }
   return curve;
 }
@@ -125,10 +147,23 @@ Plot error_plot(const Problem& problem) {
       .title = problem.reference->name + ", " + std::to_string(problem.reference->size) + " disks",
       .x = {.label = "velocity error, worst of a disk", .unit = "g dt", .logarithmic = true},
       .y = {.label = "CPU time", .unit = "ms", .logarithmic = true}};
-  for (const char* method : kMethods) plot.curves.push_back(frontier(problem, method));
+  for (std::size_t method = 0; method < kMethods.size(); ++method) {
+    Curve measured = measurements(problem, method);
+    Curve least = frontier(measured);
+    plot.curves.push_back(std::move(measured));
+    plot.curves.push_back(std::move(least));
+  }
   plot.references.push_back(
       {.name = "free fall", .low = 1, .of_x = true, .role = quicksand::Reference::Role::guide});
   return plot;
+}
+
+std::string figure_caption(const Problem& problem) {
+  const Row& reference = *problem.reference;
+  std::string caption = reference.name + ": " + reference.found + ".";
+  if (*reference.error > kLeastError)
+    caption += format(" Its references differ by %.1e g dt.", *reference.error);
+  return caption;
 }
 
 }  // namespace
@@ -149,15 +184,14 @@ void report_precision(std::span<const Row> rows, const Options&, Section& sectio
                 "smaller residual is taken, and no error below their distance is reported."});
   section.add(reference_table(problems));
   section.add(time_table(problems));
+  section.add(Paragraph{
+      "The figures show the problems whose velocities are unique. A point is a measurement at one "
+      "of the residuals 1e-2 to 1e-12, or as far as a method comes; a line is the least time that "
+      "gives an error at most this large. Further left and lower is better. Errors below 1e-16 g "
+      "dt are drawn at 1e-16. Grey line: as wrong as free fall."});
   for (const Problem& problem : problems) {
     if (!problem.known() || problem.rows.empty()) continue;
-    section.add(quicksand::Figure{
-        error_plot(problem),
-        problem.reference->name + ": " + problem.reference->found +
-            format(". Further left and lower is better; points from right to left are residuals "
-                   "1e-2 to 1e-12, or as far as a method comes. Grey line: as wrong as free fall. "
-                   "The references differ by %.1e g dt.",
-                   *problem.reference->error)});
+    section.add(quicksand::Figure{error_plot(problem), figure_caption(problem)});
   }
 }
 
