@@ -60,6 +60,15 @@ TEST(Pages, OfTheFolderAreAllInTheIndex) {
 
 TEST(Pages, FitOnTheirFirstPage) { EXPECT_LE(pages().at(kSource / "README.md").lines, 200); }
 
+// So that each can be drawn again.
+TEST(Pages, TellHowEachPictureIsDrawn) {
+  const std::string page = contents(kSource / "assets/doc/pictures.md");
+  for (const fs::directory_entry& file : fs::directory_iterator(kSource / "assets/pictures"))
+    if (file.path().extension() == ".png") {
+      EXPECT_NE(page.find("`" + file.path().filename().string() + "`"), std::string::npos) << file;
+    }
+}
+
 TEST(Pages, OfReferenceAreWhatTheProgramPrints) {
   EXPECT_EQ(contents(kSource / "assets/doc/scene_reference.md"), scene_reference())
       << "write it anew: build/quicksand list scene_reference > assets/doc/scene_reference.md";

@@ -54,7 +54,8 @@ const ScriptCase kScripts[] = {{"Ci", ".ci/run", "--all"},
                                {"Kills", "tests/robustness/kills.sh", "--seed 3"},
                                {"Soak", "tests/robustness/soak.sh", "1 2"},
                                {"Load", "tests/robustness/load.sh", "many"},
-                               {"Day", "tests/robustness/day.sh", "2"}};
+                               {"Day", "tests/robustness/day.sh", "2"},
+                               {"Pictures", "assets/pictures/draw.sh", "collapse.png"}};
 INSTANTIATE_TEST_SUITE_P(All, Scripts, testing::ValuesIn(kScripts),
                          [](const auto& script) { return std::string(script.param.name); });
 

@@ -187,6 +187,13 @@ TEST_F(ProgramTest, FramesAreNumberedLikeTheRowsAndOldOnesAreRemoved) {
                                      "--bonds", "--theme", "dark", "--size", "200x150"});
   EXPECT_EQ(picture.exit_code, 0) << picture.err;
   EXPECT_GT(fs::file_size(at("end.png")), 100U);
+
+  const Outcome panels = quicksand(
+      {"render", "out/small", "--time", "0,0.1", "--out", "panels.png", "--size", "600x300"});
+  EXPECT_EQ(panels.exit_code, 0) << panels.err;
+  EXPECT_GT(fs::file_size(at("panels.png")), fs::file_size(at("end.png")));
+  const Outcome two = quicksand({"render", "out/small", "out/small", "--out", "two.png"});
+  EXPECT_EQ(two.exit_code, 2) << "of two runs none is drawn";
 }
 
 TEST_F(ProgramTest, AnInterruptedRunIsCompleteAndGoesOnToTheSameEnd) {
