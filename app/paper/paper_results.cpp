@@ -1,7 +1,5 @@
 #include "app/paper/paper_results.h"
 
-#include <algorithm>
-
 #include "app/jobs/run_record.h"
 #include "app/plot/typeset_number.h"
 #include "app/run_folder/search_results.h"
@@ -86,26 +84,6 @@ Cell cell_of(const std::optional<Measured>& measured, int all) {
   if (!measured) return {.text = "-"};
   const std::string runs = measured->n == all ? "" : " (" + std::to_string(measured->n) + ")";
   return {.text = typeset_with_error(measured->value, measured->standard_error) + runs};
-}
-
-void add_with_band(Plot& plot, Curve curve) {
-  Curve band{.kind = Curve::Kind::band,
-             .role = Curve::Role::fit,
-             .second_axis = curve.second_axis,
-             .x = curve.x};
-  const bool scatters = std::ranges::any_of(curve.y_error, [](double error) { return error > 0; });
-  if (curve.x.size() < 2 || !scatters) {
-    plot.curves.push_back(std::move(curve));
-    return;
-  }
-  for (std::size_t k = 0; k < curve.x.size(); ++k) {
-    band.y_low.push_back(curve.y[k] - curve.y_error[k]);
-    band.y_high.push_back(curve.y[k] + curve.y_error[k]);
-  }
-  curve.y_error.clear();
-  if (curve.kind == Curve::Kind::points) curve.kind = Curve::Kind::line_points;
-  plot.curves.push_back(std::move(curve));
-  plot.curves.push_back(std::move(band));
 }
 
 Curve curve_over(const PaperResults& results, const std::string& name, std::span<const double> x,

@@ -51,9 +51,6 @@ void note(Findings& findings, const std::string& id, const std::optional<Measure
 // "0.372 ± 0.004 (10)", "-" if absent; the number of runs is left out where it is `all`.
 Cell cell_of(const std::optional<Measured>& measured, int all);
 
-// Adds a curve to a plot, with a band of one standard error in place of bars where it has two points and more.
-void add_with_band(Plot& plot, Curve curve);
-
 // Points with error bars: one x a group, y a final quantity. Groups without a value are left out.
 Curve curve_over(const PaperResults& results, const std::string& name, std::span<const double> x,
                  std::span<const RunGroup> groups, const std::string& quantity);

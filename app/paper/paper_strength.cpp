@@ -100,9 +100,8 @@ void add_strength(Plot& plot, const PaperStrength& strength, const std::string& 
     points.y.push_back(strength.strength[k] * y_scale);
     points.y_error.push_back(strength.error[k] * y_scale);
   }
-  const bool any = !points.x.empty();
-  add_with_band(plot, std::move(points));
-  if (!strength.against_depth || !any) return;
+  plot.curves.push_back(std::move(points));
+  if (!strength.against_depth || strength.depth.empty()) return;
   const auto line = [&](double depth) {
     return (strength.against_depth->intercept + strength.against_depth->slope * depth) * y_scale;
   };
@@ -110,7 +109,8 @@ void add_strength(Plot& plot, const PaperStrength& strength, const std::string& 
   constexpr int kPoints = 400;
   Curve fit{.kind = Curve::Kind::line, .role = Curve::Role::fit};
   for (int k = 0; k <= kPoints; ++k) {
-    const double depth = strength.depth.back() * k / kPoints;
+    const double depth =
+        std::lerp(strength.depth.front(), strength.depth.back(), static_cast<double>(k) / kPoints);
     fit.x.push_back(depth * x_scale);
     fit.y.push_back(line(depth));
   }

@@ -37,7 +37,8 @@ Mean quotient(const Mean& over, const Mean& under);
 // Of the shear runs of a group; empty vectors if none has finished.
 PaperStrength paper_strength(const PaperResults& results, const RunGroup& shears);
 
-// Adds points with the band of one standard error, and the straight line through all grains.
+// Adds points with bars of one standard error, and the straight line through all grains, from the first depth to the
+// last.
 void add_strength(Plot& plot, const PaperStrength& strength, const std::string& name,
                   double x_scale = 1, double y_scale = 1);
 

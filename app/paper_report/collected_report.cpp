@@ -1,6 +1,7 @@
 #include "app/paper_report/collected_report.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/json/json_reader.h"
 #include "app/paper/findings_file.h"
@@ -26,27 +27,85 @@ std::vector<MethodFindings> merged(const std::vector<std::filesystem::path>& fil
   return methods;
 }
 
-// Ours over the paper's, of what it prints as a number.
-Plot agreement(const PaperTargets& targets, const std::vector<MethodFindings>& methods) {
-  Plot plot{.name = "agreement",
-            .title = "Numbers that the paper prints",
-            .x = {.label = "the paper's number", .logarithmic = true},
-            .y = {.label = "ours over the paper's", .logarithmic = true},
-            .references = {{.name = "equal", .low = 1}}};
-  for (const MethodFindings& method : methods) {
-    Curve curve{.name = method_title(method.method)};
-    for (const Target& target : targets.targets) {
-      const auto found = method.findings.find(target.id);
-      if (target.printed.empty() || found == method.findings.end()) continue;
-      Measured over = found->second;
-      over.value /= *target.low;
-      if (over.standard_error) *over.standard_error /= *target.low;
-      add_point(curve, *target.low, over);
-    }
-    plot.curves.push_back(std::move(curve));
-  }
-  return plot;
+// What the paper's number is drawn as: one, of an interval its geometric mean.
+double middle_of(const Target& target) { return std::sqrt(*target.low * *target.high); }
+
+bool is_drawn(const Target& target) {
+  return !target.short_name.empty() && target.low && target.high && *target.low > 0;
 }
+
+// Ours over the paper's: a row a quantity, from the top in the order of the table, below the name of its group.
+class Agreement {
+ public:
+  Agreement(const PaperTargets& targets, const std::vector<MethodFindings>& methods) {
+    for (const Target& target : targets.targets)
+      if (is_drawn(target)) add_row(target);
+    plot_.y.low = next_ + kHalf;
+    plot_.graph_height = kRowHeight * (*plot_.y.high - *plot_.y.low);
+    plot_.curves.push_back(paper_);
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      const double aside = kAside * (1 - 2 * static_cast<double>(m));
+      for (const bool chose : {false, true}) add_points(methods[m], m, aside, chose);
+    }
+  }
+
+  Plot take() { return std::move(plot_); }
+
+ private:
+  static constexpr double kHalf = 0.5, kAside = 0.17, kBand = 0.42;  // rows
+  static constexpr double kRowHeight = 23, kWidth = 1200;            // [px]
+
+  void add_row(const Target& target) {
+    if (target.group != group_) {
+      group_ = target.group;
+      plot_.references.push_back(
+          {.name = group_, .low = next_ - kHalf, .role = Reference::Role::guide});
+      next_ -= 1;
+    }
+    plot_.y.names.emplace_back(next_, target.short_name);
+    rows_.emplace_back(target, next_);
+    const double middle = middle_of(target);
+    const double low = (*target.low - target.half_digit) / middle;
+    const double high = (*target.high + target.half_digit) / middle;
+    paper_.x.push_back(1);
+    paper_.y.push_back(next_);
+    paper_.x_low.push_back(low);
+    paper_.x_high.push_back(high);
+    paper_.y_low.push_back(next_ - kBand);
+    paper_.y_high.push_back(next_ + kBand);
+    next_ -= 1;
+  }
+
+  void add_points(const MethodFindings& method, std::size_t style, double aside, bool chose) {
+    const std::string title = method_title(method.method);
+    Curve curve{.name = chose ? title + ", chose its setting" : title,
+                .style = style,
+                .colour = method_colour(title),
+                .open = chose};
+    for (const auto& [target, row] : rows_) {
+      const auto found = method.findings.find(target.id);
+      if (found == method.findings.end()) continue;
+      if (chose != (target.chose_nscd && method.method == "nscd")) continue;
+      const double middle = middle_of(target);
+      curve.x.push_back(found->second.value / middle);
+      curve.x_error.push_back(found->second.standard_error.value_or(0) / middle);
+      curve.y.push_back(row + aside);
+    }
+    plot_.curves.push_back(std::move(curve));
+  }
+
+  Plot plot_{.name = "agreement",
+             .x = {.label = "ours over the paper's", .logarithmic = true},
+             .y = {.high = kHalf},
+             .references = {{.low = 1, .of_x = true, .role = Reference::Role::guide}},
+             .width = kWidth};
+  Curve paper_{.name = "the paper's digits or interval",
+               .kind = Curve::Kind::boxes,
+               .role = Curve::Role::paper};
+  std::string group_;
+  double next_ = 0;  // row
+  std::vector<std::pair<Target, double>> rows_;
+};
 
 }  // namespace
 
@@ -61,12 +120,13 @@ Report collected_report(const std::vector<std::filesystem::path>& files, const V
                           " d; the paper has 51 x 199 d and 10 realizations."}};
   add_first_page(report, targets.targets, methods, folder);
   Section all{.title = "All numbers in one picture", .blocks = {}};
-  all.add(Figure{.plot = agreement(targets, methods),
-                 .caption =
-                     "Ours over the paper's number, with standard errors, against that number in "
-                     "its own unit. What the paper gives as an interval or in words is left "
-                     "out.",
-                 .command = command});
+  all.add(Figure{
+      .plot = Agreement(targets, methods).take(),
+      .caption = "Ours over the paper's numbers, with bars of one standard error. Grey: the "
+                 "paper's last digit, or its interval, of which the geometric mean counts as "
+                 "its number. Open: these chose the setting of NSCD. What is a bound, or may be "
+                 "zero, is left out.",
+      .command = command});
   report.sections = {
       std::move(all),
       {.title = "What was free, and what each choice does",

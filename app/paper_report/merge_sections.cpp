@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <map>
 
+#include "app/targets/comparison.h"
+
 namespace quicksand {
 
 namespace {
 
-// Puts the method in front of what is its alone.
+// Puts the method in front of what is its alone, and draws its curves in its colour: markers and dashes tell apart
+// what a plot of one method tells apart by colours.
 struct Named {
   const std::string& method;
 
@@ -21,9 +24,13 @@ struct Named {
       picture.caption = method + ", " + picture.caption;
   }
   void operator()(Figure& block) const {
-    for (Curve& curve : block.plot.curves)
-      if (curve.role != Curve::Role::paper && !curve.name.empty())
-        curve.name = method + ": " + curve.name;
+    std::size_t ours = 0;
+    for (Curve& curve : block.plot.curves) {
+      const bool of_paper = curve.role == Curve::Role::paper;
+      if (!of_paper && !curve.name.empty()) curve.name = method + ": " + curve.name;
+      if (curve.role == Curve::Role::ours && !curve.style) curve.style = ours++;
+      curve.colour = of_paper ? std::nullopt : std::optional(method_colour(method));
+    }
     for (Reference& reference : block.plot.references)
       if (reference.role == Reference::Role::guide && !reference.name.empty())
         reference.name = method + ": " + reference.name;
@@ -45,12 +52,6 @@ void add_to(Plot& plot, Plot&& other) {
       plot.references.push_back(std::move(reference));
   std::ranges::move(other.annotations, std::back_inserter(plot.annotations));
   plot.legend = LegendPlace::below;  // there is more in it
-}
-
-bool has_points(const Plot& plot) {
-  return std::ranges::any_of(plot.curves, [](const Curve& curve) {
-    return curve.role == Curve::Role::ours && !curve.x.empty();
-  });
 }
 
 // The first column names the rows.
@@ -85,7 +86,7 @@ Section merge_sections(std::vector<std::pair<std::string, Section>> parts) {
 
 bool drop_empty_blocks(Section& section) {
   std::erase_if(section.blocks, [](const Block& block) {
-    if (const auto* figure = std::get_if<Figure>(&block)) return !has_points(figure->plot);
+    if (const auto* figure = std::get_if<Figure>(&block)) return !has_values(figure->plot);
     if (const auto* table = std::get_if<Table>(&block)) return !has_numbers(*table);
     return false;
   });

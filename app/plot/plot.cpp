@@ -7,8 +7,10 @@
 #include "app/json/json_reader.h"
 #include "app/plot/plot_rows.h"
 #include "app/plot/report_text.h"
+#include "app/plot/typeset_number.h"
 #include "core/base/whole_file.h"
 #include "render/base/external_program.h"
+#include "render/base/palette.h"
 
 namespace quicksand {
 
@@ -45,6 +47,8 @@ std::vector<PlotRow> rows_of(const Plot& plot, const Curve& curve) {
   for (std::size_t i = 0; i < curve.x.size(); ++i) {
     if (!rows.empty() && std::ranges::binary_search(curve.begins, i)) rows.emplace_back();
     PlotRow row{.x = curve.x[i], .y = at(curve.y, i)};
+    row.x_low = at(curve.x_low, i);
+    row.x_high = at(curve.x_high, i);
     row.y_low = at(curve.y_low, i);
     row.y_high = at(curve.y_high, i);
     const double dy = at(curve.y_error, i);
@@ -82,6 +86,74 @@ std::string plot_csv(const Plot& plot) {
     ++id;
   }
   return csv;
+}
+
+bool has_values(const Plot& plot) {
+  return std::ranges::any_of(plot.curves, [&](const Curve& curve) {
+    return curve.role != Curve::Role::paper && !rows_of(plot, curve).empty();
+  });
+}
+
+std::string description_of(const Plot& plot) {
+  const auto axis = [](const Axis& a) {
+    const std::string unit = typeset_unit(a.unit);
+    return a.label + (unit.empty() ? "" : " " + unit) + (a.logarithmic ? " (logarithmic)" : "");
+  };
+  const bool lines = std::ranges::any_of(plot.curves, [](const Curve& curve) {
+    return curve.role == Curve::Role::ours && curve.kind != Curve::Kind::points;
+  });
+  std::string text = lines ? "Lines" : "Points";
+  if (!plot.y.names.empty()) {
+    text += " in " + std::to_string(plot.y.names.size()) + " rows: " + axis(plot.x);
+  } else {
+    text += ": " + axis(plot.y) + (plot.y2 ? " and " + axis(*plot.y2) : "") + " against " +
+            axis(plot.x);
+  }
+  std::string names;
+  for (const Curve& curve : plot.curves)
+    if (!curve.name.empty() && !rows_of(plot, curve).empty())
+      names += (names.empty() ? "; " : ", ") + curve.name;
+  return text + names;
+}
+
+void add_with_band(Plot& plot, Curve curve) {
+  if (curve.kind == Curve::Kind::points) curve.kind = Curve::Kind::line_points;
+  const bool scatters = std::ranges::any_of(curve.y_error, [](double error) { return error > 0; });
+  if (curve.x.size() < 2 || !scatters) {
+    plot.curves.push_back(std::move(curve));
+    return;
+  }
+  std::vector<Curve> bands;  // one would cover where the line is interrupted
+  for (std::size_t k = 0; k < curve.x.size(); ++k) {
+    if (k == 0 || std::ranges::binary_search(curve.begins, k))
+      bands.push_back(
+          {.kind = Curve::Kind::band, .role = Curve::Role::fit, .second_axis = curve.second_axis});
+    bands.back().x.push_back(curve.x[k]);
+    bands.back().y_low.push_back(curve.y[k] - curve.y_error[k]);
+    bands.back().y_high.push_back(curve.y[k] + curve.y_error[k]);
+  }
+  curve.y_error.clear();
+  plot.curves.push_back(std::move(curve));
+  std::ranges::move(bands, std::back_inserter(plot.curves));
+}
+
+std::vector<Colour> ordered_colours(std::size_t n) {
+  constexpr double kPalest = 0.85;  // what is a line must be darker than what is an area
+  std::vector<Colour> colours;
+  for (std::size_t k = 0; k < n; ++k)
+    colours.push_back(sequential_map(
+        Theme::light, n > 1 ? kPalest * static_cast<double>(k) / static_cast<double>(n - 1) : 0));
+  return colours;
+}
+
+std::vector<Colour> shades_of(Colour colour, std::size_t n) {
+  constexpr double kPalest = 0.35;
+  std::vector<Colour> shades;
+  for (std::size_t k = 0; k < n; ++k)
+    shades.push_back(
+        mix(hex(0xFFFFFF), colour,
+            kPalest + (1 - kPalest) * static_cast<double>(k + 1) / static_cast<double>(n)));
+  return shades;
 }
 
 PlotFiles write_plot(const Plot& plot, const std::filesystem::path& folder) {

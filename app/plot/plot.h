@@ -8,7 +8,10 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "render/base/colour.h"
 
 namespace quicksand {
 
@@ -17,7 +20,8 @@ struct Axis {
   std::string unit = "1";       // shown in brackets; "1" if none
   std::optional<double> low{};  // ends of the axis; chosen from the data if absent [unit]
   std::optional<double> high{};
-  bool logarithmic = false;  // what is not positive is left out
+  bool logarithmic = false;                             // what is not positive is left out
+  std::vector<std::pair<double, std::string>> names{};  // at places, in lieu of numbers
 };
 
 struct Curve {
@@ -26,20 +30,27 @@ struct Curve {
     line,    // through the points
     line_points,
     steps,  // constant from a point to the next
-    band    // filled from y_low to y_high
+    band,   // filled from y_low to y_high
+    boxes   // filled between the ends of bars, one a point
   };
-  // Ours is drawn filled and in colour; the paper's black, open or dashed; a fit as a thin line in the
-  // colour of the curve before it.
+  // Ours is drawn filled and in colour; the paper's black, open or dashed; a fit as a thin dashed line in
+  // the colour of the curve before it.
   enum class Role : std::uint8_t { ours, paper, fit };
 
   std::string name{};  // in the legend; empty: not in it
   Kind kind = Kind::points;
   Role role = Role::ours;
-  bool second_axis = false;       // y belongs to the axis on the right
-  std::vector<double> x{}, y{};   // (n); y is unused in a band. What is not finite is left out.
-  std::vector<double> x_error{};  // (n) half lengths of error bars, or empty
+  // What is one thing in several plots has one look in all; else no two curves of a plot look alike.
+  std::optional<std::size_t>
+      style{};                     // marker, dash and, of ours, colour, from 0; the next if absent
+  std::optional<Colour> colour{};  // in lieu of the style's, or of the paper's black
+  bool open = false;               // and not filled
+  bool second_axis = false;        // y belongs to the axis on the right
+  std::vector<double> x{}, y{};    // (n); y is unused in a band. What is not finite is left out.
+  std::vector<double> x_error{};   // (n) half lengths of error bars, or empty
   std::vector<double> y_error{};
-  std::vector<double> y_low{}, y_high{};  // (n) of a band, or ends of uneven error bars, or empty
+  std::vector<double> x_low{}, x_high{};  // (n) ends of uneven error bars, or empty
+  std::vector<double> y_low{}, y_high{};  // (n) the same, or of a band
   std::vector<std::size_t> begins{};      // points that no line joins to the one before, ascending
 };
 
@@ -59,6 +70,7 @@ struct Annotation {
   double x = 0, y = 0;  // the text stands above and right of this, in the units of the axes
   std::string text{};
   bool below = false;  // and not above
+  bool left = false;   // and not right
 };
 
 enum class LegendPlace : std::uint8_t { below, top_left, bottom_right };
@@ -72,7 +84,24 @@ struct Plot {
   std::vector<Reference> references{};
   std::vector<Annotation> annotations{};
   LegendPlace legend = LegendPlace::below;
+  double width = 800;         // of the picture [px of the SVG, of which the PNG has twice as many]
+  double graph_height = 330;  // without what stands above and below it [px]
 };
+
+// Whether there is anything to draw but what the paper has. A report leaves out a plot without.
+bool has_values(const Plot& plot);
+
+// What there is to see, for who does not see it: the kind of plot, its axes, its curves.
+std::string description_of(const Plot& plot);
+
+// Adds a line through means in a band of one standard error, in lieu of their bars: for what changes little
+// from a point to the next. What jumps, or has a law drawn through it, stays points with bars.
+void add_with_band(Plot& plot, Curve curve);
+
+// Colours for the values of an ordered parameter, from the least to the largest.
+std::vector<Colour> ordered_colours(std::size_t n);
+// From pale to the whole colour.
+std::vector<Colour> shades_of(Colour colour, std::size_t n);
 
 struct PlotFiles {
   bool drawn = false;   // PNG and SVG are there; CSV and script always are

@@ -8,75 +8,17 @@
 
 #include "app/json/json_reader.h"
 #include "app/plot/plot.h"
+#include "app/plot/plot_axis.h"
+#include "app/plot/plot_legend.h"
 #include "app/plot/plot_pieces.h"
 #include "app/plot/plot_rows.h"
 #include "app/plot/report_text.h"
-#include "app/plot/typeset_number.h"
 #include "core/base/format.h"
 #include "render/base/palette.h"
 
 namespace quicksand {
 
 namespace {
-
-std::string label_of(const Axis& axis) {
-  const std::string unit = typeset_unit(axis.unit);
-  return gnuplot_text(axis.label + (unit.empty() ? "" : " " + unit));
-}
-
-// The ends of what is drawn along an axis.
-struct Extent {
-  double low = HUGE_VAL;
-  double high = -HUGE_VAL;
-
-  bool empty() const { return low > high; }
-  void add(double value, const Axis& axis) {
-    if (!std::isfinite(value) || (axis.logarithmic && value <= 0)) return;
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-};
-
-// Ends that are not given lie a little outside of what is drawn, so that no point hides on a border.
-std::string range_of(const Axis& axis, const Extent& extent) {
-  constexpr double kMargin = 0.04;  // of the extent
-  const auto range = [](const std::string& low, const std::string& high) {
-    return "[" + low + ":" + high + "]";
-  };
-  const auto text = [](const std::optional<double>& end, const std::string& otherwise) {
-    return end ? number_text(*end) : otherwise;
-  };
-  if (extent.empty()) {  // without values gnuplot would find no range
-    constexpr double kLowest = 0.1;
-    const double low = axis.low.value_or(axis.logarithmic ? kLowest : 0);
-    return range(number_text(low),
-                 text(axis.high, number_text(axis.logarithmic ? 10 * low : low + 1)));
-  }
-  const double from = axis.low.value_or(extent.low), to = axis.high.value_or(extent.high);
-  if (!(to > from) || (axis.logarithmic && from <= 0))
-    return range(text(axis.low, "*"), text(axis.high, "*"));
-  if (axis.logarithmic) {
-    const double factor = std::pow(to / from, kMargin);
-    return range(text(axis.low, number_text(from / factor)),
-                 text(axis.high, number_text(to * factor)));
-  }
-  const double margin = kMargin * (to - from);
-  return range(text(axis.low, number_text(from - margin)),
-               text(axis.high, number_text(to + margin)));
-}
-
-// Places 1, 2 and 5 of every decade around `extent`, as gnuplot lists them; within a decade 3 and 7, too.
-std::string short_logarithmic(const Extent& extent) {
-  const std::vector<const char*> digits = extent.high <= 10 * extent.low
-                                              ? std::vector{"1", "2", "3", "5", "7"}
-                                              : std::vector{"1", "2", "5"};
-  std::string list;
-  const int last = static_cast<int>(std::ceil(std::log10(extent.high)));
-  for (int decade = static_cast<int>(std::floor(std::log10(extent.low))); decade <= last; ++decade)
-    for (const char* digit : digits)
-      list += (list.empty() ? "" : ", ") + std::string(digit) + "e" + std::to_string(decade);
-  return list;
-}
 
 std::string style_sheet(Colour colour) {
   return format("#%02X%02X%02X", colour.r, colour.g, colour.b);
@@ -85,11 +27,8 @@ std::string style_sheet(Colour colour) {
 class Script {
  public:
   explicit Script(const Plot& plot) : plot_(plot) {
-    std::size_t ours = 0, papers = 0;
+    choose_looks();
     for (const Curve& curve : plot.curves) {
-      const bool of_paper = curve.role == Curve::Role::paper;
-      const bool fits = curve.role == Curve::Role::fit && ours > 0;  // the curve before it
-      places_.push_back(of_paper ? papers++ : fits ? ours - 1 : ours++);
       rows_.push_back(rows_of(plot, curve));
       for (const PlotRow& row : rows_.back()) {
         for (const double value : {row.x, row.x_low, row.x_high}) x_.add(value, plot.x);
@@ -103,6 +42,8 @@ class Script {
         reference.of_x ? x_.add(end, plot.x) : y_.add(end, plot.y);
     }
     make_room_for_labels();
+    place_names();
+    layout_ = plot_layout(plot, legend_names(), lines_of_names_);
   }
 
   std::string text() {
@@ -111,8 +52,12 @@ class Script {
       head["colour_" + std::to_string(i + 1)] = style_sheet(kCurveColours[i]);
     add("head", head);
     if (!plot_.title.empty()) add("title", {{"title", gnuplot_text(plot_.title)}});
+    add("margins", {{"top", number_text(layout_.top)}, {"bottom", number_text(layout_.bottom)}});
+    if (layout_.left > 0) add("left_margin", {{"left", number_text(layout_.left)}});
     constexpr std::string_view kPlaces[] = {"below", "top_left", "bottom_right"};
-    add("legend_" + std::string(kPlaces[static_cast<int>(plot_.legend)]));
+    add(layout_.legend ? "legend_" + std::string(kPlaces[static_cast<int>(plot_.legend)])
+                       : "no_legend",
+        {{"rows", std::to_string(layout_.rows)}, {"top", number_text(layout_.legend_top)}});
     axis("x", plot_.x, x_);
     add("x_axis");
     axis("y", plot_.y, y_);
@@ -120,13 +65,20 @@ class Script {
       axis("y2", *plot_.y2, y2_);
       add("y2_axis");
     }
-    for (const Reference& reference : plot_.references) given(reference);
+    for (std::size_t i = 0; i < plot_.references.size(); ++i) given(i);
     for (const Annotation& a : plot_.annotations)
       add("annotation", {{"text", gnuplot_text(a.text)},
                          {"x", number_text(a.x)},
                          {"y", number_text(a.y)},
+                         {"side", a.left ? "right" : "left"},
+                         {"aside", a.left ? "-0.6" : "0.6"},
                          {"up", a.below ? "-0.8" : "0.6"}});
-    add("data", {{"name", plot_.name}, {"elements", elements()}});
+    add("data", {{"name", plot_.name},
+                 {"elements", elements()},
+                 {"width", number_text(plot_.width)},
+                 {"height", number_text(layout_.height)},
+                 {"double_width", number_text(2 * plot_.width)},
+                 {"double_height", number_text(2 * layout_.height)}});
     return script_;
   }
 
@@ -149,46 +101,62 @@ class Script {
 
   void axis(const std::string& name, const Axis& axis, const Extent& extent) {
     PlotPieces::Values values{
-        {"axis", name}, {"label", label_of(axis)}, {"range", range_of(axis, extent)}};
+        {"axis", name}, {"label", axis_label(axis)}, {"range", axis_range(axis, extent)}};
     add("axis", values);
-    if (!axis.logarithmic) return;
-    add("logarithmic", values);
-    // Small tics between decades only where decades are few.
-    constexpr double kManyDecades = 1e6;
-    if (extent.high > kManyDecades * extent.low) add("many_decades", values);
-    // Over one or two decades powers of ten would name a place or two.
-    constexpr double kFewDecades = 100, kFewDigits = 1e-3, kManyDigits = 1e4;
-    if (!extent.empty() && extent.high < kFewDecades * extent.low) {
-      values["places"] = short_logarithmic(extent);
-      add("places", values);
-    } else if (extent.empty() || extent.low < kFewDigits || extent.high > kManyDigits) {
-      add("powers", values);
+    if (axis.logarithmic) add("logarithmic", values);
+    switch (tics_of(axis, extent)) {
+      case Tics::plain:
+        return add("plain", values);
+      case Tics::scientific:
+        return add("scientific", values);
+      case Tics::powers:
+        return add("powers", values);
+      case Tics::many_powers:
+        add("powers", values);
+        return add("many_decades", values);
+      case Tics::listed:
+        values["places"] = tic_list(axis, extent);
+        return add("places", values);
     }
   }
 
   using Span = std::pair<double, double>;  // from and to, over the graph's width
 
-  // The name of a guide stands above the graph, to the right of its line or, where it would leave the picture,
-  // to the left; where others stand there already inside the graph, as many lines down as needed.
-  void place_name(const Reference& reference, PlotPieces::Values& values) {
+  // Where the name of a guide stands above the graph.
+  struct NamePlace {
+    bool left = false;  // of its line, and not right
+    std::size_t line = 0;
+  };
+
+  // Right of its line or, where it would leave the picture, left of it; where others stand already, in as many lines
+  // above them as needed.
+  void place_names() {
     constexpr double kCharacter = 0.015;  // about its width, over the graph's
     const auto at = [&](double x) { return plot_.x.logarithmic ? std::log(x) : x; };
-    const double width = kCharacter * static_cast<double>(reference.name.size() + 1);
     const double extent = at(x_.high) - at(x_.low);
-    const double from = extent > 0 ? (at(reference.low) - at(x_.low)) / extent : 0;
-    const bool to_the_left = from + width > 1;
-    const Span taken = to_the_left ? Span(from - width, from) : Span(from, from + width);
-    const auto fits = [&](const std::vector<Span>& line) {
-      return std::ranges::none_of(line, [&](const Span& other) {
-        return other.first < taken.second && taken.first < other.second;
-      });
-    };
-    auto line = std::ranges::find_if(names_, fits);
-    if (line == names_.end()) line = names_.emplace(names_.end());
-    line->push_back(taken);
-    const auto down = static_cast<double>(line - names_.begin());
-    values["side"] = to_the_left ? "right" : "left";
-    values["up"] = number_text(down == 0 ? 0.7 : 0.3 - down);
+    std::vector<std::vector<Span>> lines;
+    for (const Reference& reference : plot_.references) {
+      NamePlace& place = name_places_.emplace_back();
+      if (!is_named_guide(reference) || !reference.of_x) continue;
+      const double width = kCharacter * static_cast<double>(reference.name.size() + 1);
+      const double from = extent > 0 ? (at(reference.low) - at(x_.low)) / extent : 0;
+      place.left = from + width > 1;
+      const Span taken = place.left ? Span(from - width, from) : Span(from, from + width);
+      const auto fits = [&](const std::vector<Span>& line) {
+        return std::ranges::none_of(line, [&](const Span& other) {
+          return other.first < taken.second && taken.first < other.second;
+        });
+      };
+      auto line = std::ranges::find_if(lines, fits);
+      place.line = static_cast<std::size_t>(line - lines.begin());
+      if (line == lines.end()) line = lines.emplace(lines.end());
+      line->push_back(taken);
+    }
+    lines_of_names_ = lines.size();
+  }
+
+  static bool is_named_guide(const Reference& reference) {
+    return reference.role == Reference::Role::guide && !reference.name.empty();
   }
 
   static PlotPieces::Values values_of(const Reference& reference) {
@@ -202,13 +170,20 @@ class Script {
     return reference.low == reference.high ? "line" : "band";
   }
 
-  void given(const Reference& reference) {
+  void given(std::size_t i) {
+    const Reference& reference = plot_.references[i];
     PlotPieces::Values values = values_of(reference);
     const std::string axis = reference.of_x ? "x_" : "y_";
     add(axis + form_of(reference), values);
-    if (reference.role != Reference::Role::guide || reference.name.empty()) return;
-    if (reference.of_x) place_name(reference, values);
+    if (!is_named_guide(reference)) return;
+    constexpr double kUp = 0.7;  // of the lowest line [characters]
+    values["side"] = name_places_[i].left ? "right" : "left";
+    values["up"] = number_text(kUp + static_cast<double>(name_places_[i].line));
     add(axis + "name", values);
+  }
+
+  static bool is_area(const Curve& curve) {
+    return curve.kind == Curve::Kind::band || curve.kind == Curve::Kind::boxes;
   }
 
   // Of the plot command.
@@ -217,7 +192,7 @@ class Script {
     std::vector<std::string> all;
     for (const bool band : {true, false})
       for (std::size_t i = 0; i < plot_.curves.size(); ++i)
-        if ((plot_.curves[i].kind == Curve::Kind::band) == band) add_curve(i, all);
+        if (is_area(plot_.curves[i]) == band) add_curve(i, all);
     for (std::size_t i = 0; i < plot_.references.size(); ++i) add_reference(i, all);
     if (all.empty()) all.emplace_back("NaN notitle");
     return joined(all, ", \\\n     ");
@@ -227,31 +202,66 @@ class Script {
     return name.empty() ? " notitle" : " title " + gnuplot_text(name);
   }
 
-  // How curve `i` is drawn, told from the others.
-  std::string look_of(std::size_t i, const std::string& bars) const {
+  // What stands in the legend, in its order.
+  std::vector<std::string> legend_names() const {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < plot_.curves.size(); ++i)
+      if (!plot_.curves[i].name.empty() && !rows_[i].empty()) names.push_back(plot_.curves[i].name);
+    for (const Reference& reference : plot_.references)
+      if (reference.role != Reference::Role::guide && !reference.name.empty())
+        names.push_back(reference.name);
+    return names;
+  }
+
+  // Place of each curve among those of its role. A fit has that of the curve before it, and its colour.
+  void choose_looks() {
+    std::size_t ours = 0, papers = 0;
+    for (const Curve& curve : plot_.curves)
+      if (curve.style && curve.role == Curve::Role::ours) ours = std::max(ours, *curve.style + 1);
+    Look last;
+    for (const Curve& curve : plot_.curves) {
+      Look look{.colour = curve.colour};
+      if (curve.role == Curve::Role::paper)
+        look.place = curve.style ? *curve.style : papers++;
+      else if (curve.role == Curve::Role::fit && any_of_ours_)
+        look = last;
+      else
+        look.place = curve.style ? *curve.style : ours++;
+      looks_.push_back(look);
+      if (curve.role == Curve::Role::paper) continue;
+      last = look;
+      any_of_ours_ = true;
+    }
+  }
+
+  // How curve `i` is drawn, told from the others: past the last colour with another dash, another marker, and open.
+  std::string look_of(std::size_t i, const std::string& kind) const {
     const Curve& curve = plot_.curves[i];
     const bool of_paper = curve.role == Curve::Role::paper;
-    const std::string number = "_" + std::to_string(places_[i] % kStyles + 1);
-    constexpr std::string_view kKinds[] = {"points", "line", "line_points", "steps", "band"};
-    return pieces_.fill(std::string(kKinds[static_cast<int>(curve.kind)]),
-                        {{"colour", of_paper ? "paper" : "ours" + number},
-                         {"marker", (of_paper ? "open" : "filled") + number},
-                         {"dash", of_paper                         ? "paper_dash"
-                                  : curve.role == Curve::Role::fit ? "fit_dash"
-                                                                   : "dash" + number},
-                         {"bars", bars}});
+    const auto [place, own_colour] = looks_[i];
+    const std::size_t round = place / kStyles;
+    const auto nth = [](std::size_t n) { return "_" + std::to_string(n % kStyles + 1); };
+    const std::string colour = own_colour ? "lc rgb '" + style_sheet(*own_colour) + "'"
+                               : of_paper ? "@paper"
+                                          : "@ours" + nth(place);
+    const bool open = of_paper || curve.open || round % 2 == 1;
+    const std::string dash = of_paper                         ? "paper_dash"
+                             : curve.role == Curve::Role::fit ? "fit_dash"
+                                                              : "dash" + nth(place + round);
+    return pieces_.fill(kind, {{"colour", colour},
+                               {"marker", (open ? "open" : "filled") + nth(place + round)},
+                               {"dash", dash}});
   }
 
   void add_curve(std::size_t i, std::vector<std::string>& all) const {
     const Curve& curve = plot_.curves[i];
-    const bool lines = curve.kind == Curve::Kind::line_points;
-    const bool of_points = curve.kind == Curve::Kind::points || lines;
+    if (rows_[i].empty()) return;
+    const bool of_points =
+        curve.kind == Curve::Kind::points || curve.kind == Curve::Kind::line_points;
     const std::string axes = curve.second_axis && plot_.y2 ? " axes x1y2 " : " ";
-    const std::string alone = axes + look_of(i, lines ? "linespoints" : "points");
-    if (rows_[i].empty()) {
-      if (!curve.name.empty()) all.push_back("NaN" + alone + title_of(curve.name + " (no values)"));
-      return;
-    }
+    constexpr std::string_view kKinds[] = {"points", "line", "line_points",
+                                           "steps",  "band", "boxes"};
+    const std::string kind(kKinds[static_cast<int>(curve.kind)]);
     const auto has = [&](double PlotRow::*end) {
       return std::ranges::any_of(rows_[i], [&](const PlotRow& r) { return std::isfinite(r.*end); });
     };
@@ -259,22 +269,20 @@ class Script {
     const auto picked = [&](const char* piece) {
       return pieces_.fill(piece, {{"id", std::to_string(kFirstCurve + static_cast<int>(i))}});
     };
+    const std::string place = picked("x") + picked("y");
+    const std::string end = axes + look_of(i, kind) + title_of(curve.name);
     if (curve.kind == Curve::Kind::band) {
-      all.push_back(picked("x") + picked("y_of_band") + alone + title_of(curve.name));
-      return;
+      all.push_back(picked("x") + picked("y_of_band") + end);
+    } else if (curve.kind == Curve::Kind::boxes) {
+      all.push_back(place + picked("ends_x") + picked("ends_y") + end);
+    } else {
+      // Bars lie under their points, and not in the legend, where they would look like lines.
+      if (of_points && has(&PlotRow::x_low))
+        all.push_back(place + picked("ends_x") + axes + look_of(i, "x_bars") + " notitle");
+      if (of_points && has(&PlotRow::y_low))
+        all.push_back(place + picked("ends_y") + axes + look_of(i, "y_bars") + " notitle");
+      all.push_back(place + end);
     }
-    const bool x_bars = of_points && has(&PlotRow::x_low);
-    if (!x_bars && !(of_points && has(&PlotRow::y_low))) {
-      all.push_back(picked("x") + picked("y") + alone + title_of(curve.name));
-      return;
-    }
-    // A point without a bar of its own gets one of no length, or it would not be drawn. In the legend stands the point
-    // alone: with its bar it would look like a line.
-    const std::string bars =
-        std::string(x_bars ? "xyerror" : "yerror") + (lines ? "lines" : "bars");
-    all.push_back(picked("x") + picked("y") + (x_bars ? picked("ends_x") : "") + picked("ends_y") +
-                  axes + look_of(i, bars) + " notitle");
-    if (!curve.name.empty()) all.push_back("NaN" + alone + title_of(curve.name));
   }
 
   // The line itself stands above; here are its place in the legend and its share in the range.
@@ -295,10 +303,17 @@ class Script {
 
   const Plot& plot_;
   PlotPieces pieces_;
-  std::vector<std::size_t> places_;         // of each curve, among those of its role
+  struct Look {
+    std::size_t place = 0;
+    std::optional<Colour> colour{};  // in lieu of that of the place
+  };
+  std::vector<Look> looks_;  // of each curve
+  bool any_of_ours_ = false;
   std::vector<std::vector<PlotRow>> rows_;  // of each curve
   Extent x_, y_, y2_;
-  std::vector<std::vector<Span>> names_;  // of guides, line by line
+  PlotLayout layout_;
+  std::vector<NamePlace> name_places_;  // of each reference
+  std::size_t lines_of_names_ = 0;
   std::string script_;
 };
 

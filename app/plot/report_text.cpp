@@ -53,6 +53,14 @@ void for_pieces(std::string_view text, OnPlain on_plain, OnSymbol on_symbol) {
   on_plain(text.substr(plain));
 }
 
+// Letters that stand alone for a quantity: others may be articles, units of SI or the sign of a product.
+bool is_quantity(std::string_view text, std::size_t i) {
+  constexpr std::string_view kQuantities = "dgvFkrtnZ";
+  if (kQuantities.find(text[i]) == kQuantities.npos) return false;
+  const auto may_touch = [](char c) { return !is_word(c) && c != '.' && c != '\'' && c != '-'; };
+  return (i == 0 || may_touch(text[i - 1])) && (i + 1 == text.size() || may_touch(text[i + 1]));
+}
+
 // Every character of `special` behind a backslash.
 std::string with_backslashes(std::string_view text, std::string_view special) {
   std::string escaped;
@@ -124,7 +132,15 @@ std::string gnuplot_text(std::string_view text) {
   std::string script;
   for_pieces(
       valid,
-      [&](std::string_view plain) { script += doubled(with_backslashes(plain, kSpecial), '\''); },
+      [&](std::string_view plain) {
+        for (std::size_t i = 0; i < plain.size(); ++i) {
+          const std::string_view letter = plain.substr(i, 1);
+          if (is_quantity(plain, i))
+            script.append("{/:Italic ").append(letter).append("}");
+          else
+            script += doubled(with_backslashes(letter, kSpecial), '\'');
+        }
+      },
       [&](std::string_view letter, std::string_view index) {
         script.append("{/:Italic ").append(letter).append("}_{").append(index).append("}");
       });

@@ -53,6 +53,11 @@ struct FileWriter {
 
 }  // namespace
 
+void Section::add(Block block) {
+  const auto* figure = std::get_if<Figure>(&block);
+  if (!figure || has_values(figure->plot)) blocks.push_back(std::move(block));
+}
+
 std::string symbol_of(Cell::Mark mark) {
   constexpr const char* kSymbols[] = {"", "✓ ", "✗ ", "? "};
   return kSymbols[static_cast<int>(mark)];

@@ -89,7 +89,8 @@ struct Section {
   std::string title{};
   std::vector<Block> blocks{};
 
-  void add(Block block) { blocks.push_back(std::move(block)); }
+  // Leaves out a plot without values.
+  void add(Block block);
 };
 
 struct Report {

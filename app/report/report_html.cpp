@@ -107,8 +107,8 @@ class HtmlWriter {
     };
     std::string inside;
     if (plot.files.drawn) {
-      inside =
-          image("class=\"plot\"", block.caption, data_address("image/svg+xml", contents(".svg")));
+      inside = image("class=\"plot\"", description_of(block.plot),
+                     data_address("image/svg+xml", contents(".svg")));
     } else {
       inside = element("p class=\"remark warning\"",
                        "<strong>Not drawn: </strong>" + html_text(plot.files.problem));

@@ -96,7 +96,7 @@ class MarkdownWriter {
     const std::string path = "plots/" + plot.name;
     const std::string caption = markdown_text(block.caption);
     if (plot.files.drawn) {
-      add("![" + caption + "](" + path + ".png)");
+      add("![" + markdown_text(description_of(block.plot)) + "](" + path + ".png)");
     } else {
       add("> **Not drawn:** " + markdown_text(plot.files.problem));
     }

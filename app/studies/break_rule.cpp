@@ -199,7 +199,6 @@ class BreakRules : public PaperExperiment {
                 Section& section) const {
     const KnownPush& known = kKnownPushes[push];
     Plot plot{.name = "break_rule_" + std::string(known.plot) + "_" + share.target,
-              .title = "Push with " + number_text(known.force) + " F_c: " + share.title,
               .x = {.label = "dt", .unit = "√(d/g)", .logarithmic = true},
               .y = {.label = share.title, .low = 0, .high = 1.02}};
     const PaperTargets targets = read_targets(shipped_targets());

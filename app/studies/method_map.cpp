@@ -113,14 +113,18 @@ class MethodMap : public PaperExperiment {
     const PaperPush& push = kPushes[p];
     const double paper = *target(targets, push, kRemaining).low;
     Plot plot{.name = std::string("map_") + push.plotted,
-              .title = "Pushed with " + number_text(push.force) + " F_c",
               .x = {.label = "time step", .unit = "sqrt(d/g)", .logarithmic = true},
               .y = {.label = kRemaining.label, .low = 0, .high = 1.02},
               .references = {{.name = "paper", .low = paper}}};
-    for (const Series& series : series_[p]) {
+    // The more sweeps, the darker; exact steps come last.
+    std::vector<Colour> colours = shades_of(method_colour("NSCD"), series_[p].size() - 1);
+    colours.push_back(method_colour("exact"));
+    for (std::size_t k = 0; k < colours.size(); ++k) {
+      const Series& series = series_[p][k];
       Curve curve =
           curve_over(results, series.name, series.steps, series.pushes, kRemaining.quantity);
       curve.kind = Curve::Kind::line_points;
+      curve.colour = colours[k];
       plot.curves.push_back(std::move(curve));
     }
     section.add(

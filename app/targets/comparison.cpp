@@ -6,6 +6,7 @@
 #include "app/plot/typeset_number.h"
 #include "core/base/format.h"
 #include "core/measures/linear_fit.h"
+#include "render/base/palette.h"
 
 namespace quicksand {
 
@@ -120,6 +121,8 @@ void add_point(Curve& curve, double x, const std::optional<Measured>& y) {
 }
 
 std::string method_title(const std::string& method) { return method == "nscd" ? "NSCD" : method; }
+
+Colour method_colour(const std::string& title) { return kCurveColours[title == "NSCD" ? 0 : 1]; }
 
 Verdict verdict_on(const Target& target, const Measured& measured) {
   Verdict verdict;

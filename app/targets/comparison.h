@@ -43,6 +43,8 @@ struct MethodFindings {
 };
 // As it stands in a table: "NSCD".
 std::string method_title(const std::string& method);
+// In plots, by its title: NSCD blue, exact steps vermilion.
+Colour method_colour(const std::string& title);
 
 struct Verdict {
   bool inside = false;

@@ -39,6 +39,8 @@ std::optional<std::pair<double, double>> printed_number(const std::string& text)
 void describe(Fields& f, Entry& e) {
   f.text({"id", "stable name", Presence::required}, e.target.id);
   f.text({"quantity", "what it is", Presence::required}, e.target.quantity);
+  f.text({"group", "what it is of, where all are drawn in one plot"}, e.target.group);
+  f.text({"short", "what it is called there"}, e.target.short_name);
   f.text({"symbol", "its letter"}, e.target.symbol);
   f.text({"unit", "1 if none", Presence::required}, e.target.unit);
   f.text({"printed", "a single value, with the digits that the paper prints"}, e.target.printed);

@@ -13,8 +13,10 @@ namespace quicksand {
 struct Target {
   std::string id;        // stable: "penetration.1.0.active_of_contacts"
   std::string quantity;  // what it is, for a reader
-  std::string symbol;    // empty if none
-  std::string unit;      // "1" if none
+  std::string group,
+      short_name;      // where all are drawn in one plot; empty for what is not drawn there
+  std::string symbol;  // empty if none
+  std::string unit;    // "1" if none
   // The admissible values; an open side is absent. Equal if the paper has a value.
   std::optional<double> low, high;
   std::string printed;      // a value as the paper prints it; empty for others

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "app/jobs/run_record.h"
 #include "app/paper/findings_file.h"
 #include "app/paper_report/collected_report.h"
@@ -30,6 +33,9 @@ TEST(MergedSections, DrawTheSamePlotOfTwoMethodsAsOneWithThePaperOnce) {
   EXPECT_EQ(curves[0].name, "NSCD: active");
   EXPECT_EQ(curves[1].name, "paper");
   EXPECT_EQ(curves[2].name, "exact: active");
+  EXPECT_EQ(curves[0].colour, method_colour("NSCD"));
+  EXPECT_EQ(curves[2].colour, method_colour("exact"));
+  EXPECT_EQ(curves[0].style, curves[2].style) << "the same quantity has the same marker";
   EXPECT_EQ(std::get<Paragraph>(merged.blocks[1]).text, "NSCD: words");
   const Section alone = merge_sections({{"NSCD", nscd}});
   EXPECT_EQ(std::get<Figure>(alone.blocks[0]).plot.curves[0].name, "active");
@@ -45,20 +51,6 @@ TEST(EmptyBlocks, AreLeftOut) {
   section.blocks.emplace_back(figure("bonds", "active"));
   EXPECT_TRUE(drop_empty_blocks(section));
   EXPECT_EQ(section.blocks.size(), 2U);
-}
-
-TEST(Bands, AreOfOneStandardErrorAndInTheColourOfTheirCurve) {
-  Plot plot;
-  add_with_band(plot, {.name = "a", .x = {1, 2}, .y = {5, 6}, .y_error = {0.5, 1}});
-  ASSERT_EQ(plot.curves.size(), 2U);
-  EXPECT_EQ(plot.curves[1].kind, Curve::Kind::band);
-  EXPECT_EQ(plot.curves[1].role, Curve::Role::fit);
-  EXPECT_EQ(plot.curves[1].y_low, (std::vector<double>{4.5, 5}));
-  EXPECT_EQ(plot.curves[1].y_high, (std::vector<double>{5.5, 7}));
-  EXPECT_TRUE(plot.curves[0].y_error.empty());
-  Plot single;
-  add_with_band(single, {.name = "a", .x = {1, 2}, .y = {5, 6}, .y_error = {0, 0}});
-  EXPECT_EQ(single.curves.size(), 1U) << "one realization has no error";
 }
 
 class PaperReportTest : public PaperFixture {
@@ -208,6 +200,14 @@ TEST_F(PaperReportTest, OfOtherReportsTakesEachNumberFromTheFirstThatHasIt) {
   EXPECT_EQ(of_density[2].links[0].address, "ten/report.md");
   EXPECT_EQ(of_density[3].links[0].address, "exact/report.md");
   EXPECT_EQ(row(table, "after the piston: coordination number")[2].links[0].text, "one");
+  const Plot& plot = std::get<Figure>(report.sections[0].blocks.at(0)).plot;
+  const auto curve = std::ranges::find(plot.curves, "NSCD, chose its setting", &Curve::name);
+  ASSERT_NE(curve, plot.curves.end());
+  EXPECT_TRUE(curve->open);
+  ASSERT_EQ(curve->x.size(), 1U);
+  EXPECT_NEAR(curve->x[0], 0.41 / std::sqrt(0.40 * 0.43), 1e-12) << "over the interval's middle";
+  EXPECT_NEAR(curve->y[0], plot.y.names[0].first, 0.5) << "in its row";
+  EXPECT_EQ(plot.y.names[0].second, "volume fraction");
   const std::string counts = std::get<Paragraph>(report.lead[0]).text;
   EXPECT_NE(counts.find("NSCD: 2 inside, 0 outside, "), std::string::npos) << counts;
   EXPECT_THROW(collected_report({ten}, {24, 50}, folder_.path(), ""), InputError);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "render/base/external_program.h"
 #include "tests/support/files.h"
@@ -133,7 +134,7 @@ TEST_F(PlotTest, AnAxisSpansItsOwnCurvesOnly) {
   for (const char* tic : {">0.3<", ">300<"}) EXPECT_NE(svg.find(tic), std::string::npos) << tic;
 }
 
-TEST_F(PlotTest, WithoutValuesThereIsStillAPlotThatSaysSo) {
+TEST_F(PlotTest, CurvesWithoutValuesAreLeftOutOfTheLegend) {
   Plot plot{.name = "empty",
             .x = {.label = "t"},
             .y = {.label = "r", .logarithmic = true},
@@ -141,9 +142,19 @@ TEST_F(PlotTest, WithoutValuesThereIsStillAPlotThatSaysSo) {
   plot.curves.push_back({.name = "residual", .x = {1, 2}, .y = {0, 0}});
   plot.curves.push_back({.name = "number", .second_axis = true});
   plot.references.push_back({.low = 2, .of_x = true});
+  EXPECT_FALSE(has_values(plot)) << "zero is not on the axis";
   const PlotFiles files = write_plot(plot, folder_.path());
   ASSERT_TRUE(files.drawn) << files.problem;
-  EXPECT_NE(file("empty.svg").find("residual (no values)"), std::string::npos);
+  EXPECT_EQ(file("empty.svg").find("residual"), std::string::npos);
+}
+
+TEST_F(PlotTest, LargeNumbersOfAnAxisAllHavePowersOfTen) {
+  Plot plot{.name = "large", .x = {.label = "depth"}, .y = {.label = "force", .low = 0}};
+  plot.curves.push_back({.name = "force", .x = {0, 1}, .y = {-1e4, 1.6e6}});
+  ASSERT_TRUE(write_plot(plot, folder_.path()).drawn);
+  const std::string svg = file("large.svg");
+  EXPECT_NE(svg.find("×10</tspan>"), std::string::npos);
+  EXPECT_EQ(svg.find("00000"), std::string::npos);
 }
 
 TEST_F(PlotTest, ALogarithmicAxisOfOneDecadeNamesMoreThanOnePlace) {
@@ -164,20 +175,122 @@ TEST_F(PlotTest, PlacesOnAShortLogarithmicAxisAreNamedByTheirValuesHoweverSmall)
     EXPECT_NE(svg.find(place), std::string::npos) << place;
 }
 
-TEST(PlotScript, LinesThroughPointsHaveErrorBarsToo) {
+TEST(PlotScript, BarsAreSolidWhateverTheirLine) {
   Plot plot{.name = "bars"};
   plot.curves.push_back({.kind = Curve::Kind::line_points, .x = {1, 2}, .y = {1, 2}});
   EXPECT_NE(plot_script(plot).find("with linespoints"), std::string::npos);
+  EXPECT_EQ(plot_script(plot).find("with yerrorbars"), std::string::npos);
   plot.curves[0].y_error = {0.1, 0.2};
-  EXPECT_NE(plot_script(plot).find("with yerrorlines"), std::string::npos);
+  EXPECT_NE(plot_script(plot).find("with linespoints"), std::string::npos);
+  EXPECT_NE(plot_script(plot).find("with yerrorbars dt solid"), std::string::npos);
 }
 
-TEST(PlotScript, AxesOfADecadeHaveMorePlacesThanLongerOnes) {
+// How each curve is drawn: from "with" to its title.
+std::vector<std::string> looks_of(const std::string& script) {
+  std::vector<std::string> looks;
+  for (std::size_t at = script.find("with linespoints"); at != script.npos;
+       at = script.find("with linespoints", at + 1))
+    looks.push_back(script.substr(at, script.find(" title", at) - at));
+  return looks;
+}
+
+TEST(PlotScript, NoTwoOfManyCurvesLookAlike) {
+  Plot plot{.name = "many"};
+  for (int k = 0; k < 20; ++k)
+    plot.curves.push_back(
+        {.name = std::to_string(k), .kind = Curve::Kind::line_points, .x = {1, 2}, .y = {1, 2}});
+  const std::vector<std::string> looks = looks_of(plot_script(plot));
+  ASSERT_EQ(looks.size(), 20U);
+  EXPECT_EQ(std::set(looks.begin(), looks.end()).size(), 20U);
+}
+
+TEST(PlotScript, AChosenLookIsThatOfNoOtherCurve) {
+  Plot plot{.name = "chosen"};
+  for (int k = 0; k < 3; ++k)
+    plot.curves.push_back(
+        {.name = "c", .kind = Curve::Kind::line_points, .x = {1, 2}, .y = {1, 2}});
+  const std::vector<std::string> before = looks_of(plot_script(plot));
+  plot.curves[2].style = 0;
+  const std::vector<std::string> after = looks_of(plot_script(plot));
+  EXPECT_EQ(after[2], before[0]);
+  EXPECT_EQ(after[0], before[1]);
+  EXPECT_EQ(after[1], before[2]);
+}
+
+TEST(PlotScript, TheGraphIsAsHighWithManyNamesAsWithFew) {
+  const auto graph_height = [](int curves, const std::string& name) {
+    Plot plot{.name = "legend"};
+    for (int k = 0; k < curves; ++k)
+      plot.curves.push_back({.name = name, .x = {1, 2}, .y = {1, 2}});
+    const std::string script = plot_script(plot);
+    const auto number_after = [&](const std::string& words) {
+      return std::stod(script.substr(script.find(words) + words.size()));
+    };
+    return (number_after("set tmargin at screen ") - number_after("set bmargin at screen ")) *
+           number_after("set terminal svg size 800,");
+  };
+  EXPECT_NEAR(graph_height(1, "depth"), Plot{}.graph_height, 1e-9);
+  EXPECT_NEAR(graph_height(12, "pushed with a force that is larger"), Plot{}.graph_height, 1e-9);
+}
+
+TEST(PlotScript, TheOnlyCurveNeedsNoLegend) {
+  Plot plot{.name = "alone", .curves = {{.name = "depth", .x = {1, 2}, .y = {1, 2}}}};
+  EXPECT_NE(plot_script(plot).find("unset key"), std::string::npos);
+  plot.references = {{.name = "paper", .low = 1}};
+  EXPECT_EQ(plot_script(plot).find("unset key"), std::string::npos);
+  plot.references = {{.name = "floor", .low = 1, .role = Reference::Role::guide}};
+  EXPECT_NE(plot_script(plot).find("unset key"), std::string::npos);
+}
+
+TEST(PlotScript, PlacesOfAnAxisMayHaveNames) {
+  Plot plot{.name = "rows", .y = {.names = {{0, "depth"}, {-1, "share"}}}};
+  plot.curves.push_back({.x = {1, 2}, .y = {0, -1}});
+  EXPECT_NE(plot_script(plot).find("set ytics ('depth' 0, 'share' -1)"), std::string::npos);
+}
+
+TEST(Bands, AreOfOneStandardErrorAndInTheColourOfTheirCurve) {
+  Plot plot;
+  add_with_band(plot, {.name = "a", .x = {1, 2}, .y = {5, 6}, .y_error = {0.5, 1}});
+  ASSERT_EQ(plot.curves.size(), 2U);
+  EXPECT_EQ(plot.curves[0].name, "a") << "the legend shows the line with its dash";
+  EXPECT_EQ(plot.curves[1].name, "");
+  EXPECT_EQ(plot.curves[1].kind, Curve::Kind::band);
+  EXPECT_EQ(plot.curves[1].role, Curve::Role::fit);
+  EXPECT_EQ(plot.curves[1].y_low, (std::vector<double>{4.5, 5}));
+  EXPECT_EQ(plot.curves[1].y_high, (std::vector<double>{5.5, 7}));
+  EXPECT_TRUE(plot.curves[0].y_error.empty());
+  Plot single;
+  add_with_band(single, {.name = "a", .x = {1, 2}, .y = {5, 6}, .y_error = {0, 0}});
+  EXPECT_EQ(single.curves.size(), 1U) << "one realization has no error";
+}
+
+TEST(Bands, StopWhereTheirLineIsInterrupted) {
+  Plot plot;
+  add_with_band(plot,
+                {.x = {1, 2, 8, 9}, .y = {5, 6, 5, 6}, .y_error = {1, 1, 1, 1}, .begins = {2}});
+  ASSERT_EQ(plot.curves.size(), 3U);
+  EXPECT_EQ(plot.curves[1].x, (std::vector<double>{1, 2}));
+  EXPECT_EQ(plot.curves[2].x, (std::vector<double>{8, 9}));
+}
+
+TEST(PlotDescription, SaysWhatKindOfPlotItIsAndOfWhat) {
+  EXPECT_EQ(description_of(small_plot()),
+            "Points: pull-out force [F_c] against push force F_d [F_c]; ours, paper");
+  Plot rows{.x = {.label = "ratio", .logarithmic = true}, .y = {.names = {{0, "a"}, {1, "b"}}}};
+  rows.curves.push_back({.name = "empty"});
+  EXPECT_EQ(description_of(rows), "Points in 2 rows: ratio (logarithmic)");
+}
+
+TEST(PlotScript, AxesOfADecadeNameMorePlacesThanLongerOnes) {
   Plot plot{.name = "places", .x = {.label = "dt", .logarithmic = true}};
   plot.curves.push_back({.x = {0.003, 0.01}, .y = {1, 2}});
-  EXPECT_NE(plot_script(plot).find("3e-3"), std::string::npos);
+  EXPECT_NE(plot_script(plot).find("'0.003' 3e-3"), std::string::npos);
   plot.curves[0].x = {0.0003, 0.01};
-  EXPECT_EQ(plot_script(plot).find("3e-3"), std::string::npos);
+  EXPECT_NE(plot_script(plot).find("'' 3e-3 1"), std::string::npos) << "a small tic";
+  EXPECT_NE(plot_script(plot).find("'0.002' 2e-3"), std::string::npos);
+  plot.curves[0].x = {0.01, 9};
+  EXPECT_NE(plot_script(plot).find("'0.3' 3e-1"), std::string::npos);
+  EXPECT_NE(plot_script(plot).find("'' 2e-1 1"), std::string::npos);
 }
 
 TEST(PlotScript, LabelsStandAboveOrBelowTheirPoints) {
@@ -204,7 +317,7 @@ TEST(PlotScript, LabelsHaveRoomBeforeTheAxis) {
   EXPECT_LT(begin_of(plot), bare - 0.1);
 }
 
-// What begins shortly before something else has its name beside it, not under it.
+// What begins shortly before something else has its name beside it or above it.
 TEST(PlotScript, NamesOfLinesNearEachOtherStandApart) {
   Plot plot{.name = "near", .curves = {{.x = {0, 100}, .y = {0, 1}}}};
   for (const double x : {50.0, 62.0, 63.0, 64.0, 98.0})
@@ -218,8 +331,8 @@ TEST(PlotScript, NamesOfLinesNearEachOtherStandApart) {
   };
   EXPECT_EQ(place("50"), "first 50, graph 1 left offset character 0, 0.7");
   EXPECT_EQ(place("62"), "first 62, graph 1 left offset character 0, 0.7");
-  EXPECT_EQ(place("63"), "first 63, graph 1 left offset character 0, -0.7");
-  EXPECT_EQ(place("64"), "first 64, graph 1 left offset character 0, -1.7");
+  EXPECT_EQ(place("63"), "first 63, graph 1 left offset character 0, 1.7");
+  EXPECT_EQ(place("64"), "first 64, graph 1 left offset character 0, 2.7");
   EXPECT_EQ(place("98"), "first 98, graph 1 right offset character 0, 0.7");
 }
 

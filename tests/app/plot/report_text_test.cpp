@@ -44,6 +44,13 @@ TEST(ReportText, ALetterWithAShortIndexIsASymbol) {
   EXPECT_EQ(html_attribute("F_c"), "F_c");
 }
 
+TEST(ReportText, QuantitiesOfOneLetterAreItalicInPlots) {
+  EXPECT_EQ(gnuplot_text("[√(d/g)]"), "'[√({/:Italic d}/{/:Italic g})]'");
+  EXPECT_EQ(gnuplot_text("F/d²"), "'{/:Italic F}/{/:Italic d}²'");
+  for (const char* plain : {"a grain", "'24 x 50'", "e.g. dt", "the grain's s"})
+    EXPECT_EQ(gnuplot_text(plain).find("Italic"), std::string::npos) << plain;
+}
+
 TEST(ReportText, FileNamesAreSafe) {
   EXPECT_EQ(file_name_text("Push, 0.33 F_c"), "push_0_33_f_c");
   EXPECT_EQ(file_name_text("../../etc"), "etc");

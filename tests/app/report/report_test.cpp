@@ -114,6 +114,7 @@ TEST_F(ReportTest, PicturesHaveTheirCommandAndCellsTheirLinks) {
   EXPECT_NE(markdown.find("because ([a page](../other/page.md))"), std::string::npos);
   EXPECT_LT(markdown.find("because"), markdown.find("- [s](#s)")) << "before the contents";
   EXPECT_NE(markdown.find("`draw a|b --plot`"), std::string::npos) << markdown;
+  EXPECT_NE(markdown.find("![Lines: y against x; a]("), std::string::npos) << "no caption twice";
   EXPECT_NE(markdown.find("p<br>`draw --picture`"), std::string::npos);
   EXPECT_NE(html.find("<a href=\"../other/page.md\">a page</a>"), std::string::npos);
   EXPECT_NE(html.find("<code>draw a|b --plot</code>"), std::string::npos);

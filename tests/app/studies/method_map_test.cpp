@@ -41,6 +41,17 @@ TEST_F(MethodMap, CarriesALineOnToNoTimeStepAtAll) {
   }
 }
 
+TEST_F(MethodMap, DrawsExactStepsInTheColourThatTheyHaveInEveryPlot) {
+  const Section section = reported(0);
+  const auto figure = std::ranges::find_if(
+      section.blocks, [](const Block& block) { return std::holds_alternative<Figure>(block); });
+  ASSERT_NE(figure, section.blocks.end());
+  const std::vector<Curve>& curves = std::get<Figure>(*figure).plot.curves;
+  EXPECT_EQ(curves.back().name, "exact steps");
+  EXPECT_EQ(curves.back().colour, method_colour("exact"));
+  EXPECT_EQ(curves[curves.size() - 2].colour, method_colour("NSCD")) << "of most sweeps";
+}
+
 TEST_F(MethodMap, PushesTheSameSpecimensByBothMethods) {
   PaperJobs jobs(small(), folder_.path());
   make_method_map_experiment()->plan(jobs);

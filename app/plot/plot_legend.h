@@ -1,0 +1,25 @@
+// The legend of a plot's script, and what the picture measures with it: the graph is as high with many names as with few.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/plot/plot.h"
+
+namespace quicksand {
+
+struct PlotLayout {
+  bool legend = false;
+  int rows = 0;                                // of a legend below the graph
+  double height = 0;                           // of the picture [px]
+  double top = 0, bottom = 0, legend_top = 0;  // of graph and legend, over the picture's height [1]
+  double left =
+      0;  // of the graph, over the picture's width; 0: as the numbers of the axis need [1]
+};
+
+// `names`: what stands in the legend. One that is of the only curve of ours says no more than the axis does.
+// `lines_above`: of names above the graph.
+PlotLayout plot_layout(const Plot& plot, const std::vector<std::string>& names,
+                       std::size_t lines_above);
+
+}  // namespace quicksand
