@@ -34,7 +34,6 @@ class FieldExperiment : public PaperExperiment {
         " kg/m³, an assumption: all stresses are proportional to it. The simulated specimens are " +
         "centimetres high, the field's lines are drawn over the same depth."});
     Plot plot{.name = "field",
-              .title = "Shear strength in SI units, simulated and in the field",
               .x = {.label = "depth", .unit = "cm", .low = 0},
               .y = {.label = "shear strength", .unit = "kPa", .low = 0}};
     const PaperTargets targets = read_targets(shipped_targets());
@@ -55,7 +54,10 @@ class FieldExperiment : public PaperExperiment {
       plot.references.push_back(
           {.name = "field, unperturbed: " + typeset(strength) + " kPa", .low = strength});
     }
-    section.add(Figure{std::move(plot), "The field's lines in black, the simulation's in colour."});
+    section.add(Figure{
+        std::move(plot),
+        "Shear strength in SI units: the field's lines in black; the simulation's means with bars "
+        "of one standard error, and straight lines through all its grains, dashed, in colour."});
     if (compact.against_depth) {
       const Line& fit = *compact.against_depth;
       const double scale = stress / depth;

@@ -1,9 +1,12 @@
 // An intruder pushed in with a constant force: depth, bonds, coordination numbers, by regions.
+#include <cmath>
+
 #include "app/experiments/experiments.h"
 #include "app/experiments/push_course.h"
 #include "app/json/json_reader.h"
 #include "app/paper/outcome_table.h"
 #include "core/base/errors.h"
+#include "render/base/palette.h"
 
 namespace quicksand {
 
@@ -55,67 +58,99 @@ class Penetration : public PaperExperiment {
     }
   }
 
-  static Curve paper_curve(const std::string& name, const std::string& quantity) {
-    const PaperTargets targets = read_targets(shipped_targets());
-    Curve curve{.name = name, .role = Curve::Role::paper, .x = {kWeak, kEqual, kStrong}};
-    for (const char* force : {"0.33", "1.0", "strong"})
-      curve.y.push_back(*targets.at("penetration." + std::string(force) + "." + quantity).low);
-    return curve;
+  static Target paper_target(const std::string& force, const std::string& quantity) {
+    return read_targets(shipped_targets()).at("penetration." + force + "." + quantity);
+  }
+
+  // The paper's strong force has no number, it is beyond F_c: its points stand in the middle of a bar over such forces.
+  static constexpr double kStrongPlace = 4.5, kLargestShown = 5.5;
+
+  // What is the paper's stands a little to the right of its force, or it would hide ours.
+  static constexpr double kAside = 1.08;
+
+  // The paper's shares, open and in the colour of ours, which are the curve of this style.
+  static Curve paper_shares(std::size_t style, const std::string& name,
+                            const std::string& quantity) {
+    const double none = std::nan("");
+    return {.name = "paper: " + name,
+            .role = Curve::Role::paper,
+            .style = style,
+            .colour = kCurveColours[style],
+            .x = {kAside * kWeak, kAside * kEqual, kStrongPlace},
+            .y = {*paper_target("0.33", quantity).low, *paper_target("1.0", quantity).low,
+                  *paper_target("strong", quantity).low},
+            .x_error = {none, none, kStrongPlace - kEqual}};
   }
 
   void add_plots(const PaperResults& results, Section& section) const {
-    const auto ours = [&](Plot& plot, const char* name, const char* quantity) {
-      add_with_band(plot, curve_over(results, name, curve_.forces, curve_.pushes, quantity));
-    };
     const Axis force{.label = "push force", .unit = "F_c", .logarithmic = true};
+    add_bonds(results, force, section);
+    add_depth(results, force, section);
+    add_contacts(results, force, section);
+  }
+
+  // With a value of the paper for a strong force in it.
+  static Axis with_strong(Axis force) {
+    force.high = kLargestShown;
+    return force;
+  }
+
+  void add_bonds(const PaperResults& results, const Axis& force, Section& section) const {
     Plot bonds{.name = "penetration_bonds",
-               .title = "Bonds after the push",
-               .x = force,
-               .y = {.label = "share", .low = 0, .high = 1.02}};
-    ours(bonds, "active share", "active_bond_fraction");
-    ours(bonds, "remaining share", "remaining_bond_fraction");
-    bonds.curves.push_back(paper_curve("paper: active share", "active_of_contacts"));
-    bonds.curves.push_back(paper_curve("paper: remaining share", "remaining_of_initial"));
-    section.add(
-        Figure{std::move(bonds),
-               "Shares of bonds against the push force, with bands of one standard error. The "
-               "paper's strong force has no number; its points are drawn at 3 F_c."});
+               .x = with_strong(force),
+               .y = {.label = "share of bonds", .low = 0, .high = 1.02}};
+    add_with_band(bonds, curve_over(results, "active share", curve_.forces, curve_.pushes,
+                                    "active_bond_fraction"));
+    add_with_band(bonds, curve_over(results, "remaining share", curve_.forces, curve_.pushes,
+                                    "remaining_bond_fraction"));
+    bonds.curves.push_back(paper_shares(0, "active share", "active_of_contacts"));
+    bonds.curves.push_back(paper_shares(1, "remaining share", "remaining_of_initial"));
+    section.add(Figure{
+        std::move(bonds),
+        "Shares of bonds after the push against its force, with bands of one standard error. Open: "
+        "the paper's, a little to the right of their forces; its strong force has no number, the "
+        "bars are over all beyond F_c."});
+  }
+
+  void add_depth(const PaperResults& results, const Axis& force, Section& section) const {
     Plot depth{.name = "penetration_depth",
-               .title = "Depth of the intruder",
                .x = force,
-               .y = {.label = "depth", .unit = "d", .low = 0},
+               .y = {.label = "depth of the intruder", .unit = "d", .low = 0},
                .references = {
                    {.name = "height of the box", .low = height_, .role = Reference::Role::guide}}};
-    ours(depth, "depth", "depth");
-    const PaperTargets targets = read_targets(shipped_targets());
-    const Target& bottom = targets.at("penetration.1.0.depth");
+    depth.curves.push_back(curve_over(results, "ours", curve_.forces, curve_.pushes, "depth"));
+    const Target bottom = paper_target("1.0", "depth");
     const double middle = (*bottom.low + 1) / 2 * height_;
     depth.curves.push_back({.name = "paper: " + bottom.words,
                             .role = Curve::Role::paper,
-                            .x = {kEqual},
+                            .x = {kAside * kEqual},
                             .y = {middle},
                             .y_error = {height_ - middle}});
     section.add(
         Figure{std::move(depth),
-               "Final depth of the intruder's lowest point, with a band of one standard error. The "
+               "Final depth of the intruder's lowest point, with bars of one standard error. The "
                "paper gives no number: its words at F_c are drawn as " +
                    number_text(*bottom.low) + " of the height to all of it."});
+  }
+
+  void add_contacts(const PaperResults& results, const Axis& force, Section& section) const {
     Plot contacts{.name = "penetration_coordination",
-                  .title = "Contacts of a grain after the push",
-                  .x = force,
+                  .x = with_strong(force),
                   .y = {.label = "coordination number"}};
-    ours(contacts, "gap up to d_c", "coordination");
-    ours(contacts, "gap up to 1e-3 d", "coordination_within_1e-3");
-    ours(contacts, "gap up to 1e-2 d", "coordination_within_1e-2");
+    for (const auto& [name, quantity] : {std::pair{"gap up to d_c", "coordination"},
+                                         std::pair{"gap up to 10⁻³ d", "coordination_within_1e-3"},
+                                         std::pair{"gap up to 10⁻² d", "coordination_within_1e-2"}})
+      add_with_band(contacts, curve_over(results, name, curve_.forces, curve_.pushes, quantity));
     contacts.curves.push_back({.name = "paper",
                                .role = Curve::Role::paper,
-                               .x = {kStrong},
-                               .y = {*targets.at("penetration.strong.coordination").low}});
+                               .x = {kStrongPlace},
+                               .y = {*paper_target("strong", "coordination").low},
+                               .x_error = {kStrongPlace - kEqual}});
     section.add(
         Figure{std::move(contacts),
-               "Coordination number against the push force, by the gap up to which a pair counts "
-               "as a contact, with bands of one standard error. The paper does not say which; its "
-               "strong force has no number and is drawn at 3 F_c."});
+               "Coordination number after the push against its force, by the gap up to which a "
+               "pair counts as a contact, with bands of one standard error. The paper does not "
+               "say which; its strong force has no number, the bar is over all beyond F_c."});
   }
 
   void compare(const PaperResults& results, std::size_t k, Findings& findings) const {

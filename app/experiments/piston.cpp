@@ -36,11 +36,7 @@ class Piston : public PaperExperiment {
                             cell_of(results.mean(after_, line.quantity), all_)});
     section.add(std::move(table));
 
-    section.add(Figure{
-        plot(results),
-        "Means over realizations while the piston comes down, with bands of one standard "
-        "error, and where the specimens settle once it has gone. The paper's points are those "
-        "before and after."});
+    add_plots(results, section);
 
     note(findings, "piston.active_of_contacts", results.mean(after_, "active_bond_fraction"));
     note(findings, "piston.remaining_of_initial", results.mean(after_, "remaining_bond_fraction"));
@@ -58,46 +54,51 @@ class Piston : public PaperExperiment {
   }
 
  private:
-  Plot plot(const PaperResults& results) const {
-    Plot plot{.name = "piston",
-              .title = "Compaction by the piston",
-              .x = {.label = "height of the piston", .unit = "d"},
-              .y = {.label = "coordination number"},
-              .y2 = Axis{.label = "active share", .low = 0, .high = 1.02}};
-    Curve coordination = while_falling(results, "coordination");
-    coordination.name = "coordination number (left)";
-    Curve active = while_falling(results, "active_bond_fraction");
-    active.name = "active share (right)";
-    active.second_axis = true;
-    add_with_band(plot, std::move(coordination));
-    add_settled(plot, results, "coordination", false);
-    add_with_band(plot, std::move(active));
-    add_settled(plot, results, "active_bond_fraction", true);
+  void add_plots(const PaperResults& results, Section& section) const {
     const PaperTargets targets = read_targets(shipped_targets());
-    const auto paper = [&](const char* id) { return *targets.at(id).low; };
-    const double before = paper("piston.before.height"), after = paper("piston.after.height");
-    plot.curves.push_back(
-        {.name = "paper: coordination number (left)",
-         .role = Curve::Role::paper,
-         .x = {before, after},
-         .y = {paper("piston.before.coordination"), paper("piston.after.coordination")}});
-    plot.curves.push_back(
-        {.name = "paper: active share (right)",
-         .role = Curve::Role::paper,
-         .second_axis = true,
-         .x = {before, after},
-         .y = {paper("unperturbed.active_bond_fraction"), paper("piston.active_of_contacts")}});
-    return plot;
+    const auto of_paper = [&](const char* name, const char* before, const char* after) {
+      return Curve{
+          .name = name,
+          .role = Curve::Role::paper,
+          .x = {*targets.at("piston.before.height").low, *targets.at("piston.after.height").low},
+          .y = {*targets.at(before).low, *targets.at(after).low}};
+    };
+    const Axis height{.label = "height of the piston", .unit = "d"};
+    Plot contacts{
+        .name = "piston_coordination", .x = height, .y = {.label = "coordination number"}};
+    add_course(contacts, results, "while the piston comes down", "coordination");
+    contacts.curves.push_back(
+        of_paper("paper", "piston.before.coordination", "piston.after.coordination"));
+    section.add(Figure{
+        std::move(contacts),
+        "Mean coordination number while the piston comes down, from the right to the left, with a "
+        "band of one standard error. What is vertical at the lowest height is the time at rest "
+        "under the load. Symbol: where the specimens settle once the piston has gone. The "
+        "paper's points are before and after."});
+    Plot bonds{
+        .name = "piston", .x = height, .y = {.label = "share of bonds", .low = 0, .high = 1.02}};
+    add_course(bonds, results, "active share", "active_bond_fraction");
+    add_course(bonds, results, "remaining share", "remaining_bond_fraction");
+    bonds.curves.push_back(of_paper("paper: active share", "unperturbed.active_bond_fraction",
+                                    "piston.active_of_contacts"));
+    bonds.curves.push_back({.name = "paper: remaining share",
+                            .role = Curve::Role::paper,
+                            .x = {*targets.at("piston.after.height").low},
+                            .y = {*targets.at("piston.remaining_of_initial").low}});
+    section.add(Figure{std::move(bonds),
+                       "The same for the shares of bonds. Symbols: where the specimens settle once "
+                       "the piston has gone."});
   }
 
-  // Where the specimens come to rest once the piston has gone, in the colour of the curve before.
-  void add_settled(Plot& plot, const PaperResults& results, const char* quantity,
-                   bool second_axis) const {
+  // A line while the piston comes down, and in its colour a symbol where the specimens come to rest without it.
+  void add_course(Plot& plot, const PaperResults& results, const char* name,
+                  const char* quantity) const {
+    Curve course = while_falling(results, quantity);
+    course.name = name;
+    add_with_band(plot, std::move(course));
     const auto height = results.mean(after_, "packing_top"), value = results.mean(after_, quantity);
     if (!height || !value) return;
-    plot.curves.push_back({.name = "the same, settled without it",
-                           .role = Curve::Role::fit,
-                           .second_axis = second_axis,
+    plot.curves.push_back({.role = Curve::Role::fit,
                            .x = {height->value},
                            .y = {value->value},
                            .x_error = {height->standard_error.value_or(0)},

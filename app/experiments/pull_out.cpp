@@ -18,8 +18,8 @@ class PullOut : public PaperExperiment {
 
   void report(const PaperResults& results, Section& section, Findings& findings) const override {
     Curve pull{.name = "pull-out force (left)"};
-    Curve weight = curve_over(results, "weight above the intruder's height, over the total (right)",
-                              curve_.forces, curve_.pushes, "weight_above_level");
+    Curve weight = curve_over(results, "weight above the intruder (right)", curve_.forces,
+                              curve_.pushes, "weight_above_level");
     weight.second_axis = true;
     Table table{.caption =
                     "Pull-out after all bonds were restored: the middle of the interval that holds "
@@ -49,17 +49,16 @@ class PullOut : public PaperExperiment {
     note_slope(findings, "penetration.pull_out_slope", pull);
     note_slope(findings, "penetration.weight_above_slope", weight);
     Plot plot{.name = "pull_out",
-              .title = "Pull-out force and weight above against the push force",
               .x = {.label = "push force", .unit = "F_c"},
               .y = {.label = "pull-out force", .unit = "F_c", .low = 0},
               .y2 = Axis{.label = "weight above / total weight", .low = 0, .high = 1}};
     add_limit_of_paper(plot);
-    add_with_band(plot, std::move(pull));
-    add_with_band(plot, std::move(weight));
+    plot.curves.push_back(std::move(pull));
+    plot.curves.push_back(std::move(weight));
     section.add(Figure{std::move(plot),
-                       "Left axis: the force that takes the intruder "
-                       "out; right axis: the share of the grains' "
-                       "weight that lies higher than its centre."});
+                       "Left axis: the force that takes the intruder out; right axis: the share of "
+                       "the grains' weight that lies higher than its centre. Bars are one standard "
+                       "error."});
   }
 
  private:
@@ -68,7 +67,7 @@ class PullOut : public PaperExperiment {
     const PaperTargets targets = read_targets(shipped_targets());
     const Target& most = targets.at("penetration.pull_out_over_push");
     const double deepest = curve_.forces.back();
-    plot.curves.push_back({.name = "paper: at most " + most.printed + " times the push (left)",
+    plot.curves.push_back({.name = "paper: " + most.printed + " times the push (left)",
                            .kind = Curve::Kind::line,
                            .role = Curve::Role::paper,
                            .x = {0, deepest},

@@ -74,17 +74,31 @@ Curve over_time(const PaperResults& results, const RunGroup& pushes, const std::
   return curve;
 }
 
-// Where the intruder reaches the floor, in the colour of the curve before; not in the legend, which is full.
-Curve at_the_floor(const PaperResults& results, const RunGroup& pushes, double height) {
-  std::vector<double> times, shares;
+// At the mean of the times when the intruder reaches the floor, on the mean course.
+Curve at_the_floor(const PaperResults& results, const RunGroup& pushes, const Curve& course,
+                   double height) {
+  std::vector<double> times;
   for (const RunResults* run : results.runs(pushes))
-    if (const auto row = row_at(*run, kFloor * height)) {
+    if (const auto row = row_at(*run, kFloor * height))
       times.push_back(run->column("time")[*row] - run->column("time").front());
-      shares.push_back(run->column(kCounted[0])[*row]);
-    }
-  Curve point{.role = Curve::Role::fit};
-  if (const auto time = mean_over(times)) add_point(point, time->value, mean_over(shares));
+  Curve point{.style = course.style};
+  const auto time = mean_over(times);
+  if (!time) return point;
+  const auto next = std::ranges::lower_bound(course.x, time->value);
+  if (next == course.x.begin() || next == course.x.end()) return point;
+  const auto k = static_cast<std::size_t>(next - course.x.begin());
+  const double share = (time->value - course.x[k - 1]) / (course.x[k] - course.x[k - 1]);
+  point.x = {time->value};
+  point.y = {std::lerp(course.y[k - 1], course.y[k], share)};
   return point;
+}
+
+// Of the paper's forces the same in every plot, however many of them are computed.
+std::size_t style_of_force(double force, std::size_t otherwise) {
+  const std::vector<double> all = PaperScale{}.push_forces;
+  const auto known = std::ranges::find(all, force);
+  return known == all.end() ? all.size() + otherwise
+                            : static_cast<std::size_t>(known - all.begin());
 }
 
 }  // namespace
@@ -93,19 +107,24 @@ void add_push_course(Section& section, const PaperResults& results, const PushCu
                      double height, int all) {
   section.add(table_of(results, curve, height, all));
   Plot plot{.name = "penetration_course",
-            .title = "Bonds during the push and after",
             .x = {.label = "time since the push began", .unit = "√(d/g)", .logarithmic = true},
             .y = {.label = "active share of contacts", .low = 0, .high = 1.02}};
+  std::vector<Curve> symbols;
   for (std::size_t k = 0; k < curve.forces.size(); ++k) {
-    add_with_band(plot, over_time(results, curve.pushes[k],
-                                  number_text(curve.forces[k]) + " × cohesion force"));
-    plot.curves.push_back(at_the_floor(results, curve.pushes[k], height));
+    Curve course = over_time(results, curve.pushes[k], number_text(curve.forces[k]) + " F_c");
+    course.style = style_of_force(curve.forces[k], k);
+    symbols.push_back(at_the_floor(results, curve.pushes[k], course, height));
+    add_with_band(plot, std::move(course));
   }
+  // One of them stands for all in the legend.
+  const auto first = std::ranges::find_if(symbols, [](const Curve& c) { return !c.x.empty(); });
+  if (first != symbols.end()) first->name = "intruder near the floor";
+  std::ranges::move(symbols, std::back_inserter(plot.curves));
   section.add(
       Figure{std::move(plot),
-             "Active share of contacts over time, with bands of one standard error; symbols: "
-             "the intruder comes to 0.95 of the box's height. The channel falls in after "
-             "that."});
+             "Active share of contacts over time, by the push force, with bands of one "
+             "standard error. Symbols: when the intruder comes to 0.95 of the box's height. "
+             "The channel falls in after that."});
 }
 
 }  // namespace quicksand

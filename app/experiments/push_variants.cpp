@@ -60,7 +60,6 @@ class Density : public PaperExperiment {
               "while the intruder is pushed: part of the difference may be due to that."});
     const char* const names[] = {"usual specimen", "denser specimen"};
     Plot plot{.name = "density",
-              .title = "Depth of the intruder in specimens of two densities",
               .x = {.label = "push force", .unit = "F_c", .logarithmic = true},
               .y = {.label = "depth", .unit = "d", .low = 0},
               .legend = LegendPlace::bottom_right};
@@ -69,7 +68,8 @@ class Density : public PaperExperiment {
       const auto density = results.mean(samples_[s], "volume_fraction");
       const std::string name =
           std::string(names[s]) + ", volume fraction " + cell_of(density, all_).text;
-      add_with_band(plot, curve_over(results, name, curves_[s].forces, curves_[s].pushes, "depth"));
+      plot.curves.push_back(
+          curve_over(results, name, curves_[s].forces, curves_[s].pushes, "depth"));
       for (std::size_t k = 0; k < curves_[s].forces.size(); ++k)
         rows.push_back(
             {name + ", " + number_text(curves_[s].forces[k]) + " F_c", curves_[s].pushes[k]});
@@ -83,7 +83,9 @@ class Density : public PaperExperiment {
       note(findings, "penetration.density_shift", shift(results));
     section.add(outcome_table(results, "Pushes of both specimens, after everything rests.",
                               {"case"}, rows, kAfterPush, all_));
-    section.add(Figure{std::move(plot), "Final depth against the push force."});
+    section.add(Figure{std::move(plot),
+                       "Final depth against the push force: means with bars of one standard error, "
+                       "which jump where the packing no longer holds."});
   }
 
  private:

@@ -61,20 +61,21 @@ class Shear : public PaperExperiment {
       section.add(Paragraph{about_weak_bonds(loose, weak)});
     if (loose.grains + weak.grains + strong.grains > 0)
       section.add(Figure{
-          plot("shear_unperturbed", "Shear strength of unperturbed specimens",
-               {.label = "shear strength", .unit = "F_g", .logarithmic = true},
+          plot("shear_unperturbed", {.label = "shear strength", .unit = "F_g", .logarithmic = true},
                {{"F_c = 10² F_g", &weak}, {"F_c = 10⁴ F_g", &loose}, {"F_c = 10⁶ F_g", &strong}}),
-          "Smallest horizontal force that moves a grain, with bands of one standard error over "
-          "grains, and straight lines through all grains. The paper gives no numbers here."});
+          "Smallest horizontal force that moves a grain of an unperturbed specimen: means with "
+          "bars of one standard error "
+          "over "
+          "grains, and straight lines through all grains, dashed. The paper gives no numbers "
+          "here."});
     if (compact.grains + rough.grains > 0) {
-      Plot perturbed = plot("shear_perturbed", "Shear strength of perturbed specimens",
-                            {.label = "shear strength", .unit = "F_g", .low = 0},
+      Plot perturbed = plot("shear_perturbed", {.label = "shear strength", .unit = "F_g", .low = 0},
                             {{"friction 0.3", &compact}, {"friction 0.6", &rough}});
       add_lines_of_paper(perturbed, std::max(compact.depth.empty() ? 0 : compact.depth.back(),
                                              rough.depth.empty() ? 0 : rough.depth.back()));
       section.add(
           Figure{std::move(perturbed),
-                 "The same after the piston; the paper's lines through nothing at the surface in "
+                 "The same after the piston; the paper's lines, which are zero at the surface, in "
                  "black."});
     }
     compare_perturbed(compact, rough, findings);
@@ -107,10 +108,8 @@ class Shear : public PaperExperiment {
     return table;
   }
 
-  static Plot plot(const char* name, const char* title, Axis strength_axis,
-                   const std::vector<Named>& all) {
+  static Plot plot(const char* name, Axis strength_axis, const std::vector<Named>& all) {
     Plot plot{.name = name,
-              .title = title,
               .x = {.label = "depth", .unit = "d", .low = 0},
               .y = std::move(strength_axis)};
     for (const auto& [curve, strength] : all) add_strength(plot, *strength, curve);

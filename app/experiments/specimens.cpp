@@ -1,6 +1,7 @@
 // Which deposition gives which density and coordination number.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "app/experiments/experiments.h"
 #include "app/json/json_reader.h"
@@ -70,7 +71,6 @@ class Samples : public PaperExperiment {
                             {"active share", true}}};
     Plot plot{
         .name = "samples",
-        .title = "Specimens: coordination number and volume fraction",
         .x = {.label = "volume fraction"},
         .y = {.label = "coordination number"},
         .references = {
@@ -97,10 +97,12 @@ class Samples : public PaperExperiment {
     plot.annotations = numbered(points, numbers);
     plot.curves.push_back(std::move(points));
     section.add(std::move(table));
-    section.add(Figure{std::move(plot),
-                       "Each deposition's volume fraction and coordination number. The paper's "
-                       "specimen lies where the two bands cross. Number " +
-                           std::to_string(kWeakBonds + 1) + ", of weaker bonds, is left out."});
+    section.add(
+        Figure{std::move(plot),
+               "Volume fraction and coordination number of the specimens of each deposition, "
+               "with bars of one standard error. The paper's specimen lies where the two "
+               "bands cross. Number " +
+                   std::to_string(kWeakBonds + 1) + ", of weaker bonds, is left out."});
     const std::vector<SlowerDeposit> sequence =
         adiabatic_sequence(results.runs(groups_[kAdiabatic]));
     if (!sequence.empty()) section.add(table_of(sequence));
@@ -178,25 +180,53 @@ class Samples : public PaperExperiment {
     return mean_over(values);
   }
 
-  // Points that lie together share a label, "1, 3, 5", below them: it is longer, and more lies above.
+  // Points that lie together share a label, "1, 3, 5". It stands where it hits the fewest points and labels.
   static std::vector<Annotation> numbered(const Curve& points,
                                           const std::vector<std::string>& numbers) {
     constexpr double kNear = 0.04, kHeight = 0.1;  // and a label's height, of what all points span
     if (numbers.empty()) return {};
     const auto span = [](const std::vector<double>& x) {
       const auto [low, high] = std::ranges::minmax(x);
-      return high - low;
+      return high > low ? high - low : 1;
     };
-    const double near_x = kNear * span(points.x), near_y = kHeight * span(points.y);
+    const double wide = span(points.x), high = span(points.y);
     std::vector<Annotation> labels;
     for (std::size_t k = 0; k < numbers.size(); ++k) {
       const auto label = std::ranges::find_if(labels, [&](const Annotation& l) {
-        return std::abs(l.x - points.x[k]) <= near_x && std::abs(l.y - points.y[k]) <= near_y;
+        return std::abs(l.x - points.x[k]) <= kNear * wide &&
+               std::abs(l.y - points.y[k]) <= kHeight * high;
       });
       if (label == labels.end())
         labels.push_back({points.x[k], points.y[k], numbers[k]});
       else
-        *label = {label->x, std::min(label->y, points.y[k]), label->text + ", " + numbers[k], true};
+        label->text += ", " + numbers[k];
+    }
+    // Of what all points span; a point is covered with its marker.
+    constexpr double kCharacter = 0.02, kLine = 0.11, kMarker = 0.02;
+    const auto covers = [&](const Annotation& label, double x, double y) {
+      const double across = (x - label.x) / wide * (label.left ? -1 : 1);
+      const double up = (y - label.y) / high * (label.below ? -1 : 1);
+      const double width = kCharacter * static_cast<double>(label.text.size() + 1);
+      return across > -kMarker && across < width + kMarker && up > kMarker && up < kLine + kMarker;
+    };
+    for (std::size_t l = 0; l < labels.size(); ++l) {
+      Annotation best = labels[l];
+      std::ptrdiff_t fewest = std::numeric_limits<std::ptrdiff_t>::max();
+      for (const auto& [below, left] :
+           {std::pair{false, false}, {true, false}, {false, true}, {true, true}}) {
+        Annotation tried = labels[l];
+        tried.below = below;
+        tried.left = left;
+        std::ptrdiff_t hits = 0;
+        for (std::size_t k = 0; k < points.x.size(); ++k)
+          hits += covers(tried, points.x[k], points.y[k]) ? 1 : 0;
+        for (std::size_t before = 0; before < l; ++before)
+          hits += covers(tried, labels[before].x, labels[before].y) ? 1 : 0;
+        if (hits >= fewest) continue;
+        fewest = hits;
+        best = tried;
+      }
+      labels[l] = best;
     }
     return labels;
   }

@@ -1,4 +1,5 @@
 // What the specimens are like inside, before and after: profiles over height, angles of bonds, forces in contacts.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -12,6 +13,14 @@
 namespace quicksand {
 
 namespace {
+
+// Bins of about 5° from just below 60°, the smallest angle between equal grains: neither it nor a right angle or 120° is
+// at an edge, where rounding would spread it over two bins. [rad]
+std::vector<double> angle_edges() {
+  constexpr double kDegree = std::numbers::pi / 180, kSmallest = 59;
+  constexpr int kBins = 24;
+  return even_edges(kSmallest * kDegree, std::numbers::pi, kBins);
+}
 
 // Of the states of all realizations of a group.
 struct Structure {
@@ -31,16 +40,28 @@ void pool(Histogram& sum, Histogram&& part) {
   sum.above += part.above;
 }
 
-// The density at the middles of the bins, empty ones left out; values and widths times `scale`.
+// The density at the middles of the bins, with counting errors; values and widths times `scale`. Empty bins interrupt
+// the line; a bin between two of them is a level line.
 Curve curve_of(const std::string& name, const Histogram& histogram, bool logarithmic,
                double scale) {
   Curve curve{.name = name, .kind = Curve::Kind::line};
   const std::vector<double> density = histogram.density();
+  const auto is_empty = [&](std::size_t k) { return k >= density.size() || density[k] == 0; };
   for (std::size_t k = 0; k < density.size(); ++k) {
+    if (is_empty(k)) continue;
+    const bool first = k == 0 || is_empty(k - 1);
+    if (first) curve.begins.push_back(curve.x.size());
     const double low = histogram.edges[k], high = histogram.edges[k + 1];
-    if (density[k] == 0) continue;
-    curve.x.push_back(scale * (logarithmic ? std::sqrt(low * high) : (low + high) / 2));
-    curve.y.push_back(density[k] / scale);
+    const double middle = logarithmic ? std::sqrt(low * high) : (low + high) / 2;
+    // A single count has an error that reaches zero, which a logarithmic axis has not.
+    constexpr double kMost = 0.9;
+    const double error = std::min(kMost, 1 / std::sqrt(static_cast<double>(histogram.counts[k])));
+    const bool alone = first && is_empty(k + 1);
+    for (const double x : alone ? std::vector{low, high} : std::vector{middle}) {
+      curve.x.push_back(scale * x);
+      curve.y.push_back(density[k] / scale);
+      curve.y_error.push_back(error * curve.y.back());
+    }
   }
   return curve;
 }
@@ -57,19 +78,15 @@ class StructureOfSamples : public PaperExperiment {
 
   void report(const PaperResults& results, Section& section, Findings&) const override {
     Plot profile{.name = "structure_profile",
-                 .title = "Volume fraction over height",
                  .x = {.label = "volume fraction", .low = 0},
                  .y = {.label = "height", .unit = "d", .low = 0}};
     Plot angles{.name = "structure_bond_angles",
-                .title = "Angles between neighbouring bonds of a grain",
-                .x = {.label = "angle", .unit = "°", .low = 0, .high = 180},
+                .x = {.label = "angle", .unit = "°", .low = 60, .high = 180},
                 .y = {.label = "density", .unit = "1/°", .low = 0}};
     Plot forces{.name = "structure_contact_forces",
-                .title = "Compressive forces in contacts",
                 .x = {.label = "force over its mean", .logarithmic = true},
                 .y = {.label = "density", .logarithmic = true}};
     Plot tensions{.name = "structure_bond_tensions",
-                  .title = "Tensile forces in bonds",
                   .x = {.label = "force", .unit = "F_c", .logarithmic = true},
                   .y = {.label = "density", .unit = "1/F_c", .logarithmic = true}};
     Table counts{
@@ -89,25 +106,30 @@ class StructureOfSamples : public PaperExperiment {
       if (s.angles.counts.empty()) continue;
       counts.rows.push_back(row_of(name, s.counts));
       profile.curves.push_back(profile_curve(name, s));
-      angles.curves.push_back(curve_of(name, s.angles, false, 180 / std::numbers::pi));
-      forces.curves.push_back(curve_of(name, s.forces, true, 1));
-      tensions.curves.push_back(curve_of(name, s.tensions, true, 1));
+      add_with_band(angles, curve_of(name, s.angles, false, 180 / std::numbers::pi));
+      add_with_band(forces, curve_of(name, s.forces, true, 1));
+      add_with_band(tensions, curve_of(name, s.tensions, true, 1));
     }
     if (profile.curves.empty()) return;
     section.add(std::move(counts));
     section.add(
-        Figure{std::move(profile), "Slices of " + cell_of(Measured{.value = thickness_}, 1).text +
+        Figure{std::move(profile), "Volume fraction over height in slices of " +
+                                       cell_of(Measured{.value = thickness_}, 1).text +
                                        " d, mean and standard error over realizations; the surface "
                                        "fills its slice in part, slices below 0.01 are left out."});
     section.add(Figure{std::move(angles),
-                       "Of active bonds. Three grains that touch each other have 60°, a grain "
-                       "between two bonds 180° where the chain is straight."});
-    section.add(Figure{std::move(forces),
-                       "Of grains with grains and the floor, in the last step; the intruder's "
-                       "contacts are left out."});
+                       "Angles between neighbouring active bonds of a grain, with bands of one "
+                       "standard error of counting. Three grains that touch each other have 60°, a "
+                       "grain between two bonds 180° where the chain is straight."});
     section.add(
-        Figure{std::move(tensions),
-               "Of active bonds of grains: at rest they carry weights, far below what they hold."});
+        Figure{std::move(forces),
+               "Compressive forces between grains and of grains with the floor, in the last "
+               "step; the intruder's contacts are left out. Lines are interrupted where no "
+               "contact has such a force."});
+    section.add(Figure{
+        std::move(tensions),
+        "Tensile forces in active bonds of grains: at rest they carry weights, far below what "
+        "they hold."});
   }
 
  private:
@@ -119,7 +141,7 @@ class StructureOfSamples : public PaperExperiment {
     Structure all;
     for (const RunResults* run : results.runs(group)) {
       const World world = read_state(run->folder().state()).checkpoint.world;
-      pool(all.angles, bond_angles(world));
+      pool(all.angles, bond_angles(world, angle_edges()));
       pool(all.forces, contact_forces(world));
       pool(all.tensions, bond_tensions(world));
       const std::vector<Pair> touching = touching_pairs(world);

@@ -34,12 +34,11 @@ class Velocity : public PaperExperiment {
                             cell_of(ploughing_speed(results, curve_.pushes[k], height_), all_)});
     section.add(std::move(table));
     Plot plot{.name = "velocity",
-              .title = "Velocity of the driven intruder",
               .x = {.label = "push force", .unit = "F_c"},
               .y = {.label = "mean velocity", .unit = "√(g d)", .low = 0},
               .legend = LegendPlace::bottom_right};
     const auto line = fit_line(curve.x, squares);
-    add_with_band(plot, curve);
+    plot.curves.push_back(curve);
     std::optional<double> of_line;
     if (line && line->slope > 0 && line->intercept < 0) {
       of_line = -line->intercept / line->slope;
@@ -53,11 +52,12 @@ class Velocity : public PaperExperiment {
                                  .role = Reference::Role::guide});
     section.add(Figure{
         std::move(plot),
-        of_line
-            ? "The line is v² = k (F − F_0), fitted to the squares of the velocities; its F_0 is " +
-                  cell_of(Measured{.value = *of_line}, 1).text + " F_c."
-            : std::string("A straight line through the squares of the velocities gives no "
-                          "threshold: it is not zero at any positive force.")});
+        of_line ? "Means with bars of one standard error. The dashed line is v² = k (F − F_0), "
+                  "fitted to "
+                  "the squares of the velocities; its F_0 is " +
+                      cell_of(Measured{.value = *of_line}, 1).text + " F_c."
+                : std::string("A straight line through the squares of the velocities gives no "
+                              "threshold: it is not zero at any positive force.")});
     note_exponent(findings, curve);
   }
 

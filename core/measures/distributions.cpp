@@ -94,7 +94,7 @@ Histogram histogram(std::span<const double> values, std::vector<double> edges) {
   return h;
 }
 
-Histogram bond_angles(const World& world) {
+Histogram bond_angles(const World& world, std::vector<double> edges) {
   std::vector<double> angles;
   const std::vector<std::vector<double>> all = bond_directions(world);
   for (int i = 0; i < world.disks.size(); ++i) {
@@ -110,7 +110,8 @@ Histogram bond_angles(const World& world) {
     for (std::size_t k = 0; k + 1 < around.size(); ++k)
       if (const double apart = around[k + 1] - around[k]; apart <= kPi) angles.push_back(apart);
   }
-  return histogram(angles, even_edges(0, kPi, kAngleBins));
+  if (edges.empty()) edges = even_edges(0, kPi, kAngleBins);
+  return histogram(angles, std::move(edges));
 }
 
 Histogram contact_orientations(const World& world, std::span<const Pair> touching) {

@@ -30,8 +30,9 @@ Histogram histogram(std::span<const double> values, std::vector<double> edges);
 // Angles between active bonds of a grain that are neighbours around it, from 0 to pi [rad]. Walls and
 // the intruder count as bonded neighbours. Of two neighbours that are more than pi apart the angle is
 // not taken: other bonds of the grain, or the same angle from the other side, lie between. So two bonds
-// have one angle, and z bonds z of them, or z - 1 if they leave one half-plane empty.
-Histogram bond_angles(const World& world);
+// have one angle, and z bonds z of them, or z - 1 if they leave one half-plane empty. Without edges,
+// 35 even bins.
+Histogram bond_angles(const World& world, std::vector<double> edges = {});
 
 // Angle of the line between the centres of touching grains against the horizontal, 0 to pi/2 [rad].
 Histogram contact_orientations(const World& world, std::span<const Pair> touching);

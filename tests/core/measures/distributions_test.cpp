@@ -86,6 +86,7 @@ TEST(BondAngles, OfATriangularLatticeAreSixtyDegrees) {
   const Histogram h = bond_angles(world);
   EXPECT_EQ(count_at(h, std::numbers::pi / 3), 6 * 24 + 3 * 12);
   EXPECT_EQ(h.counts.back(), 12) << "straight, at the first and the last row";
+  EXPECT_EQ(total(bond_angles(world, {0, 2, 3.2})), total(h)) << "in other bins, too";
   const Histogram orientation = contact_orientations(world, touching_pairs(world));
   EXPECT_EQ(orientation.counts.front(), 36);
   EXPECT_EQ(count_at(orientation, std::numbers::pi / 3), 2 * 6 * 5);
