@@ -1,6 +1,8 @@
 // The plots of a run's report.
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <set>
 
 #include "app/run_report/run_report.h"
 
@@ -16,46 +18,52 @@ struct TimeHistory {
 // What is drawn over time. Several runs are compared by the first histories, each in a plot with one curve a run.
 struct TimePlot {
   const char* name;
-  const char* title;
+  const char* caption;  // of a single run
   Axis y;
   std::vector<TimeHistory> histories;
   Curve::Kind kind = Curve::Kind::line;
   bool per_step = false;  // sums since the last sample, which are not equally long apart
+  bool has_tolerance = false;
   std::size_t compared = 1;
 };
 
 std::vector<TimePlot> time_plots() {
   return {
       {.name = "bonds",
-       .title = "Bonds",
-       .y = {.label = "fraction", .low = 0, .high = 1.05},
+       .caption = "Active bonds, over touching contacts and over the initial bonds (remaining).",
+       .y = {.label = "share of bonds", .low = 0, .high = 1.05},
        .histories = {{"active_bond_fraction", "active share"},
                      {"remaining_bond_fraction", "remaining share"}},
        .compared = 2},
       {.name = "coordination",
-       .title = "Coordination number",
-       .y = {.label = "mean number of neighbours"},
+       .caption =
+           "Mean number of neighbours of a grain, of those that touch it and of those with a "
+           "force or a bond.",
+       .y = {.label = "coordination number"},
        .histories = {{"coordination", "touching"},
                      {"coordination_loaded", "with a force or a bond"}}},
       {.name = "volume_fraction",
-       .title = "Volume fraction of the lower 70 %",
+       .caption = "Share of the area that disks fill in the lower 70 % of the packing.",
        .y = {.label = "volume fraction"},
        .histories = {{"volume_fraction", "volume fraction"}}},
       {.name = "intruder",
-       .title = "Height of the intruder",
+       .caption = "The intruder's centre sinks below the top of the packing.",
        .y = {.label = "height above the floor", .unit = "d", .low = 0},
        .histories = {{"intruder_y", "intruder's centre"}, {"packing_top", "top of the packing"}}},
       {.name = "kinetic_energy",
-       .title = "Kinetic energy",
-       .y = {.label = "energy", .unit = "F_g d", .logarithmic = true},
+       .caption = "Energy of the motion of all bodies, by what moves.",
+       .y = {.label = "kinetic energy", .unit = "F_g d", .logarithmic = true},
        .histories = {{"kinetic_energy", "translation"}, {"rotational_energy", "rotation"}}},
       {.name = "residual",
-       .title = "Errors of the solver, worst since the last sample",
-       .y = {.label = "error", .logarithmic = true},
-       .histories = {{"residual", "residual"}, {"gap_error", "gap error over its tolerance"}}},
+       .caption =
+           "By how much steps are off, the worst since the last sample. A step has converged "
+           "where both errors are below their tolerances, in grey.",
+       .y = {.label = "error of a step", .logarithmic = true},
+       .histories = {{"residual", "residual"}, {"gap_error", "gap error over its tolerance"}},
+       .has_tolerance = true},
       {.name = "factorisations",
-       .title = "Work of the solver, mean since the last sample",
-       .y = {.label = "factorisations per step", .low = 0},
+       .caption = "Work of the solver, the mean since the last sample.",
+       .y = {.label = "factorisations a step", .low = 0},
        .histories = {{"factorisations", "factorisations"}},
        .kind = Curve::Kind::steps,
        .per_step = true},
@@ -118,10 +126,28 @@ std::vector<Reference> phase_guides(const RunResults& run, std::size_t first,
   return guides;
 }
 
+// The largest residuals of converged steps, of all phases, and the largest gap error; none by NSCD, which takes steps
+// as they are.
+std::vector<Reference> tolerance_guides(const RunResults& run) {
+  const Json& scene = run.scene();
+  if (!scene.is_object() || scene.value("method", "exact") == "nscd") return {};
+  std::set<double> tolerances;
+  const double usual = scene.value("solver", Json::object()).value("tolerance", 0.0);
+  for (const Json& phase : scene.value("phases", Json::array()))
+    tolerances.insert(phase.value("solver_tolerance", usual));
+  tolerances.erase(0);
+  std::vector<Reference> guides{{.low = 1, .role = Reference::Role::guide}};
+  for (const double tolerance : tolerances)  // the name of the largest stands above all
+    guides.push_back({.name = tolerance == *tolerances.rbegin() ? "tolerance of the residual" : "",
+                      .low = tolerance,
+                      .role = Reference::Role::guide});
+  return guides;
+}
+
 // The load of a driven intruder over its way, where a phase drives one.
 struct DrivePlot {
   const char* phase;  // whose samples count
-  const char* title;
+  const char* caption;
   const char* way;  // column of series.csv
   Axis x, y;
   double sign;  // of the load
@@ -130,17 +156,18 @@ struct DrivePlot {
 
 std::vector<DrivePlot> drive_plots() {
   return {{.phase = "penetrate",
-           .title = "Resistance over depth",
+           .caption = "Upward force of the contacts on the intruder, in all and by the part of its "
+                      "surface on which it acts.",
            .way = "depth",
            .x = {.label = "depth of the lowest point", .unit = "d"},
-           .y = {.label = "upward force", .unit = "F_g"},
+           .y = {.label = "resistance", .unit = "F_g"},
            .sign = 1,
            .histories = {{"resistance", "all"},
                          {"resistance_front", "front"},
                          {"resistance_flank", "flank"},
                          {"resistance_shaft", "shaft"}}},
           {.phase = "vane",
-           .title = "Torque over angle",
+           .caption = "Torque of the contacts on the vane while it turns.",
            .way = "intruder_angle",
            .x = {.label = "angle", .unit = "rad"},
            .y = {.label = "torque against the turning", .unit = "F_g d"},
@@ -152,10 +179,7 @@ std::vector<DrivePlot> drive_plots() {
 std::optional<Plot> plot_of_drive(const DrivePlot& described, std::span<const RunResults> runs,
                                   const std::vector<std::string>& names) {
   const bool single = runs.size() == 1;
-  Plot plot{.name = std::string(described.phase) + "_load",
-            .title = described.title,
-            .x = described.x,
-            .y = described.y};
+  Plot plot{.name = std::string(described.phase) + "_load", .x = described.x, .y = described.y};
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const std::vector<std::string>& phases = runs[r].phases();
     for (const TimeHistory& history : described.histories) {
@@ -189,7 +213,14 @@ std::vector<Figure> run_figures(std::span<const RunResults> runs, const std::str
     if (!from.empty()) begins[r] = runs[r].begin_of(from);
     time.push_back(times(runs[r], begins[r], !from.empty()));
   }
-  const std::string since = from.empty() ? "time" : "time since " + from + " began";
+  // The same range in all plots, though some histories begin late.
+  Axis along{.low = HUGE_VAL, .high = -HUGE_VAL};
+  for (const std::vector<double>& of_run : time)
+    for (const double t : of_run)
+      along = {.low = std::min(*along.low, t), .high = std::max(*along.high, t)};
+  if (!(*along.high > *along.low)) along = {};
+  along.label = from.empty() ? "time" : "time since " + from + " began";
+  along.unit = "sqrt(d/g)";
   std::vector<Figure> figures;
   const auto add = [&](const TimePlot& described, std::span<const TimeHistory> histories) {
     // Without its main history a plot says nothing: there is no intruder.
@@ -198,10 +229,8 @@ std::vector<Figure> run_figures(std::span<const RunResults> runs, const std::str
     };
     if (std::ranges::none_of(runs, main_history)) return;
     const bool first = &histories.front() == described.histories.data();
-    Plot plot{.name = first ? described.name : histories.front().quantity,
-              .title = described.title,
-              .x = {.label = since, .unit = "sqrt(d/g)"},
-              .y = described.y};
+    Plot plot{
+        .name = first ? described.name : histories.front().quantity, .x = along, .y = described.y};
     if (!single) plot.y.label = histories.front().name;
     for (std::size_t r = 0; r < runs.size(); ++r)
       for (const TimeHistory& history : histories)
@@ -213,10 +242,15 @@ std::vector<Figure> run_figures(std::span<const RunResults> runs, const std::str
                .y = from_sample(values_of(runs[r], history, described.per_step), begins[r]),
                .begins = returns_to_base(runs[r], begins[r])});
     if (single) plot.references = phase_guides(runs.front(), begins.front(), time.front());
-    std::string caption = std::string(described.title) + " over " + since;
-    if (!single && described.histories.size() > 1)
-      caption += std::string(": ") + histories.front().name;
-    figures.push_back({std::move(plot), caption + "."});
+    if (described.has_tolerance && single)
+      std::ranges::move(tolerance_guides(runs.front()), std::back_inserter(plot.references));
+    std::string caption = described.caption;
+    if (!single) {
+      caption = std::string(histories.front().name) + ", a curve a run.";
+      caption.front() =
+          static_cast<char>(std::toupper(static_cast<unsigned char>(caption.front())));
+    }
+    figures.push_back({std::move(plot), caption});
   };
   for (const TimePlot& described : time_plots()) {
     const std::span<const TimeHistory> histories = described.histories;
@@ -228,7 +262,7 @@ std::vector<Figure> run_figures(std::span<const RunResults> runs, const std::str
   }
   for (const DrivePlot& described : drive_plots())
     if (std::optional<Plot> plot = plot_of_drive(described, runs, names))
-      figures.push_back({*std::move(plot), std::string(described.title) + "."});
+      figures.push_back({*std::move(plot), described.caption});
   return figures;
 }
 

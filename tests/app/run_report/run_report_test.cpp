@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -99,6 +100,22 @@ TEST_F(RunReportTest, TimeHistoriesBeginWithAPhase) {
   const Outcome wrong = report({"soft", "--from", "pusch"});
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_NE(wrong.err.find("did you mean \"push\"?"), std::string::npos) << wrong.err;
+}
+
+TEST_F(RunReportTest, AllHistoriesHaveTheSameRangeOfTimeAndErrorsTheirTolerance) {
+  const RunResults run(at("soft"));
+  const auto figures = run_figures(std::array{run});
+  for (const Figure& figure : figures) {
+    EXPECT_EQ(figure.plot.x.low, 0) << figure.plot.name;
+    EXPECT_EQ(figure.plot.x.high, run.final_value("time")) << figure.plot.name;
+  }
+  const auto errors =
+      std::ranges::find(figures, "residual", [](const Figure& f) { return f.plot.name; });
+  ASSERT_NE(errors, figures.end());
+  const std::vector<Reference>& guides = errors->plot.references;
+  const auto tolerance = std::ranges::find(guides, "tolerance of the residual", &Reference::name);
+  ASSERT_NE(tolerance, guides.end());
+  EXPECT_EQ(tolerance->low, run.scene()["solver"]["tolerance"].get<double>());
 }
 
 TEST_F(RunReportTest, OfARecordingHasHistoriesAndPictures) {
