@@ -10,6 +10,15 @@ namespace quicksand {
 namespace {
 
 constexpr std::size_t kMostShown = 20;  // plots, values of a plot, histories
+constexpr Shape kTexts{"a list of texts",
+                       [](const Json& value) {
+                         return value.is_array() && std::ranges::all_of(value, [](const Json& v) {
+                                  return v.is_string();
+                                });
+                       },
+                       [] {
+                         return Json({{"type", "array"}, {"items", {{"type", "string"}}}});
+                       }};
 constexpr Limits kFactor = between(-1e12, 1e12, "1");
 
 void describe_value(Fields& f, ReportedValue& v) {
@@ -20,7 +29,7 @@ void describe_value(Fields& f, ReportedValue& v) {
   } catch (const InputError& error) {
     f.refuse("path", error.what());
   }
-  f.text({"label", "what it is called; its path if absent"}, v.label);
+  f.text({"label", "what it is called; the last word of its path if absent"}, v.label);
   f.number({"factor", "that it is multiplied by, as for another unit"}, kFactor, v.factor);
 }
 
@@ -46,14 +55,22 @@ void describe_plot(Fields& f, ReportPlot& p) {
 void describe_history(Fields& f, ReportHistory& h) {
   f.text({"x", "column of series.csv", Presence::required}, h.x);
   f.text({"y", "column of series.csv", Presence::required}, h.y);
+  f.text({"label", "of the vertical axis; the words of y if absent"}, h.label);
   f.text({"phase", "whose samples count", Presence::required}, h.phase);
   f.number({"factor", "that y is multiplied by"}, kFactor, h.factor);
   f.flag({"logarithmic", "whether the vertical axis is"}, h.logarithmic);
 }
 
+void describe_parameter(Fields& f, ReportParameter& p) {
+  f.text({"path", "of the parameter, as in the grid", Presence::required}, p.path);
+  f.text({"label", "what it is called; the last word of its path if absent"}, p.label);
+  f.text({"unit", "of the parameter"}, p.unit);
+  f.json({"names", "what its values are called, in their order"}, kTexts, p.names);
+}
+
 void describe_axis(Fields& f, ReportAxis& x) {
   f.text({"path", "of the parameter, as in the grid; the first that varies if absent"}, x.path);
-  f.text({"label", "of the axis; the path if absent"}, x.label);
+  f.text({"label", "of the axis; the last word of the path if absent"}, x.label);
   f.text({"unit", "of the parameter"}, x.unit);
   f.flag({"logarithmic", "whether the axis is"}, x.logarithmic);
 }
@@ -62,6 +79,8 @@ void describe_axis(Fields& f, ReportAxis& x) {
 
 void describe_report(Fields& f, ReportChoices& report) {
   f.object({"x", "horizontal axis of the plots"}, [&](Fields& g) { describe_axis(g, report.x); });
+  f.list({"parameters", "what other parameters are called"}, kMostShown, report.parameters,
+         describe_parameter);
   f.list({"plots", "numbers of summary.json over that parameter"}, kMostShown, report.plots,
          describe_plot);
   f.list({"histories", "columns of series.csv over each other, as means over the realizations"},

@@ -1,7 +1,9 @@
 #include "app/campaign_report/campaign_report.h"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
+#include <set>
 
 #include "app/base/nearest_name.h"
 #include "app/campaign_report/points.h"
@@ -24,10 +26,6 @@ const ReportPlot kPacking{
     .label = "share of active bonds, volume fraction",
     .values = {{"active_bond_fraction", "active bonds"}, {"volume_fraction", "volume fraction"}}};
 
-std::string label_of(const ReportedValue& value) {
-  return value.label.empty() ? value.path : value.label;
-}
-
 std::string title(const std::string& label, const std::string& unit) {
   const std::string typeset = typeset_unit(unit);
   return label + (typeset.empty() ? "" : " " + typeset);
@@ -38,33 +36,35 @@ std::string words(std::string column) {
   return column;
 }
 
+// "friction" of "contact.friction".
+std::string last_words(const std::string& path) { return words(path.substr(path.rfind('.') + 1)); }
+
+std::string label_of(const ReportedValue& value) {
+  return value.label.empty() ? last_words(value.path) : value.label;
+}
+
 std::string unit_of(const std::string& column) {
   const auto found = std::ranges::find(quantities(), column, &Quantity::name);
   return found == quantities().end() ? "1" : std::string(found->unit);
 }
 
-Plot empty_plot(const ReportHistory& history, std::size_t k) {
-  return {.name = "history_" + std::to_string(k + 1),
-          .title = words(history.y) + " over " + words(history.x),
-          .x = {.label = words(history.x), .unit = unit_of(history.x)},
-          .y = {.label = words(history.y),
-                .unit = unit_of(history.y),
-                .logarithmic = history.logarithmic}};
+std::string capitalised(std::string sentence) {
+  if (!sentence.empty())
+    sentence.front() =
+        static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));
+  return sentence;
 }
 
-// A line in a band of one standard error.
-void add_mean(Plot& plot, const std::string& name, Curve mean) {
-  if (mean.x.empty()) return;
-  Curve band{.name = name, .kind = Curve::Kind::band, .x = mean.x};
-  for (std::size_t i = 0; i < mean.x.size(); ++i) {
-    band.y_low.push_back(mean.y[i] - mean.y_error[i]);
-    band.y_high.push_back(mean.y[i] + mean.y_error[i]);
-  }
-  plot.curves.push_back(std::move(band));
-  plot.curves.push_back({.kind = Curve::Kind::line,
-                         .role = Curve::Role::fit,
-                         .x = std::move(mean.x),
-                         .y = std::move(mean.y)});
+std::string label_of(const ReportHistory& history) {
+  return history.label.empty() ? words(history.y) : history.label;
+}
+
+Plot empty_plot(const ReportHistory& history, std::size_t k) {
+  return {.name = "history_" + std::to_string(k + 1),
+          .x = {.label = words(history.x), .unit = unit_of(history.x)},
+          .y = {.label = label_of(history),
+                .unit = unit_of(history.y),
+                .logarithmic = history.logarithmic}};
 }
 
 class Writer {
@@ -119,7 +119,7 @@ class Writer {
       named(paths_, x().path, std::identity(), "report.x.path",
             "is \"" + x().path + "\", which is no parameter that varies");
     }
-    if (x().label.empty()) x().label = x().path;
+    if (x().label.empty()) x().label = last_words(x().path);
   }
 
   void add_warnings(Report& page) const {
@@ -139,13 +139,40 @@ class Writer {
                                          "end it (missed_rest in results.csv)."});
   }
 
-  std::string name_of(const std::string& path) {
-    return path == x().path ? title(x().label, x().unit) : path;
+  const ReportParameter* parameter(const std::string& path) const {
+    const auto found = std::ranges::find(campaign_.report.parameters, path, &ReportParameter::path);
+    return found == campaign_.report.parameters.end() ? nullptr : &*found;
+  }
+
+  std::string label_of_parameter(const std::string& path) const {
+    if (path == campaign_.report.x.path) return campaign_.report.x.label;
+    const ReportParameter* known = parameter(path);
+    return known && !known->label.empty() ? known->label : last_words(path);
+  }
+
+  std::string unit_of_parameter(const std::string& path) const {
+    if (path == campaign_.report.x.path) return campaign_.report.x.unit;
+    const ReportParameter* known = parameter(path);
+    return known ? known->unit : "1";
+  }
+
+  // The value of a parameter, by the name that the campaign gives it.
+  std::string value_name(const CampaignPoint& point, const std::string& path) const {
+    const Json value = value_of(point, path);
+    const ReportParameter* known = parameter(path);
+    if (!known || !known->names.is_array()) return value_text(value);
+    std::vector<Json> values;  // each once, in their order
+    for (const CampaignPoint& other : points_)
+      if (const Json v = value_of(other, path); std::ranges::find(values, v) == values.end())
+        values.push_back(v);
+    const auto k = static_cast<std::size_t>(std::ranges::find(values, value) - values.begin());
+    return k < known->names.size() ? known->names[k].get<std::string>() : value_text(value);
   }
 
   Table table() {
     Table table{.caption = "A row for each choice of the parameters."};
-    for (const std::string& path : paths_) table.columns.push_back({.title = name_of(path)});
+    for (const std::string& path : paths_)
+      table.columns.push_back({.title = title(label_of_parameter(path), unit_of_parameter(path))});
     table.columns.push_back({.title = "realizations", .number = true});
     for (const ReportPlot& plot : campaign_.report.plots)
       for (const ReportedValue& value : plot.values) {
@@ -155,7 +182,7 @@ class Writer {
       }
     for (const CampaignPoint& point : points_) {
       std::vector<Cell> row;
-      for (const std::string& path : paths_) row.push_back({value_text(value_of(point, path))});
+      for (const std::string& path : paths_) row.push_back({value_name(point, path)});
       row.push_back({std::to_string(point.finished.size())});
       for (const ReportPlot& plot : campaign_.report.plots)
         for (const ReportedValue& value : plot.values) {
@@ -184,42 +211,70 @@ class Writer {
     }
   }
 
-  // What a curve is called by these parameters of its point.
-  static std::string name_by(const CampaignPoint& point, const std::vector<std::string>& paths) {
+  // What a curve is called by these parameters of its point: "speed 3 √(g d)", or by the names of their values.
+  std::string name_by(const CampaignPoint& point, const std::vector<std::string>& paths) const {
     std::string text;
     for (const std::string& path : paths) {
-      const Json value = value_of(point, path);
-      const std::string key = path.substr(path.rfind('.') + 1) + " ";
-      text += (text.empty() ? "" : "; ") + (value.is_object() ? "" : key) + value_text(value);
+      const ReportParameter* known = parameter(path);
+      const bool named = value_of(point, path).is_object() || (known && known->names.is_array());
+      const std::string unit = typeset_unit(unit_of_parameter(path));
+      text += (text.empty() ? "" : "; ") +
+              (named ? value_name(point, path)
+                     : label_of_parameter(path) + " " + value_name(point, path) +
+                           (unit.empty() ? "" : " " + unit.substr(1, unit.size() - 2)));
     }
     return text;
+  }
+
+  // Of curves that three values or more of one number tell apart, in its order.
+  void colour_by(std::vector<Curve>& curves, const std::vector<double>& values) const {
+    std::set<double> all(values.begin(), values.end());
+    if (curves.size() < 3 || values.size() != curves.size() || all.size() != curves.size()) return;
+    const std::vector<Colour> colours = ordered_colours(curves.size());
+    for (std::size_t k = 0; k < curves.size(); ++k)
+      curves[k].colour =
+          colours[static_cast<std::size_t>(std::distance(all.begin(), all.find(values[k])))];
+  }
+
+  // The number by which these parameters tell a point, if it is one.
+  void add_number(std::vector<double>& values, const CampaignPoint& point,
+                  const std::vector<std::string>& paths) const {
+    if (paths.size() != 1) return;
+    if (const Json value = value_of(point, paths.front()); value.is_number())
+      values.push_back(value.get<double>());
   }
 
   void add_plot(Section& section, std::size_t k) {
     const ReportPlot& shown = campaign_.report.plots[k];
     Plot plot{.name = "plot_" + std::to_string(k + 1),
-              .title = shown.label,
               .x = {.label = x().label, .unit = x().unit, .logarithmic = x().logarithmic},
               .y = {.label = shown.label, .unit = shown.unit, .logarithmic = shown.logarithmic}};
     for (const ReportedValue& value : shown.values) {
       std::map<std::string, Curve> curves;  // by what else varies
       std::vector<std::string> order;
+      std::vector<double> numbers;
       for (const CampaignPoint& point : points_) {
         const Json place = value_of(point, x().path);
         const std::optional<Measured> found = measured_at(point, records_, value);
         if (!place.is_number() || !found) continue;
         const std::string others = name_by(point, curve_paths_);
         const auto [curve, is_new] = curves.try_emplace(others);
-        if (is_new) order.push_back(others);
+        if (is_new) {
+          order.push_back(others);
+          add_number(numbers, point, curve_paths_);
+        }
         add_point(curve->second, place.get<double>(), found);
       }
+      std::vector<Curve> named;
       for (const std::string& others : order) {
         Curve curve = std::move(curves[others]);
         curve.kind = Curve::Kind::line_points;
         const bool alone = shown.values.size() == 1 && !others.empty();
         curve.name = alone ? others : label_of(value) + (others.empty() ? "" : ", " + others);
-        plot.curves.push_back(std::move(curve));
+        named.push_back(std::move(curve));
       }
+      if (shown.values.size() == 1) colour_by(named, numbers);
+      std::ranges::move(named, std::back_inserter(plot.curves));
     }
     if (plot.curves.empty()) return;  // over no number, or nothing was found: the table says it
     for (const ReportReference& reference : shown.references)
@@ -228,8 +283,8 @@ class Writer {
                              .role = Curve::Role::paper,
                              .x = reference.x,
                              .y = reference.y});
-    section.add(Figure{std::move(plot), shown.label + " over " + x().label +
-                                            "; bars are standard errors of the mean."});
+    section.add(Figure{std::move(plot), capitalised(shown.label) + " against " + x().label +
+                                            ": means with bars of one standard error."});
   }
 
   Section histories() {
@@ -244,13 +299,22 @@ class Writer {
     for (std::size_t k = 0; k < campaign_.report.histories.size(); ++k) {
       const ReportHistory& history = campaign_.report.histories[k];
       Plot plot = empty_plot(history, k);
-      for (std::size_t p = 0; p < points_.size(); ++p)
-        add_mean(plot, name_by(points_[p], told), mean_history(runs[p], history));
-      if (plot.curves.empty()) continue;
-      section.add(Figure{std::move(plot),
-                         words(history.y) + " over " + words(history.x) + " in the phase " +
-                             history.phase +
-                             ", means over the realizations with bands of one standard error."});
+      std::vector<Curve> means;
+      std::vector<double> numbers;
+      for (std::size_t p = 0; p < points_.size(); ++p) {
+        Curve mean = mean_history(runs[p], history);
+        if (mean.x.empty()) continue;
+        mean.kind = Curve::Kind::line;
+        mean.name = name_by(points_[p], told);
+        add_number(numbers, points_[p], told);
+        means.push_back(std::move(mean));
+      }
+      colour_by(means, numbers);
+      for (Curve& mean : means) add_with_band(plot, std::move(mean));
+      section.add(Figure{std::move(plot), capitalised(label_of(history)) + " against " +
+                                              words(history.x) + " in the phase " + history.phase +
+                                              ": means over the realizations, in bands of one "
+                                              "standard error."});
     }
     return section;
   }

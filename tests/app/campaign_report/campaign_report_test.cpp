@@ -25,6 +25,7 @@ const char* const kDroppedCampaign = R"~({
   "scene": "dropped.json", "grid": {"phases[1].speed": [1, 2], "contact.friction": [0.2, 0.4]}, "realizations": 3,
   "report": {
     "x": {"path": "phases[1].speed", "label": "speed", "unit": "sqrt(g d)"},
+    "parameters": [{"path": "contact.friction", "label": "specimen", "names": ["smooth", "rough"]}],
     "plots": [{"label": "resistance", "unit": "F_g",
       "values": [{"path": "drives[0].mean", "label": "mean", "factor": 2}],
       "references": [{"label": "measured", "x": [1, 2], "y": [40, 50]}]}],
@@ -61,7 +62,7 @@ TEST_F(CampaignReportTest, HasTheMeansOfItsRealizationsWithTheirErrors) {
   EXPECT_GT(seconds, 0);
   const auto& plot = std::get<Figure>(report.sections[0].blocks.at(1)).plot;
   ASSERT_EQ(plot.curves.size(), 3U) << "a curve for each friction, and the reference";
-  EXPECT_EQ(plot.curves[0].name, "friction 0.2");
+  EXPECT_EQ(plot.curves[0].name, "smooth");
   EXPECT_EQ(plot.curves[0].x, (std::vector<double>{1, 2}));
   EXPECT_NEAR(plot.curves[0].y[0], mean, 1e-9 * mean);
   EXPECT_NEAR(plot.curves[0].y_error[0], error, 1e-6 * error);
@@ -69,6 +70,25 @@ TEST_F(CampaignReportTest, HasTheMeansOfItsRealizationsWithTheirErrors) {
   EXPECT_EQ(plot.curves[2].y, (std::vector<double>{40, 50}));
   const auto& history = std::get<Figure>(report.sections[1].blocks.at(0)).plot;
   EXPECT_EQ(history.curves.size(), 2U * 4) << "a band and a line for each choice of parameters";
+  EXPECT_EQ(history.curves[0].name, "speed 1 √(g d); smooth");
+  EXPECT_EQ(std::get<Table>(report.sections[0].blocks[0]).columns[0].title, "speed [√(g d)]");
+  EXPECT_EQ(std::get<Table>(report.sections[0].blocks[0]).columns[1].title, "specimen");
+}
+
+// As many as tell how a curve looks: each has the colour of its value.
+TEST_F(CampaignReportTest, ColoursCurvesByTheNumberThatTellsThem) {
+  std::string text = kDroppedCampaign;
+  const std::string grid = R"("grid": {"phases[1].speed": [1, 2], "contact.friction": [0.2, 0.4]})";
+  text.replace(text.find(grid), grid.size(), R"("grid": {"phases[1].speed": [2, 1, 3]})");
+  folder_.write("dropping.json", text);
+  compute();
+  double seconds = 0;
+  const Report report = campaign_report(at("out"), seconds);
+  std::vector<std::optional<Colour>> colours;
+  for (const Curve& curve : std::get<Figure>(report.sections[1].blocks.at(0)).plot.curves)
+    if (!curve.name.empty()) colours.push_back(curve.colour);
+  const std::vector<Colour> ordered = ordered_colours(3);
+  EXPECT_EQ(colours, (std::vector<std::optional<Colour>>{ordered[1], ordered[0], ordered[2]}));
 }
 
 // A time step that is chosen by the speed does not make a curve for each.
