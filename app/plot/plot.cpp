@@ -25,6 +25,18 @@ bool shown(double value, const Axis& axis) {
   return std::isfinite(value) && (!axis.logarithmic || value > 0);
 }
 
+// Of what is drawn along an axis for y, bands' lower ends included.
+double lowest_shown(const Plot& plot, bool second_axis, const Axis& axis) {
+  double lowest = HUGE_VAL;
+  for (const Curve& curve : plot.curves) {
+    if ((curve.second_axis && plot.y2) != second_axis) continue;
+    for (const std::vector<double>* values : {&curve.y, &curve.y_low, &curve.y_high})
+      for (const double value : *values)
+        if (shown(value, axis)) lowest = std::min(lowest, value);
+  }
+  return lowest;
+}
+
 std::string cell(double value) { return std::isfinite(value) ? number_text(value) : ""; }
 
 std::string csv_row(int id, const PlotRow& row, const std::string& name) {
@@ -61,6 +73,9 @@ std::vector<PlotRow> rows_of(const Plot& plot, const Curve& curve) {
       row.x_low = row.x - dx;
       row.x_high = row.x + dx;
     }
+    // A band that reaches down to zero goes down as far as anything.
+    if (band && shown(row.y_high, y_axis) && std::isfinite(row.y_low) && !shown(row.y_low, y_axis))
+      row.y_low = lowest_shown(plot, curve.second_axis && plot.y2, y_axis);
     const bool has_y =
         band ? shown(row.y_low, y_axis) && shown(row.y_high, y_axis) : shown(row.y, y_axis);
     if (shown(row.x, plot.x) && has_y) rows.push_back(row);

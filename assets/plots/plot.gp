@@ -40,7 +40,7 @@ set key inside top left Left reverse samplen 3 spacing 1.1
 #% legend_bottom_right
 set key inside bottom right Left reverse samplen 3 spacing 1.1
 #% legend_below
-set key at graph 0.5, screen {{top}} top center vertical maxrows {{rows}} Left reverse samplen 3 spacing 1.1
+set key at screen 0.5, screen {{top}} top center vertical maxrows {{rows}} Left reverse samplen 3 spacing 1.1
 #% axis
 # Axis {{axis}}
 set {{axis}}label {{label}}

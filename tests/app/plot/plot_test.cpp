@@ -78,6 +78,16 @@ TEST(PlotData, LeaveOutWhatTheAxisCannotShow) {
   EXPECT_NE(csv.find("1,1,1e-07"), std::string::npos) << csv;
 }
 
+TEST(PlotData, OfABandThatReachesDownToZeroGoDownAsFarAsAnything) {
+  Plot plot{.name = "log", .y = {.label = "force", .logarithmic = true}};
+  plot.curves.push_back({.kind = Curve::Kind::line, .x = {1, 2}, .y = {4, 0.5}});
+  plot.curves.push_back(
+      {.kind = Curve::Kind::band, .x = {1, 2}, .y_low = {3, -1}, .y_high = {5, 2}});
+  const std::string csv = plot_csv(plot);
+  EXPECT_NE(csv.find("2,1,,,,3,5,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("2,2,,,,0.5,2,"), std::string::npos) << csv;
+}
+
 TEST_F(PlotTest, LeavesDataScriptAndBothPicturesWithTheSameBytesEachTime) {
   const Plot plot = small_plot();
   const PlotFiles files = write_plot(plot, folder_.path());
