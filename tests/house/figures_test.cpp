@@ -36,12 +36,14 @@ Printed printed(const std::string& text) {
   return {text, std::stod(text), 0.5 * std::pow(10, last), static_cast<int>(digits.size())};
 }
 
-// All numbers of a text, without their signs; what stands in `code` and the years of sources are none.
+// All numbers of a text, without their signs; what stands in `code`, the years of sources and names of commits, as
+// 83e3203, are none.
 std::vector<Printed> figures_of(std::string text) {
-  static const std::regex code("`[^`]*`"), target(R"(\]\([^)]*\))"),
-      source_of(R"(\[[^\]]* \d{4}\])"), power(R"((\d) (?:×|x) 10⁻(\d))"),
+  static const std::regex code("`[^`]*`"), commit("commit [0-9a-f]{7,40}"),
+      target(R"(\]\([^)]*\))"), source_of(R"(\[[^\]]* \d{4}\])"), power(R"((\d) (?:×|x) 10⁻(\d))"),
       thousands(R"((\d) (\d{3})\b)"), number(R"((^|[^\w.])(\d+(?:\.\d+)?(?:e[+-]?\d+)?))");
   text = std::regex_replace(text, target, "]");
+  text = std::regex_replace(text, commit, "");
   text = std::regex_replace(text, code, " ");
   text = std::regex_replace(text, source_of, " ");
   text = std::regex_replace(text, power, "$1e-$2");
