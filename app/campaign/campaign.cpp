@@ -1,6 +1,7 @@
 #include "app/campaign/campaign.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "app/json/json_reader.h"
 #include "app/json/json_schema.h"
@@ -87,7 +88,7 @@ constexpr const char* kStart = "start_from";
 
 void make_absolute(Json& path, const fs::path& folder) {
   if (!path.is_string() || path.get_ref<const std::string&>().empty()) return;
-  path = (folder / path.get<std::string>()).lexically_normal().string();
+  path = start_in(folder, path.get<std::string>());
 }
 
 void make_start_absolute(Json& values, const fs::path& folder) {
@@ -98,23 +99,23 @@ void make_start_absolute(Json& values, const fs::path& folder) {
 void make_self_contained(Campaign& campaign, const fs::path& file) {
   const fs::path here = fs::absolute(file).parent_path();
   fs::path folder = here;
-  std::string name = campaign.name;
+  std::optional<fs::path> scene;  // its file
   if (campaign.scene.is_string()) {
-    const fs::path path = scene_named(campaign.scene.get<std::string>(), file.parent_path());
-    name = path.stem().string();
-    folder = fs::absolute(path).parent_path();
     try {
-      campaign.scene = parse_json(read_scene_text(path));
+      scene = scene_named(campaign.scene.get<std::string>(), file.parent_path());
+      campaign.scene = parse_json(read_scene_text(*scene));
     } catch (const InputError& error) {
-      const std::string where = error.where().empty() ? path.string() : error.where();
-      throw InputError("scene: " + where, error.what(), error.nearest());
+      const std::string where = error.where().empty() && scene ? scene->string() : error.where();
+      throw InputError(where.empty() ? "scene" : "scene: " + where, error.what(), error.nearest());
     }
+    folder = fs::absolute(*scene).parent_path();
     if (!campaign.scene.is_object()) {
-      throw InputError("scene: " + path.string(),
+      throw InputError("scene: " + scene->string(),
                        "is " + described(campaign.scene) + ", must be an object {...}");
     }
   }
-  if (!campaign.scene.contains("name")) campaign.scene["name"] = name;
+  if (!campaign.scene.contains("name"))
+    campaign.scene["name"] = scene ? name_of(*scene) : campaign.name;
   make_start_absolute(campaign.scene, folder);
   make_start_absolute(campaign.set, here);
   for (Json& point : campaign.list) make_start_absolute(point, here);
@@ -129,7 +130,7 @@ Campaign read_campaign(const fs::path& file) {
   return in_file(file, [&] {
     Campaign campaign;
     read_fields(read_json(file), "a campaign", [&](Fields& f) { describe_campaign(f, campaign); });
-    if (campaign.name.empty()) campaign.name = file.stem().string();
+    if (campaign.name.empty()) campaign.name = name_of(file);
     make_self_contained(campaign, file);
     return campaign;
   });

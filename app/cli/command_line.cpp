@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <iostream>
 #include <new>
 #include <utility>
 
@@ -55,6 +56,15 @@ InputError explain(const CLI::ParseError& error, const CLI::App& program,
   return {"", error.what() + help};
 }
 
+// An empty word is most often a variable of a shell that was not set, and no wish for the default.
+void refuse_empty_values(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options())
+    if (!option->get_positional() &&
+        std::ranges::find(option->results(), "") != option->results().end())
+      throw InputError(option->get_name(), "is empty");
+  for (const CLI::App* used : app.get_subcommands()) refuse_empty_values(*used);
+}
+
 std::vector<Command> add_commands(CLI::App& program) {
   program.set_help_flag("-h,--help", "print this help");
   program.set_version_flag("--version", std::string("quicksand ") + build_info().version,
@@ -94,9 +104,23 @@ std::string command_line_problem(const std::vector<std::string>& words) {
     return {};  // --help, --version
   } catch (const CLI::ParseError& error) {
     return explain(error, program, commands).what();
+  } catch (const InputError& error) {
+    return error.what();
   }
   return {};
 }
+
+namespace {
+
+// The exit code of a command that has told all: what a full disk has swallowed must not pass for a result.
+int told(int code) {
+  std::cout.flush();  // which the help is written to
+  if (std::cout.fail() || std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    return tell_failed({"disk_full", "the standard output cannot be written; is the disk full?"});
+  return code;
+}
+
+}  // namespace
 
 int run_command_line(int argc, const char* const* argv) {
   CLI::App program(kPurpose, "quicksand");
@@ -104,19 +128,18 @@ int run_command_line(int argc, const char* const* argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& request) {
-    return program.exit(request);  // --help, --version
+    return told(program.exit(request));  // --help, --version
   } catch (const CLI::ParseError& error) {
     return tell_error(explain(error, program, commands));
+  } catch (const InputError& error) {
+    return tell_error(error);  // a scene that is named and is not there
   }
 
   try {
+    refuse_empty_values(program);
     const auto called =
         std::ranges::find_if(commands, [](const Command& c) { return c.app->parsed(); });
-    const int code = called->run();
-    // What a full disk has swallowed must not pass for a result.
-    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-      return tell_failed({"disk_full", "the standard output cannot be written; is the disk full?"});
-    return code;
+    return told(called->run());
   } catch (const DiskFull& error) {
     return tell_failed(
         {"disk_full", error.where() + ": " + error.what() +

@@ -73,13 +73,13 @@ SessionFile read_session_file(const std::filesystem::path& path) {
       const Json& command = file.commands[present];
       command_of(command, place_of(present)).check(command, place_of(present));
     }
+    if (file.name.empty()) file.name = name_of(path);
   } catch (const InputError& error) {
     const std::string where = in_commands ? file.where(present) : path.string();
     const std::string& inside = error.where();
     throw InputError(inside.empty() || inside == path.string() ? where : where + ": " + inside,
                      error.what(), error.nearest());
   }
-  if (file.name.empty()) file.name = path.stem().string();
   return file;
 }
 

@@ -71,6 +71,13 @@ std::string number_text(double value) {
   return {digits.data(), end};
 }
 
+std::string shortened(const std::string& text, std::size_t most) {
+  if (text.size() <= most) return text;
+  const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
+  while (most > 0 && continues(text[most])) --most;  // not within a letter
+  return text.substr(0, most) + "...";
+}
+
 std::string described(const Json& value) {
   switch (value.type()) {
     case Json::value_t::null:

@@ -155,6 +155,9 @@ class Fields {
 // The name of a value's type with the value itself if it is short: `the text "big"`.
 std::string described(const Json& value);
 
+// A text as messages show it, cut short where it is long.
+std::string shortened(const std::string& text, std::size_t most = 60);
+
 // The range in words: "a number above 0 and at most 1e+06 [d]".
 std::string described(const Limits& limits);
 

@@ -25,8 +25,8 @@ class JsonReader : public Fields {
   void refuse_unknown_keys() const {
     for (const auto& [key, value] : object_->items()) {
       if (std::ranges::find(known_, key) == known_.end()) {
-        refuse_name(place(key), "is not a key of " + (path_.empty() ? whole_ : "this object"), key,
-                    known_);
+        refuse_name(place(shortened(key)),
+                    "is not a key of " + (path_.empty() ? whole_ : "this object"), key, known_);
       }
     }
   }

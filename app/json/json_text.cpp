@@ -4,6 +4,7 @@
 #include <fstream>
 #include <vector>
 
+#include "app/json/fields.h"
 #include "core/base/memory.h"
 
 namespace quicksand {
@@ -17,6 +18,8 @@ std::string line_and_column(std::string_view text, std::size_t position) {
   const std::size_t column = before.size() - (start == std::string_view::npos ? 0 : start + 1) + 1;
   return "line " + std::to_string(line) + ", column " + std::to_string(column);
 }
+
+constexpr std::size_t kLongestProblem = 300;  // it holds what was read last
 
 // Builds a value from the parser's events, and refuses what must not be built.
 class Builder : public nlohmann::json_sax<Json> {
@@ -41,7 +44,7 @@ class Builder : public nlohmann::json_sax<Json> {
       throw InputError("", "an object has more than " + std::to_string(kMaxKeys) + " keys");
     }
     if (open_.back()->contains(name)) {
-      throw InputError("", "the key \"" + name + "\" is given twice in the same object" +
+      throw InputError("", "the key \"" + shortened(name) + "\" is given twice in the same object" +
                                (open_.size() == 1 ? "" : ", the one inside " + place()));
     }
     key_ = name;
@@ -55,11 +58,11 @@ class Builder : public nlohmann::json_sax<Json> {
     if (const std::size_t cut = problem.find(": "); problem.starts_with("[json.exception.parse")) {
       problem = problem.substr(cut == std::string::npos ? 0 : cut + 2);
     } else if (problem.find("number overflow") != std::string::npos) {
-      problem = "the number " + token + " is not finite in double precision";
+      problem = "the number " + shortened(token) + " is not finite in double precision";
     }
     const std::size_t at = position == 0 ? 0 : position - 1;
-    throw InputError(
-        "", "not valid JSON at " + line_and_column(text_, at) + ": " + problem + comma_hint(at));
+    throw InputError("", "not valid JSON at " + line_and_column(text_, at) + ": " +
+                             shortened(problem, kLongestProblem) + comma_hint(at));
   }
 
  private:
@@ -131,10 +134,22 @@ Json parse_json(std::string_view text) {
     throw InputError("", "is empty; a JSON object {...} is expected");
   }
   if (text.size() > kMaxBytes) throw InputError("", "is larger than 64 MB");
+  // The parser would take it for the end, and never see what follows.
+  if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
+    throw InputError("", "not valid JSON at " + line_and_column(text, zero) + ": a byte 0");
   require_memory(text);
   Builder builder(text);
   Json::sax_parse(text, &builder);
   return builder.take();
+}
+
+bool is_utf8(const std::string& text) {
+  try {
+    Json(text).dump();
+    return true;
+  } catch (const Json::type_error&) {
+    return false;
+  }
 }
 
 Json read_json(const std::filesystem::path& file) {

@@ -1,6 +1,6 @@
 // Strict JSON text: what an editor accepts silently and a reader would guess at is refused here.
 //
-// Refused: syntax errors and numbers that are not finite, with line and column; duplicate keys, with
+// Refused: syntax errors and numbers that are not finite, with line and column; bytes 0; duplicate keys, with
 // the object that they are in; nesting deeper than kMaxDepth, objects of more than kMaxKeys, texts
 // larger than kMaxBytes. Key order is kept.
 #pragma once
@@ -24,6 +24,9 @@ constexpr std::size_t kMaxKeys = 1000;
 // Throws InputError, whose `where` is empty; line and column are in the message; NotEnoughMemory where there is too
 // little for its values.
 Json parse_json(std::string_view text);
+
+// Whether a text can be a text of JSON: what comes from a command line or names a file need not be.
+bool is_utf8(const std::string& text);
 
 // What `work` gives; an InputError of it then names the file, too.
 template <class Work>

@@ -1,7 +1,9 @@
 // What a scene, campaign or session begins with: its name, which also names its output folder, and what it is.
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "app/json/fields.h"
 
@@ -10,5 +12,11 @@ namespace quicksand {
 // Refuses a name that would lead out of the folder for outputs or hide in it. The file's name stands in for an
 // absent one. `help` says what the description tells.
 void describe_heading(Fields& f, std::string& name, std::string& description, const char* help);
+
+// That of a file, without its ending, for what has no name of its own. Throws InputError if it cannot be one.
+std::string name_of(const std::filesystem::path& file);
+
+// Such as line ends: a name with them would not be shown as it is.
+bool has_control_characters(std::string_view text);
 
 }  // namespace quicksand

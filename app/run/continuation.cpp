@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "app/json/json_reader.h"
+#include "app/run_folder/state_file.h"
 #include "app/scene_json/scenario_json.h"
 #include "core/base/errors.h"
 
@@ -104,6 +105,7 @@ void check_phases(const Json& before, const Json& now, const Scenario& scenario,
 }  // namespace
 
 Checkpoint read_continuation(const std::filesystem::path& state, const Scenario& scenario) {
+  refuse_folder(state);
   Checkpoint checkpoint = read_checkpoint(state);
   const Json before = scene_of(checkpoint, state);
   const Json now = to_json(scenario);

@@ -1,11 +1,21 @@
 #include "app/run_folder/state_file.h"
 
+#include "app/run_folder/run_folder.h"
 #include "app/scene_json/scenario_json.h"
 #include "core/base/errors.h"
 
 namespace quicksand {
 
+void refuse_folder(const std::filesystem::path& state) {
+  if (!is_folder(state)) return;
+  const std::filesystem::path inside = RunFolder{state}.state();
+  throw InputError(state.string(), is_there(inside)
+                                       ? "is a folder; give the state in it, " + inside.string()
+                                       : "is a folder, not a state");
+}
+
 StateFile read_state(const std::filesystem::path& path) {
+  refuse_folder(path);
   StateFile state;
   state.checkpoint = read_checkpoint(path);
   try {

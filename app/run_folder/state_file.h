@@ -15,6 +15,9 @@ struct StateFile {
   std::string phase;  // name of the one that the state is in; "end" after the last
 };
 
+// Throws InputError if the path of a state is that of a folder, such as that of a run, in which it is a file.
+void refuse_folder(const std::filesystem::path& state);
+
 // Throws InputError if it is no checkpoint or holds a scene that this version cannot read.
 StateFile read_state(const std::filesystem::path& path);
 

@@ -5,6 +5,9 @@
 #include "app/base/assets.h"
 #include "app/base/nearest_name.h"
 #include "app/json/json_reader.h"
+#include "app/json/name_field.h"
+#include "app/run_folder/run_folder.h"
+#include "app/run_folder/state_file.h"
 #include "app/scene/scene_override.h"
 #include "app/scene/scene_size.h"
 #include "app/scene_json/scenario_json.h"
@@ -108,8 +111,27 @@ void require_memory(const Scenario& scenario, int present) {
 fs::path scene_named(const std::string& word, const fs::path& folder) {
   const bool is_name = word.find_first_of("/.") == std::string::npos;
   std::error_code error;
-  return is_name && !fs::is_regular_file(folder / word, error) ? shipped_scene(word)
-                                                               : folder / word;
+  if (!is_name || fs::is_regular_file(folder / word, error)) return folder / word;
+  const fs::path shipped = shipped_scene(word);
+  if (is_there(shipped)) return shipped;
+  std::vector<std::string> names;
+  for (const fs::path& scene : shipped_scenes()) names.push_back(scene.stem().string());
+  const std::string near = nearest_name(word, names);
+  throw InputError(
+      "",
+      "\"" + word + "\" is " +
+          (is_folder(folder / word) ? "a folder, and no shipped scene has this name"
+                                    : "neither a file nor a shipped scene") +
+          (near.empty() ? std::string("; `quicksand list scenes` shows what is shipped")
+                        : "; did you mean \"" + near + "\"?"),
+      near);
+}
+
+std::string start_in(const fs::path& folder, const std::string& start_from) {
+  std::string path = (folder / start_from).lexically_normal().string();
+  if (!is_utf8(path))
+    throw InputError("start_from", "is in a folder whose name is no UTF-8; rename the folder");
+  return path;
 }
 
 std::string read_scene_text(const fs::path& file) {
@@ -140,11 +162,9 @@ Scenario read_scene(const SceneRequest& request) {
     for (Override& change : changes) change.path = apply_override(json, change);
     Scenario scenario = scenario_from_json(json);
     if (request.seed) scenario.seed = *request.seed;
-    if (scenario.name.empty()) scenario.name = request.file.stem().string();
-    if (!scenario.start_from.empty()) {
-      const fs::path folder = fs::absolute(request.file).parent_path();
-      scenario.start_from = (folder / scenario.start_from).lexically_normal().string();
-    }
+    if (scenario.name.empty()) scenario.name = name_of(request.file);
+    if (!scenario.start_from.empty())
+      scenario.start_from = start_in(fs::absolute(request.file).parent_path(), scenario.start_from);
     validate(scenario);
     return scenario;
   } catch (const InputError& error) {
@@ -165,6 +185,7 @@ World start_world(const Scenario& scenario) {
     return make_world(scenario);
   }
   World world = make_world(scenario);
+  refuse_folder(scenario.start_from);
   Checkpoint start = read_checkpoint(scenario.start_from);
   if (start.protocol.search.base)
     throw InputError(scenario.start_from,

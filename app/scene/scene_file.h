@@ -22,9 +22,13 @@ struct SceneRequest {
 // Throws InputError whose `where` names the file and the place inside it.
 Scenario read_scene(const SceneRequest& request);
 
-// The file that a word means: a path in this folder, or a shipped scene by its name, which has neither slash nor dot.
+// The file that a word means: a path in this folder, or a shipped scene by its name, which has neither slash nor dot. Throws
+// InputError, with the nearest one, if there is no such scene.
 std::filesystem::path scene_named(const std::string& word,
                                   const std::filesystem::path& folder = {});
+
+// The path of a state that a scene in this folder starts from. Throws InputError if a scene cannot keep it.
+std::string start_in(const std::filesystem::path& folder, const std::string& start_from);
 
 // The text of a scene file. Throws InputError, with the nearest shipped scene, if there is none.
 std::string read_scene_text(const std::filesystem::path& file);

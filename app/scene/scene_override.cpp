@@ -49,13 +49,16 @@ std::vector<PathPart> parse_path(const std::string& path, const std::string& whe
         parts.push_back({"", 0, true});
         continue;
       }
-      const std::size_t close = std::min(path.find(']', at), path.size());
+      const std::size_t close = path.find(']', at);
+      if (close == std::string::npos) throw InputError(where, "has a \"[\" without its \"]\"");
       const std::string_view digits = std::string_view(path).substr(at + 1, close - at - 1);
       parts.push_back({"", parse_index(digits, where)});
-      at = std::min(close + 1, path.size());
+      at = close + 1;
       continue;
     }
-    if (!parts.empty() && path[at] == '.') ++at;
+    if (!parts.empty() && path[at] != '.')
+      throw InputError(where, "lacks a \".\" or \"[\" after \"" + path.substr(0, at) + "\"");
+    if (!parts.empty()) ++at;
     const std::size_t stop = std::min(path.find_first_of(".[", at), path.size());
     if (stop == at) {
       throw InputError(where, "lacks a name; write for example step.dt or phases[1].force");
@@ -132,6 +135,10 @@ Override parse_override(const std::string& assignment) {
   if (equals == std::string::npos) {
     throw InputError("--set " + assignment, "has no \"=\"; write path=value, as in step.dt=1e-3");
   }
+  if (!is_utf8(assignment))
+    throw InputError("--set " + assignment.substr(0, equals),
+                     "is no UTF-8, which texts of scenes are; does the terminal use another "
+                     "encoding?");
   return {assignment.substr(0, equals), assignment.substr(equals + 1)};
 }
 
@@ -154,6 +161,7 @@ std::string set_value(Json& scene, const std::string& path, Json value, const st
     }
     if (part.name.empty()) {
       place = &entry(*place, part.index, name, where);
+      name += "[" + std::to_string(part.index) + "]";
       continue;
     }
     if (!place->is_object()) {

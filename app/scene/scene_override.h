@@ -13,7 +13,7 @@ struct Override {
   std::string value;  // JSON, or plain text; null removes the key
 };
 
-// Splits "path=value". Throws InputError if there is no "=".
+// Splits "path=value". Throws InputError if there is no "=", or what is no UTF-8.
 Override parse_override(const std::string& assignment);
 
 // Objects on the way are made if they are absent, list entries must exist, but for [+] at the end, which appends one.

@@ -5,6 +5,7 @@
 #include "app/base/exit_code.h"
 #include "app/cli/commands.h"
 #include "app/options/scene_options.h"
+#include "app/scene/scene_file.h"
 #include "app/scene/scene_report.h"
 #include "app/scene_json/scenario_json.h"
 #include "core/scene/scenario.h"
@@ -24,6 +25,7 @@ Command add_check(CLI::App& program) {
       "  quicksand check assets/scenes/paper_intruder.json --set contact.friction=0.6");
   return {command, [request, as_json] {
             const Scenario scenario = read_scene(*request);
+            if (!scenario.start_from.empty()) start_world(scenario);  // throws where it cannot
             std::fputs((*as_json ? to_text(scenario) : scene_report(scenario)).c_str(), stdout);
             return kFine;
           }};

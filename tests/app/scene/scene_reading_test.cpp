@@ -3,6 +3,7 @@
 
 #include <ostream>
 
+#include "app/json/fields.h"
 #include "app/scene/scene_file.h"
 #include "app/scene_json/scenario_json.h"
 #include "core/base/errors.h"
@@ -277,6 +278,22 @@ TEST(SceneReading, EmptyFilesAreRefused) {
 TEST(SceneReading, WhatIsNoObjectIsRefused) {
   EXPECT_NE(refusal("[1, 2]").find("must be an object"), std::string::npos);
   EXPECT_NE(refusal("\xff\xfe\x00"), "");
+}
+
+// The parser would take it for the end of the text.
+TEST(SceneReading, BytesOfZeroAreRefused) {
+  std::string text = kSceneReadingScene;
+  text += std::string(1, '\0') + " }}} garbage";
+  EXPECT_NE(refusal(text).find("not valid JSON at line 7, column 2: a byte 0"), std::string::npos)
+      << refusal(text);
+}
+
+TEST(SceneReading, LongNamesAreCutShortInMessages) {
+  const std::string long_name(100'000, 'k');
+  EXPECT_LT(refusal(kSceneReadingScene, {"step={\"" + long_name + "\": 1}"}).size(), 1000U);
+  EXPECT_LT(refusal("{\"" + long_name + "\": 1, \"" + long_name + "\": 1}").size(), 1000U);
+  EXPECT_LT(refusal("{\"box\": \"" + long_name + "}").size(), 1000U);
+  EXPECT_EQ(shortened("a\u00E9b", 2), "a...");
 }
 
 TEST(SceneReading, DeepNestingIsRefused) {

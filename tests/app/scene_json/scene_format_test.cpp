@@ -207,7 +207,7 @@ TEST(Override, AppendsToAList) {
 
 TEST(Override, SaysWhatIsWrongWithAnAppendedEntry) {
   const auto refusal = [](const std::string& assignment) -> std::string {
-    Json json = parse_json(R"({"phases": [], "box": {"width": 3}})");
+    Json json = parse_json(R"({"phases": [], "box": {"width": 3}, "steps": [{}]})");
     try {
       apply_override(json, parse_override(assignment));
     } catch (const InputError& error) {
@@ -221,6 +221,10 @@ TEST(Override, SaysWhatIsWrongWithAnAppendedEntry) {
   EXPECT_EQ(refusal("phases[+]=null"),
             "--set phases[+]: null removes a key, and [+] appends an entry");
   EXPECT_EQ(refusal("box[+]=1"), "--set box[+]: \"box\" is an object, not a list");
+  EXPECT_EQ(refusal("phases[0=1"), "--set phases[0: has a \"[\" without its \"]\"");
+  EXPECT_EQ(refusal("phases[0]x=1"),
+            "--set phases[0]x: lacks a \".\" or \"[\" after \"phases[0]\"");
+  EXPECT_EQ(refusal("steps[0][1]=1"), "--set steps[0][1]: \"steps[0]\" is an object, not a list");
   EXPECT_EQ(
       refusal("phases[-]={}"),
       "--set phases[-]: \"[-]\" is not the number of a list entry, nor [+], which appends one");
