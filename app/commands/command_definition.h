@@ -29,6 +29,11 @@ void read_arguments(Arguments& arguments, const Json& command, const std::string
   read_fields(command, "a command", visit, place);
 }
 
+// An argument that names a file or folder to read; and one that names what is written into the folder for output, where
+// the transcript keeps its name.
+void describe_input(Fields& f, const Field& field, std::string& name);
+void describe_output(Fields& f, const Field& field, std::string& name);
+
 // Arguments of a command that has none.
 template <Json (*act)(Console&)>
 struct Without {

@@ -7,7 +7,9 @@
 #include "app/base/nearest_name.h"
 #include "app/commands/command_definition.h"
 #include "app/commands/session_file.h"
+#include "app/commands/transcript.h"
 #include "app/json/json_schema.h"
+#include "app/json/name_field.h"
 #include "core/base/errors.h"
 #include "core/base/format.h"
 
@@ -75,6 +77,17 @@ bool only_looks(const Json& command) { return is_one_of({"view", "camera", "pick
 
 bool cuts_short(const Json& command) {
   return is_one_of({"pause", "load", "reset", "restore", "open", "quit"}, command);
+}
+
+void describe_input(Fields& f, const Field& field, std::string& name) {
+  f.text(field, name);
+  if (f.reading() && has_control_characters(name)) f.refuse(field.name, "has control characters");
+}
+
+void describe_output(Fields& f, const Field& field, std::string& name) {
+  describe_input(f, field, name);
+  if (f.reading() && std::filesystem::path(name).lexically_normal() == kTranscript)
+    f.refuse(field.name, "is the transcript of the session; choose another");
 }
 
 Json session_schema() {

@@ -20,10 +20,12 @@ struct Measure {
 
   void describe(Fields& f) {
     f.text({"quantity", "one of `quicksand list quantities`; all if absent"}, quantity);
-    f.text({"folder",
-            "in the output folder; receives measures.json, profile.csv and distributions, as "
-            "quicksand measure writes them"},
-           folder);
+    describe_output(
+        f,
+        {"folder",
+         "in the output folder; receives measures.json, profile.csv and distributions, as "
+         "quicksand measure writes them"},
+        folder);
   }
   Json perform(Console& console, const std::string& place) {
     const Session& session = console.session();
@@ -57,7 +59,8 @@ struct Export {
 
   void describe(Fields& f) {
     f.text({"format", "vtk, xyz, csv or npy", Presence::required}, format);
-    f.text({"out", "in the output folder: a folder, or for xyz a file", Presence::required}, out);
+    describe_output(
+        f, {"out", "in the output folder: a folder, or for xyz a file", Presence::required}, out);
     if (!f.reading()) return;
     try {
       export_format(format);
@@ -106,10 +109,11 @@ struct ExpectImage {
   std::int64_t tolerance = kSameLook;
 
   void describe(Fields& f) {
-    f.text({"image", "PNG of this session", Presence::required}, image);
-    f.text({"reference", "PNG that it must look like, relative to the command file",
-            Presence::required},
-           reference);
+    describe_input(f, {"image", "PNG of this session", Presence::required}, image);
+    describe_input(f,
+                   {"reference", "PNG that it must look like, relative to the command file",
+                    Presence::required},
+                   reference);
     f.integer({"tolerance", "largest difference of a channel of a pixel [1/255]"}, 0, 255,
               tolerance);
   }
@@ -141,7 +145,8 @@ struct Print {
 struct Include {
   std::string file;
   void describe(Fields& f) {
-    f.text({"file", "another session file, relative to this one", Presence::required}, file);
+    describe_input(f, {"file", "another session file, relative to this one", Presence::required},
+                   file);
   }
   Json perform(Console& console, const std::string& place) {
     console.include(console.beside(file), place + ".file");

@@ -129,7 +129,7 @@ struct Snapshot {
   }
   Snapshot() : width(View{}.width), height(View{}.height) {}
   void describe(Fields& f) {
-    f.text({"file", "PNG in the output folder", Presence::required}, file);
+    describe_output(f, {"file", "PNG in the output folder", Presence::required}, file);
     f.word({"what", "the view alone, or the panel with the view beside it"}, kWhat, what);
     describe_size(f, width, height);
     f.number({"scale", "of the panel's letters and controls"}, between(0.5, 4, "1"), scale);
@@ -155,7 +155,8 @@ struct Record {
     f.flag({"on", "false: ends the recording, with the present moment as its last sample",
             Presence::required},
            on);
-    f.text(
+    describe_output(
+        f,
         {"folder",
          "in the output folder; receives frames, series.csv, film.png and, with ffmpeg, film.mp4"},
         folder);

@@ -99,7 +99,8 @@ Json reset_scene(Console& console) {
 struct Save {
   std::string file = "state.cbor";
   void describe(Fields& f) {
-    f.text({"file", "checkpoint in the output folder, as run --continue and render take it"}, file);
+    describe_output(
+        f, {"file", "checkpoint in the output folder, as run --continue and render take it"}, file);
   }
   Json perform(Console& console, const std::string& place) {
     const auto path = console.output(file, place + ".file");
@@ -111,7 +112,8 @@ struct Save {
 struct Restore {
   std::string file = "state.cbor";
   void describe(Fields& f) {
-    f.text({"file", "a checkpoint: of this session, or relative to the command file"}, file);
+    describe_input(f, {"file", "a checkpoint: of this session, or relative to the command file"},
+                   file);
   }
   Json perform(Console& console, const std::string&) {
     console.session().restore(console.input(file));

@@ -32,7 +32,8 @@ struct OpenRun {
   std::string run;
 
   void describe(Fields& f) {
-    f.text({"run", "its folder, beside the session file or absolute", Presence::required}, run);
+    describe_input(
+        f, {"run", "its folder, beside the session file or absolute", Presence::required}, run);
   }
   Json perform(Console& console, const std::string&) {
     console.session().open(console.beside(run));

@@ -1,5 +1,6 @@
 #include "app/commands/transcript.h"
 
+#include <cerrno>
 #include <chrono>
 #include <new>
 
@@ -7,6 +8,7 @@
 #include "app/run_folder/summary.h"
 #include "core/base/errors.h"
 #include "core/base/memory.h"
+#include "core/base/whole_file.h"
 #include "render/base/render_error.h"
 
 namespace quicksand {
@@ -58,12 +60,12 @@ Json to_json(const Answer& answer, const Console& console) {
 }
 
 Transcript::Transcript(std::filesystem::path path) : path_(std::move(path)), file_(path_) {
-  if (!file_) throw InputError(path_.string(), "cannot be written");
+  if (!file_) refuse_to_write(path_, errno);
 }
 
 void Transcript::add(const Json& line) {
   file_ << line.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n' << std::flush;
-  if (!file_) throw InputError(path_.string(), "cannot be written; is the disk full?");
+  if (!file_) throw DiskFull(path_.string(), "cannot be written; is the disk full?");
 }
 
 }  // namespace quicksand

@@ -9,6 +9,9 @@
 
 namespace quicksand {
 
+// Its name in the folder for output.
+constexpr const char* kTranscript = "transcript.jsonl";
+
 // Of one command: its result or why there is none, and where the world stood afterwards. Problems of the
 // command's form have the place; failures have none.
 struct Answer {
@@ -32,7 +35,7 @@ class Transcript {
   // Throws InputError if the file cannot be written.
   explicit Transcript(std::filesystem::path path);
 
-  // A line is on disk when this returns. Throws InputError.
+  // A line is on disk when this returns. Throws DiskFull.
   void add(const Json& line);
 
  private:

@@ -59,7 +59,7 @@ class PlayedFile {
  private:
   static fs::path begin(const RunFolder& folder) {
     make_writable(folder);
-    return folder.path / "transcript.jsonl";
+    return folder.path / kTranscript;
   }
 
   Answer perform(std::size_t i) {

@@ -143,6 +143,28 @@ TEST_F(SessionTest, NoFileIsWrittenOutsideItsFolder) {
   EXPECT_TRUE(fs::exists(at("out/deeper/in/it.cbor")));
 }
 
+TEST_F(SessionTest, NamesOfTheTranscriptAndThoseThatAreNotShownAreRefused) {
+  for (const char* command :
+       {R"({"command": "save", "file": "transcript.jsonl"})",
+        R"({"command": "record", "on": true, "folder": "./transcript.jsonl"})",
+        R"({"command": "export", "format": "xyz", "out": "transcript.jsonl"})",
+        R"({"command": "save", "file": "a\u0000b.cbor"})",
+        R"({"command": "include", "file": "a\nb.json"})"}) {
+    const Outcome played = play({load(), command});
+    EXPECT_EQ(played.exit_code, 2) << command;
+    EXPECT_NE(played.err.find("line 3: commands[1]."), std::string::npos) << played.err;
+  }
+  EXPECT_FALSE(fs::exists(at("out")));
+  folder_.write("named.json", R"({"name": "a\nb", "commands": []})");
+  EXPECT_EQ(quicksand({"session", "named.json"}).exit_code, 2);
+}
+
+TEST_F(SessionTest, ATranscriptThatAFullDiskCutsShortIsNoFaultOfTheFile) {
+  fs::create_directory(at("out"));
+  fs::create_symlink("/dev/full", at("out/transcript.jsonl"));
+  EXPECT_EQ(play({load()}).exit_code, 1);
+}
+
 TEST_F(SessionTest, FilesIncludeOthersButNotThemselvesForEver) {
   folder_.write("part.json", R"({"commands": [{"command": "run", "steps": 7}]})");
   ASSERT_EQ(play({load(), R"({"command": "include", "file": "part.json"})"}).exit_code, 0);
