@@ -10,7 +10,7 @@ namespace quicksand {
 
 // A failure that is not the fault of an input.
 struct FailureMessage {
-  std::string kind;          // run_failed, validation, disk_full, memory or unexpected
+  std::string kind;          // run_failed, scene, validation, disk_full, memory or unexpected
   std::string message;       // a sentence
   std::string how_to_go_on;  // further lines
 };

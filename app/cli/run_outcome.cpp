@@ -15,10 +15,12 @@ namespace {
 // Beyond, shorter steps are no answer to what does not converge. [1]
 constexpr int kManyHalvings = 16;
 
-// Goes on with other settings than those that failed.
+// Goes on with other settings than those that failed, from the beginning where there is no state.
 std::string continue_command(const RunFolder& folder, const RunOptions& options) {
-  return program_name() + " run " + shell_text(folder.scene()) + " --continue " +
-         shell_text(folder.state()) + " --out " + shell_text(folder.path) +
+  return program_name() + " run " + shell_text(folder.scene()) +
+         (is_there(folder.state()) ? " --continue " + shell_text(folder.state())
+                                   : std::string(" --overwrite")) +
+         " --out " + shell_text(folder.path) +
          (options.every ? " --every " + number_text(*options.every) : "") +
          (options.checkpoint_every != RunOptions{}.checkpoint_every
               ? " --checkpoint-every " + number_text(options.checkpoint_every)
@@ -56,6 +58,10 @@ int tell_failure(const RunResult& result, const RunOptions& options) {
                             "\nwhen it can be written again, go on with: " + program_name() +
                             " resume " + shell_text(result.folder.path)});
   const std::string command = continue_command(result.folder, options);
+  if (result.end.refused)
+    return tell_failed({"scene", "the run failed: " + result.end.failure,
+                        "results so far are in " + folder +
+                            "\nchange the scene there, as in: " + command + " --set PATH=VALUE"});
   const std::string next =
       result.most_halvings < kManyHalvings
           ? "continue with: " + command +

@@ -61,12 +61,17 @@ void HistoryWriter::begin() {
   size_ = kFileHeadSize;
 }
 
-// Cuts the file behind the last record that stays.
+// Cuts the file behind the last record that stays. What cannot be read may be good, and stays, too.
 void HistoryWriter::keep(std::int64_t rows) {
   std::ifstream file(path_, std::ios::binary);
   const std::optional<std::int64_t> stride = stride_of(file);
-  if (!stride) return;
   std::error_code error;
+  const auto refuse_unreadable = [&] {
+    const bool unopened = !file.is_open() && fs::exists(path_, error);
+    if (unopened || file.bad()) throw InputError(path_.string(), "cannot be read");
+  };
+  refuse_unreadable();
+  if (!stride) return;
   const auto there = static_cast<std::uint64_t>(fs::file_size(path_, error));
   std::uint64_t end = kFileHeadSize;
   HeadBytes bytes{};
@@ -75,6 +80,7 @@ void HistoryWriter::keep(std::int64_t rows) {
     end += kRecordHeadSize + head->packed;
     file.seekg(static_cast<std::streamoff>(end));
   }
+  refuse_unreadable();
   fs::resize_file(path_, end, error);
   if (error) refuse_to_write(path_, error.value());
   stride_ = *stride;

@@ -17,7 +17,7 @@ class HistoryWriter {
  public:
   // Begins a new file, or, to go on with a run, keeps the records of the first `kept_rows` rows. Where there are none,
   // or damaged ones, the history has a gap: no reason to compute again. `limit` [bytes]. Throws InputError if the file
-  // cannot be written.
+  // cannot be read or written.
   HistoryWriter(std::filesystem::path path, std::int64_t kept_rows, std::int64_t limit);
 
   // The world at this row of series.csv; rows must ascend. Throws InputError.

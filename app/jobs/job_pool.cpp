@@ -65,6 +65,15 @@ JobOutcome compute(const Job& job, bool anew, bool frames, RunPlace& place) {
   }
 }
 
+// False, too, where its folder cannot be read: who computes it says why.
+bool is_finished(const Job& job) {
+  try {
+    return read_record(job).status == JobStatus::finished;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 class Pool {
  public:
   Pool(std::span<const Job> jobs, const PoolOptions& options)
@@ -114,8 +123,7 @@ class Pool {
     for (std::size_t i = 0; i < jobs_.size(); ++i) {
       const std::optional<std::size_t> before = jobs_[i].after;
       if (before && states_[*before] != State::ended) continue;
-      if (read_record(jobs_[i]).status == JobStatus::finished)
-        end(i, {JobStatus::finished, {}, false});
+      if (is_finished(jobs_[i])) end(i, {JobStatus::finished, {}, false});
     }
   }
 

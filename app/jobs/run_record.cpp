@@ -12,11 +12,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Empty if the file cannot be read.
+// Empty if there is no such file, or one that no scene is. Throws InputError if it cannot be read.
 std::string text_in(const fs::path& file) {
   try {
     return read_text(file);
   } catch (const InputError&) {
+    refuse_unreadable(file);
     return {};
   }
 }
@@ -44,11 +45,12 @@ bool is_scene_of(const Job& job, const std::string& text) {
 }
 
 // A state that is damaged, or that an earlier version of the format wrote, is none that other runs could start
-// from: it is computed again.
+// from: it is computed again. Throws InputError if it cannot be read.
 bool is_usable(const fs::path& state) {
   try {
     read_checkpoint(state);
   } catch (const InputError&) {
+    refuse_unreadable(state);
     return false;
   }
   return true;
@@ -71,6 +73,7 @@ RunRecord read_record(const Job& job) {
     return record;
   }
   const bool has_state = is_there(job.folder.state());
+  if (!has_state) refuse_unreadable(job.folder.state());
   if (has_state && !is_usable(job.folder.state())) return record;
   if (has_state) record.status = JobStatus::interrupted;
   record.summary = summary_in(job.folder);

@@ -23,6 +23,7 @@ struct RunRecord {
   bool other_scene = false;  // the folder holds the run of another scene, which does not count
 };
 
+// Throws InputError if a file of the folder is there and cannot be read: it is no reason to compute it again.
 RunRecord read_record(const Job& job);
 
 // Throws InputError if the folder of the job holds the run of another scene, which would be lost.

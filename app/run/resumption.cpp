@@ -22,24 +22,38 @@ bool has_finished(const RunFolder& folder) {
 }  // namespace
 
 std::optional<std::filesystem::path> missing_frame(const RunFolder& folder, std::int64_t rows) {
-  for (std::int64_t k = 0; k < rows; ++k)
-    if (const auto frame = frame_path(folder.frames(), k); !is_whole_png(frame)) return frame;
+  for (std::int64_t k = 0; k < rows; ++k) {
+    const auto frame = frame_path(folder.frames(), k);
+    if (is_whole_png(frame)) continue;
+    refuse_unreadable(frame);
+    return frame;
+  }
   return std::nullopt;
+}
+
+bool lacks_rows(const RunFolder& folder, std::int64_t rows) {
+  if (whole_rows(folder.series(), rows) == rows) return false;
+  refuse_unreadable(folder.series());
+  return true;
 }
 
 Resumption resumption_of(const RunFolder& folder, bool frames) {
   using enum Resumption::How;
   std::optional<RunPosition> position;
-  if (!is_there(folder.state())) return {starts_again, "it has no state yet"};
+  if (!is_there(folder.state())) {
+    refuse_unreadable(folder.state());
+    return {starts_again, "it has no state yet"};
+  }
   try {
     position = position_from(read_checkpoint(folder.state()).samples);
   } catch (const OtherVersion&) {
     throw;
   } catch (const InputError& error) {
+    refuse_unreadable(folder.state());
     return {starts_again, error.where() + " " + error.what()};
   }
   if (!position) return {starts_again, folder.state().string() + " was not left by a run"};
-  if (whole_rows(folder.series(), position->rows) < position->rows)
+  if (lacks_rows(folder, position->rows))
     return {starts_again, folder.series().string() + " lacks rows that were there"};
   if (frames)
     if (const auto missing = missing_frame(folder, position->rows))

@@ -20,11 +20,14 @@ struct Resumption {
   std::string why;  // it starts again: a phrase
 };
 
-// The first frame of so many rows that is not there as a whole.
+// The first frame of so many rows that is not there as a whole; whether so many rows are not. Both throw InputError
+// where a file is there and cannot be read.
 std::optional<std::filesystem::path> missing_frame(const RunFolder& folder, std::int64_t rows);
+bool lacks_rows(const RunFolder& folder, std::int64_t rows);
 
-// `frames`: whether the run draws pictures. Throws InputError if the state is of another format version:
-// the program that wrote it can go on with it; NotEnoughMemory where there is too little to read it.
+// `frames`: whether the run draws pictures. Throws InputError if the state is of another format version: the program that
+// wrote it can go on with it; and if a file is there and cannot be read. NotEnoughMemory where there is too little to
+// read the state.
 Resumption resumption_of(const RunFolder& folder, bool frames);
 
 }  // namespace quicksand

@@ -5,10 +5,13 @@
 
 #include "app/json/json_text.h"
 #include "core/checkpoint/archive.h"
+#include "core/checkpoint/cbor.h"
 
 namespace quicksand {
 
 namespace {
+
+constexpr std::size_t kMostItems = 1000;  // many more than a position has
 
 using Writer = CheckpointArchive<Json>;
 using Reader = CheckpointArchive<const Json>;
@@ -51,6 +54,7 @@ std::vector<std::uint8_t> to_bytes(const RunPosition& position) {
 std::optional<RunPosition> position_from(const std::vector<std::uint8_t>& bytes) {
   RunPosition position;
   try {
+    if (count_cbor_items(bytes) > kMostItems) return std::nullopt;
     const Json json = Json::from_cbor(bytes);
     describe(Reader(json), position);
     describe_row(Reader(json.at("last")), position.samples.last);

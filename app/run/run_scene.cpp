@@ -22,6 +22,8 @@
 #include "core/base/errors.h"
 #include "core/base/whole_file.h"
 #include "core/world/extent.h"
+#include "render/picture/frame.h"
+#include "render/picture/renderer.h"
 
 namespace quicksand {
 
@@ -39,6 +41,11 @@ double seconds_since(Clock::time_point moment) {
 bool same_file(const fs::path& a, const fs::path& b) {
   std::error_code ignored;
   return fs::equivalent(a, b, ignored);
+}
+
+void fail(RunEnd& end, const InputError& error) {
+  end.how = RunEnd::How::failed;
+  end.failure = error.where() + ": " + error.what();
 }
 
 // One run: its steps and samples, and the files that record them.
@@ -111,8 +118,12 @@ class Run {
         if (std::string problem = film_->finish(); !problem.empty())
           result.notes.push_back(std::move(problem));
       }
+    } catch (const PhaseRefused& error) {
+      fail(result.end, error);
+      result.end.refused = true;
     } catch (const InputError& error) {
       fail(result.end, error);
+      result.end.unwritable = true;
     }
     const std::int64_t step = sampled_run_.world().step;
     result.end.steps = step - first_step_;
@@ -128,19 +139,13 @@ class Run {
       write_whole(folder_.summary(), values.dump(2) + "\n");
     } catch (const InputError& error) {
       fail(result.end, error);
+      result.end.unwritable = true;
     }
     if (options_.strict) result.invalid = validate_now(*options_.strict);
     return result;
   }
 
  private:
-  // Results can no longer be written; what is left is to say so.
-  static void fail(RunEnd& end, const InputError& error) {
-    end.how = RunEnd::How::failed;
-    end.failure = error.where() + ": " + error.what();
-    end.unwritable = true;
-  }
-
   const Protocol& protocol() const { return sampled_run_.protocol(); }
   WorkClock& clock() { return sampled_run_.protocol().clock(); }
 
@@ -227,12 +232,25 @@ RunPosition position_of(const Checkpoint& checkpoint, const fs::path& state) {
                    "was not left by a run; go on from it in another folder with --out");
 }
 
-void require_frames(const RunFolder& folder, std::int64_t rows) {
+// What goes on, before anything of it is touched.
+void require_kept(const RunFolder& folder, std::int64_t rows, const RunOptions& options) {
+  if (lacks_rows(folder, rows))
+    throw InputError(folder.series().string(),
+                     "has other columns or fewer rows than the run that is to go on; continue it "
+                     "in another folder with --out");
+  if (options.history_limit > 0) refuse_unreadable(folder.history());
+  if (!options.frames) return;
   const auto missing = missing_frame(folder, rows);
   if (!missing) return;
   throw InputError(missing->string(),
                    "is not there or not whole, though the run has been so far; go on with "
                    "--no-frames, or in another folder with --out");
+}
+
+// Throws RenderError if this system cannot draw, InputError if it cannot draw the view.
+void require_pictures(const Scenario& scenario, const View& view) {
+  check(view_of(scenario, view));
+  const Renderer first;
 }
 
 }  // namespace
@@ -263,21 +281,35 @@ RunResult run_scene(const Scenario& scenario, const RunOptions& options) {
                          name +
                          "`, replace it with --overwrite, or choose another folder with --out");
   }
-  if (earlier && options.frames) require_frames(folder, earlier->rows);
-  if (earlier)
+  // What can fail, before earlier results are lost by it.
+  const std::string scene = to_text(scenario);
+  if (options.frames && holds_run(folder)) require_pictures(scenario, options.view);
+  if (earlier) {
+    require_kept(folder, earlier->rows, options);
     forget_end(folder);
-  else
+  } else {
     remove_earlier_results(folder);
-  write_options(folder.options(), options);
-  const auto write_scene = [&] { write_whole(folder.scene(), to_text(scenario)); };
-  if (!options.continued_from) write_scene();
-  Run run(scenario, options, folder, std::move(start), earlier);
-  if (options.continued_from) {
-    // The scene alone would begin anew, if this is killed before its first checkpoint.
-    run.write_state();
-    write_scene();
   }
-  return run.complete();
+  write_options(folder.options(), options);
+  const auto write_scene = [&] { write_whole(folder.scene(), scene); };
+  if (!options.continued_from) write_scene();
+  std::optional<Run> run;
+  try {
+    run.emplace(scenario, options, folder, std::move(start), earlier);
+    if (options.continued_from) {
+      // The scene alone would begin anew, if this is killed before its first checkpoint.
+      run->write_state();
+      write_scene();
+    }
+  } catch (const DiskFull& error) {
+    if (options.continued_from) throw;  // the same command does it
+    // It would now find a run in the folder.
+    RunResult result{.folder = folder};
+    fail(result.end, error);
+    result.end.unwritable = true;
+    return result;
+  }
+  return run->complete();
 }
 
 }  // namespace quicksand

@@ -1,10 +1,16 @@
 #include "app/run_folder/run_folder.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <string>
 #include <vector>
 
 #include "core/base/errors.h"
+#include "core/base/whole_file.h"
 
 namespace quicksand {
 
@@ -12,6 +18,23 @@ namespace fs = std::filesystem;
 
 bool holds_run(const RunFolder& folder) {
   return is_there(folder.scene()) && is_there(folder.options());
+}
+
+void refuse_unreadable(const fs::path& file) {
+  const auto refuse = [&](int problem) {
+    throw InputError(file.string(), "cannot be read: " + std::string(std::strerror(problem)));
+  };
+  const OpenFile opened(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  if (opened.number() < 0) {
+    if (errno != ENOENT && errno != ENOTDIR) refuse(errno);
+    return;
+  }
+  std::vector<char> piece(std::size_t{1} << 16U);
+  while (true) {
+    const ssize_t got = ::read(opened.number(), piece.data(), piece.size());
+    if (got == 0) return;
+    if (got < 0 && errno != EINTR) refuse(errno);
+  }
 }
 
 void make_writable(const RunFolder& folder) {

@@ -35,6 +35,10 @@ inline bool is_folder(const std::filesystem::path& path) {
   return std::filesystem::is_directory(path, ignored);
 }
 
+// Throws InputError if a file cannot be opened or read, for another reason than that there is none: what is in it may be
+// good, and must not be taken for damaged.
+void refuse_unreadable(const std::filesystem::path& file);
+
 // Whether a run has begun here, which can be resumed.
 bool holds_run(const RunFolder& folder);
 

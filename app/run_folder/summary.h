@@ -19,6 +19,7 @@ struct RunEnd {
   std::string failure;              // a sentence, if failed
   bool missed_rest = false;         // the last phase ended at its max_time instead
   bool unwritable = false;          // failed because results could not be written
+  bool refused = false;             // failed because a phase refused what it found
   std::int64_t steps = 0;           // of this run, before it was interrupted too
   std::int64_t computed_steps = 0;  // of its last part, since it was last resumed
   double wall_seconds = 0;          // of its last part, pictures included

@@ -35,11 +35,19 @@ Progress SampledRun::advance() {
   }
   samples_.phase = phase_name();
   phase_index_ = before.phase;
-  const Progress progress = protocol_.advance();
+  const Progress progress = advance_protocol();
   if (progress == Progress::given_up) return progress;
   if (world().step != step_before) count(before);
   if (times_.due(world().time) || progress == Progress::phase_ended) sample();
   return progress;
+}
+
+Progress SampledRun::advance_protocol() {
+  try {
+    return protocol_.advance();
+  } catch (const InputError& error) {
+    throw PhaseRefused(error);
+  }
 }
 
 void SampledRun::sample_every(std::optional<double> every) {

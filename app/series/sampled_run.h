@@ -8,6 +8,7 @@
 
 #include "app/series/quantities.h"
 #include "app/series/sample_times.h"
+#include "core/base/errors.h"
 #include "core/checkpoint/checkpoint.h"
 #include "core/scene/scenario.h"
 
@@ -24,6 +25,12 @@ struct SamplesSoFar {
   Row pending;              // counts since then
 };
 
+// What a phase finds when it begins is not what its scene needs: a vane, say, with grains in its way.
+class PhaseRefused : public InputError {
+ public:
+  explicit PhaseRefused(const InputError& error) : InputError(error) {}
+};
+
 class SampledRun {
  public:
   // What becomes of a sample.
@@ -36,7 +43,8 @@ class SampledRun {
   void go_on(const SamplesSoFar& samples);
   const SamplesSoFar& samples() const { return samples_; }
 
-  // At most one time step, with a sample before the first one and whenever one is due or a phase ends.
+  // At most one time step, with a sample before the first one and whenever one is due or a phase ends. Throws
+  // PhaseRefused, and what the sink throws.
   Progress advance();
   // Samples the present world, unless it was sampled already: nothing moved, no body was added and no
   // bond healed.
@@ -55,6 +63,7 @@ class SampledRun {
   const Row& last() const { return samples_.last; }
 
  private:
+  Progress advance_protocol();
   void count(const ProtocolState& before);
 
   Protocol protocol_;

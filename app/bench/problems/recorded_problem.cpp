@@ -10,7 +10,9 @@
 
 #include "app/json/json_text.h"
 #include "core/base/errors.h"
+#include "core/base/memory.h"
 #include "core/base/whole_file.h"
+#include "core/checkpoint/cbor.h"
 
 namespace quicksand::bench {
 
@@ -19,6 +21,7 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 using nlohmann::json;
 
+constexpr double kBytesPerItem = 64;                      // that it takes to read
 constexpr std::size_t kMostBytes = std::size_t{1} << 30;  // of one problem, unpacked
 
 // The size goes first, little-endian, as the packed bytes do not tell it.
@@ -186,9 +189,15 @@ RecordedProblem read_problem(const std::filesystem::path& file) {
   const std::string packed = read_text(file);
   RecordedProblem recorded;
   try {
-    read_json(json::from_cbor(unpack(packed)), recorded);
+    const Bytes bytes = unpack(packed);
+    const auto items = static_cast<double>(count_cbor_items(bytes));
+    if (const std::string problem = memory_problem(kBytesPerItem * items); !problem.empty())
+      throw NotEnoughMemory(file.string() + ": reading it " + problem);
+    read_json(json::from_cbor(bytes), recorded);
   } catch (const json::exception& error) {
     throw InputError(file.string(), "is no recorded problem (" + std::string(error.what()) + ")");
+  } catch (const NotEnoughMemory&) {
+    throw;  // which says nothing of the file
   } catch (const std::runtime_error& error) {
     throw InputError(file.string(), error.what());
   }
