@@ -31,7 +31,7 @@ JobOutcome failed(std::string why) { return {JobStatus::failed, std::move(why), 
 JobOutcome compute(const Job& job, bool anew, bool frames, RunPlace& place) {
   try {
     const FolderLock lock(job.folder.path);
-    if (!lock.held()) return failed("another process is computing it");
+    if (!lock.held()) return {JobStatus::elsewhere, {}, false};
     const RunRecord record = anew ? RunRecord{} : read_record(job);
     // By another process, since this one began.
     if (record.status == JobStatus::finished) return {JobStatus::finished, {}, false};

@@ -1,7 +1,7 @@
 // Runs jobs over threads, each alone in its folder by run_scene, so that results do not depend on the number of
 // threads. When at most half as many jobs as threads are left, the loops of their solutions share the threads.
 // Runs that have finished are not repeated, interrupted ones go on from their state, failed ones are recorded and
-// stop nothing but what starts from them.
+// stop nothing but what starts from them. Those that another process computes are left to it.
 #pragma once
 
 #include <functional>

@@ -59,8 +59,8 @@ bool is_usable(const fs::path& state) {
 }  // namespace
 
 std::string_view status_name(JobStatus status) {
-  constexpr auto kNames =
-      std::to_array<std::string_view>({"finished", "failed", "interrupted", "missing"});
+  constexpr auto kNames = std::to_array<std::string_view>(
+      {"finished", "failed", "interrupted", "missing", "running elsewhere"});
   return kNames[static_cast<std::size_t>(status)];
 }
 

@@ -10,10 +10,11 @@
 
 namespace quicksand {
 
-// interrupted: there is a state to go on from. missing: nothing that counts is there.
-enum class JobStatus : std::uint8_t { finished, failed, interrupted, missing };
+// interrupted: there is a state to go on from. missing: nothing that counts is there. elsewhere: another process computes
+// it.
+enum class JobStatus : std::uint8_t { finished, failed, interrupted, missing, elsewhere };
 
-// "finished", "failed", "interrupted", "missing"
+// "finished", "failed", "interrupted", "missing", "running elsewhere"
 std::string_view status_name(JobStatus status);
 
 struct RunRecord {

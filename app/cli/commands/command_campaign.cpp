@@ -76,6 +76,11 @@ class CampaignRun {
                            write_whole(results(), table.text());
                            written = Clock::now();
                          }});
+    // Another process may have ended them since.
+    for (std::size_t i = 0; i < jobs_.size(); ++i)
+      if (pool.outcomes[i].status == JobStatus::elsewhere)
+        if (RunRecord now = read_record(jobs_[i]); now.status == JobStatus::finished)
+          records_[i] = std::move(now);
     return report(pool.interrupted);
   }
 
@@ -166,14 +171,18 @@ class CampaignRun {
     write_whole(results(), table.text());
     list_failed();
     std::string counts;
-    for (const JobStatus status :
-         {JobStatus::finished, JobStatus::failed, JobStatus::interrupted, JobStatus::missing}) {
+    for (const JobStatus status : {JobStatus::finished, JobStatus::failed, JobStatus::interrupted,
+                                   JobStatus::elsewhere, JobStatus::missing}) {
       if (count(status) == 0) continue;
       counts += (counts.empty() ? "" : ", ") + std::to_string(count(status)) + " " +
                 std::string(status_name(status));
     }
     std::printf("%s: %zu runs, %s; results are in %s\n", campaign_.name.c_str(), jobs_.size(),
                 counts.c_str(), results().c_str());
+    if (count(JobStatus::elsewhere) > 0)
+      std::printf(
+          "another process computes those that run elsewhere; the same command, once it has ended, "
+          "computes what it leaves\n");
     if (interrupted) {
       std::printf("interrupted; the same command goes on from there\n");
       return kInterrupted;

@@ -178,10 +178,13 @@ Counts counted(const std::vector<std::vector<JobOutcome>>& outcomes) {
   return counts;
 }
 
-void list_failed(const std::vector<Job>& jobs, const std::vector<JobOutcome>& outcomes) {
-  for (std::size_t k = 0; k < outcomes.size(); ++k)
+void list_unfinished(const std::vector<Job>& jobs, const std::vector<JobOutcome>& outcomes) {
+  for (std::size_t k = 0; k < outcomes.size(); ++k) {
     if (outcomes[k].status == JobStatus::failed)
       std::fprintf(stderr, "failed: %s: %s\n", jobs[k].id.c_str(), outcomes[k].failure.c_str());
+    else if (outcomes[k].status == JobStatus::elsewhere)
+      std::fprintf(stderr, "another process computes it: %s\n", jobs[k].id.c_str());
+  }
 }
 
 void list_runs(const std::vector<Programme>& programmes) {
@@ -257,7 +260,7 @@ int reproduce(const ReproduceArguments& options) {
   }
   write(paper_report(made, programmes, outcomes), made.folder);
   for (std::size_t p = 0; p < programmes.size(); ++p)
-    list_failed(programmes[p].jobs.jobs(), outcomes[p]);
+    list_unfinished(programmes[p].jobs.jobs(), outcomes[p]);
   const Counts counts = counted(outcomes);
   std::printf("%zu of %zu runs finished\n", counts.finished, counts.all);
   name_report(made.folder);

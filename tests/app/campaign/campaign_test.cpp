@@ -8,6 +8,7 @@
 #include "app/base/shell_text.h"
 #include "app/campaign/slurm.h"
 #include "app/json/json_text.h"
+#include "app/run_folder/folder_lock.h"
 #include "core/base/errors.h"
 #include "tests/support/files.h"
 #include "tests/support/older_state.h"
@@ -232,6 +233,19 @@ TEST_F(CampaignTest, AFailedRunIsListedAndTheRestIsComputed) {
             std::string::npos)
       << outcome.err;
   EXPECT_EQ(quicksand({"campaign", "failing.json", "--status"}).exit_code, 1);
+}
+
+TEST_F(CampaignTest, RunsThatAnotherProcessComputesHaveNotFailed) {
+  {
+    const FolderLock other(at("out/many/runs/00000"));
+    const Outcome outcome = quicksand({"campaign", "many.json", "--quiet"});
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_NE(outcome.out.find("6 runs, 5 finished, 1 running elsewhere"), std::string::npos)
+        << outcome.out;
+    EXPECT_NE(outcome.out.find("another process computes"), std::string::npos) << outcome.out;
+  }
+  EXPECT_EQ(quicksand({"campaign", "many.json", "--quiet"}).exit_code, 0);
 }
 
 TEST_F(CampaignTest, RunsOfAnotherCampaignAreNotOverwritten) {
