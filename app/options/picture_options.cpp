@@ -101,6 +101,11 @@ void read_size(const std::string& text, int& width, int& height) {
                                          std::to_string(kLargestPicture) + ", as in 1280x720");
 }
 
+void require_png(const std::filesystem::path& out) {
+  if (out.extension() != ".png")
+    throw InputError(out.string(), "must end in .png; that is what is written");
+}
+
 View view_from(const PictureOptions& options) {
   View view = options.view;
   for (std::size_t i = 0; i < view_words().size(); ++i) {

@@ -1,6 +1,7 @@
 // The options that say how pictures look, the same for every command that makes some.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ std::string picture_words(const View& view);
 
 // Reads "1280x720". Throws InputError if it is not of that form or cannot be drawn.
 void read_size(const std::string& text, int& width, int& height);
+
+// Throws InputError if a picture could not be told by its name.
+void require_png(const std::filesystem::path& out);
 
 // Throws InputError if a name, the size, the window or the range of the colours is not valid.
 View view_from(const PictureOptions& options);

@@ -22,7 +22,7 @@ void write_findings(const std::filesystem::path& file, const MethodFindings& fou
 }
 
 MethodFindings read_findings(const std::filesystem::path& file, const Vec2& box) {
-  const Json json = parse_json(read_text(file));
+  const Json json = read_json(file);
   try {
     MethodFindings read{.method = json.at("method").get<std::string>(), .findings = {}};
     const Vec2 other(json.at("box").at(0).get<double>(), json.at("box").at(1).get<double>());

@@ -1,5 +1,7 @@
 #include "app/view/image_comparison.h"
 
+#include "app/run_folder/run_folder.h"
+#include "core/base/errors.h"
 #include "render/image/png_reader.h"
 
 namespace quicksand {
@@ -18,6 +20,8 @@ std::string corner(int x, int y) {
 
 ImageComparison compare_images(const std::filesystem::path& ours,
                                const std::filesystem::path& reference, int tolerance) {
+  for (const auto& picture : {ours, reference})
+    if (is_folder(picture)) throw InputError(picture.string(), "is a folder, not a PNG file");
   const Image a = read_png(ours);
   const Image b = read_png(reference);
   ImageComparison comparison;

@@ -4,7 +4,9 @@
 
 #include "app/base/exit_code.h"
 #include "app/cli/commands.h"
+#include "app/options/picture_options.h"
 #include "app/view/image_comparison.h"
+#include "core/base/errors.h"
 #include "render/image/png.h"
 
 namespace quicksand {
@@ -16,7 +18,17 @@ struct CompareArguments {
   int tolerance = kSameLook;
 };
 
+void check_difference(const CompareArguments& options) {
+  const std::filesystem::path& out = options.difference;
+  if (out.empty()) return;
+  require_png(out);
+  for (const auto& read : {options.ours, options.reference})
+    if (std::error_code ignored; std::filesystem::equivalent(read, out, ignored))
+      throw InputError("--difference " + out.string(), "is what is read");
+}
+
 int compare(const CompareArguments& options) {
+  check_difference(options);
   const ImageComparison result = compare_images(options.ours, options.reference, options.tolerance);
   std::printf("%s\n", result.text.c_str());
   if (!options.difference.empty() && result.difference.picture.width > 0)

@@ -44,8 +44,10 @@ std::vector<Source> sources_of(const ExportArguments& options) {
     if (fs::is_directory(path, ignored)) {
       source.history.emplace(history_of(RunFolder{path}));
       source.moments = moments_between(*source.history, options.moments);
-    } else if (options.moments.given()) {
-      throw InputError(path.string(), "is one state; --from and --to need the folder of a run");
+    } else {
+      if (options.moments.given())
+        throw InputError(path.string(), "is one state; --from and --to need the folder of a run");
+      read_state(path);  // so that nothing is written where one of several is none
     }
   }
   return sources;

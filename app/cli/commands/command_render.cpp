@@ -37,11 +37,6 @@ struct RenderArguments {
   PictureOptions picture;
 };
 
-void require_png(const fs::path& out) {
-  if (out.extension() != ".png")
-    throw InputError(out.string(), "must end in .png; that is what is written");
-}
-
 struct Shown {
   World world;
   std::string scene, phase;

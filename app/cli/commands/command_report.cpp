@@ -27,8 +27,8 @@ struct ReportArguments {
 void add_film_page(Report& page, const RunFolder& run, const std::filesystem::path& out) {
   if (!is_there(run.history())) return;
   const RunFolder folder{out};
+  make_writable(folder);
   try {
-    make_writable(folder);
     constexpr auto kEnd = std::numeric_limits<std::size_t>::max();
     if (write_film_page(folder.film_page(), run, View{}, 0, kEnd) == 0) return;
   } catch (const InputError& error) {

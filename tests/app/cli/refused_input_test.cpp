@@ -1,0 +1,102 @@
+// Mistakes in the words of a command, and what it then leaves alone.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "render/image/png.h"
+#include "tests/support/files.h"
+#include "tests/support/program_fixture.h"
+
+namespace quicksand::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class RefusedInput : public ProgramFixture {
+ protected:
+  void run() const {
+    folder_.write("small.json", R"({"gravity": {}, "box": {"width": 6, "height": 8},
+      "contact": {"friction": 0.3}, "bodies": [{"position": [3, 0.5]}],
+      "phases": [{"type": "settle", "max_time": 0.02, "until_rest": false}]})");
+    const Outcome outcome =
+        quicksand({"run", "small.json", "--no-frames", "--quiet", "--out", "r"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+  void expect_refused(const std::vector<std::string>& words, const std::string& answer) const {
+    const Outcome outcome = quicksand(words);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
+    EXPECT_EQ(outcome.err, "quicksand: " + answer + "\n");
+  }
+};
+
+TEST_F(RefusedInput, DifferencesReplaceNoFileButAPicture) {
+  const Image picture(2, 2);
+  write_png(at("a.png"), picture);
+  write_png(at("b.png"), picture);
+  folder_.write("notes.txt", "mine");
+  const std::string a = contents(at("a.png"));
+  expect_refused({"compare", "a.png", "b.png", "--difference", "a.png"},
+                 "--difference a.png: is what is read");
+  expect_refused({"compare", "b.png", "a.png", "--difference", "./a.png"},
+                 "--difference ./a.png: is what is read");
+  expect_refused({"compare", "a.png", "b.png", "--difference", "notes.txt"},
+                 "notes.txt: must end in .png; that is what is written");
+  expect_refused({"compare", ".", "a.png"}, ".: is a folder, not a PNG file");
+  EXPECT_EQ(contents(at("a.png")), a);
+  EXPECT_EQ(contents(at("notes.txt")), "mine");
+}
+
+TEST_F(RefusedInput, OneSourceThatIsNoneLeavesNoHalfOfAnExport) {
+  run();
+  EXPECT_EQ(quicksand({"export", "r", "r/series.csv", "--format", "csv", "--out", "e"}).exit_code,
+            2);
+  EXPECT_FALSE(fs::exists(at("e")));
+}
+
+TEST_F(RefusedInput, CheckLooksAtTheStateThatASceneStartsFrom) {
+  run();
+  const auto check = [&](const std::string& start) {
+    return quicksand({"check", "small.json", "--set", "bodies=[]", "--set", "start_from=" + start});
+  };
+  EXPECT_EQ(check("r/state.cbor").exit_code, 0);
+  for (const auto& [start, problem] :
+       {std::pair{"none.cbor", "none.cbor: cannot be read: No such file"},
+        {"r", "is a folder; give the state in it, "},
+        {"small.json", "is not a whole checkpoint"}}) {
+    const Outcome outcome = check(start);
+    EXPECT_EQ(outcome.exit_code, 2) << start;
+    EXPECT_NE(outcome.err.find(problem), std::string::npos) << outcome.err;
+  }
+}
+
+TEST_F(RefusedInput, SaysOnceWhatIsWrongAndWithWhichFile) {
+  run();
+  folder_.write("f.txt", "text");
+  expect_refused({"report", "r", "--out", "f.txt"},
+                 "f.txt: is a file, the results need a folder; choose another with --out");
+  expect_refused({"measure", "r"}, "r: is a folder; give the state in it, r/state.cbor");
+  expect_refused({"run", "small.json", "--continue", "r"},
+                 "r: is a folder; give the state in it, r/state.cbor");
+  expect_refused({"run", "small.json", "--out", ""}, "--out: is empty");
+  expect_refused({"check", "nosuch"},
+                 "\"nosuch\" is neither a file nor a shipped scene; `quicksand list scenes` shows "
+                 "what is shipped");
+  expect_refused({"check", "r"},
+                 "\"r\" is a folder, and no shipped scene has this name; `quicksand list scenes` "
+                 "shows what is shipped");
+  const Outcome collected = quicksand({"reproduce", "--collect", "f.txt", "--report", "all"});
+  EXPECT_EQ(collected.exit_code, 2);
+  EXPECT_EQ(collected.err.find("quicksand: f.txt: not valid JSON"), 0U) << collected.err;
+}
+
+TEST_F(RefusedInput, HelpThatAFullDiskSwallowsIsNotTold) {
+  for (const char* words : {" --help", " --version", " run --help"}) {
+    const std::string command = std::string(QUICKSAND_PROGRAM) + words;
+    EXPECT_EQ(std::system((command + " > /dev/null").c_str()), 0) << words;
+    EXPECT_EQ(WEXITSTATUS(std::system((command + " > /dev/full 2> /dev/null").c_str())), 1)
+        << words;
+  }
+}
+
+}  // namespace
+}  // namespace quicksand::test
