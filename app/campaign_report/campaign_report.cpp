@@ -59,9 +59,13 @@ std::string label_of(const ReportHistory& history) {
   return history.label.empty() ? words(history.y) : history.label;
 }
 
+std::string place_of(const ReportHistory& history) {
+  return is_over_time(history) ? "time since the phase began" : words(history.x);
+}
+
 Plot empty_plot(const ReportHistory& history, std::size_t k) {
   return {.name = "history_" + std::to_string(k + 1),
-          .x = {.label = words(history.x), .unit = unit_of(history.x)},
+          .x = {.label = place_of(history), .unit = unit_of(history.x)},
           .y = {.label = label_of(history),
                 .unit = unit_of(history.y),
                 .logarithmic = history.logarithmic}};
@@ -312,7 +316,7 @@ class Writer {
       colour_by(means, numbers);
       for (Curve& mean : means) add_with_band(plot, std::move(mean));
       section.add(Figure{std::move(plot), capitalised(label_of(history)) + " against " +
-                                              words(history.x) + " in the phase " + history.phase +
+                                              place_of(history) + " in the phase " + history.phase +
                                               ": means over the realizations, in bands of one "
                                               "standard error."});
     }

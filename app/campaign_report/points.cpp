@@ -10,7 +10,8 @@ namespace quicksand {
 
 namespace {
 
-// Of a run: x, and y times the factor, of the samples of the phase.
+// Of a run: x, and y times the factor, of the samples of the phase. Times count from its first sample, as phases of
+// different seeds begin at different moments.
 struct Samples {
   std::vector<double> x, y;
 };
@@ -18,10 +19,12 @@ struct Samples {
 Samples samples_of(const RunResults& run, const ReportHistory& history) {
   const std::vector<double>&all_x = run.column(history.x), &all_y = run.column(history.y);
   Samples samples;
+  std::optional<double> begin;
   for (std::size_t i = 0; i < all_x.size(); ++i) {
     if (run.phases()[i] != history.phase) continue;
+    if (!begin) begin = is_over_time(history) ? all_x[i] : 0;
     if (!std::isfinite(all_x[i]) || !std::isfinite(all_y[i])) continue;
-    samples.x.push_back(all_x[i]);
+    samples.x.push_back(all_x[i] - *begin);
     samples.y.push_back(history.factor * all_y[i]);
   }
   return samples;
@@ -51,29 +54,40 @@ std::optional<Measured> measured_at(const CampaignPoint& point, std::span<const 
 }
 
 Curve mean_history(std::span<const RunResults> runs, const ReportHistory& history) {
-  constexpr std::size_t kBins = 40;
   std::vector<Samples> all;
-  double low = std::numeric_limits<double>::infinity(), high = -low;
+  // What all realizations cover: a mean over those that are left would jump where one ends.
+  double high = std::numeric_limits<double>::infinity(), low = -high;
   for (const RunResults& run : runs) {
-    all.push_back(samples_of(run, history));
-    for (const double x : all.back().x) low = std::min(low, x), high = std::max(high, x);
+    Samples samples = samples_of(run, history);
+    if (samples.x.empty()) continue;
+    const auto [least, most] = std::ranges::minmax(samples.x);
+    low = std::max(low, least);
+    high = std::min(high, most);
+    all.push_back(std::move(samples));
   }
   Curve mean;
-  if (!(high > low)) return mean;
-  const double width = (high - low) / kBins;
-  std::vector<std::vector<double>> values(kBins);  // a bin, a realization
+  if (all.empty() || !(high > low)) return mean;
+  const auto is_inside = [&](double x) { return low <= x && x <= high; };
+  // No more bins than the sparsest of them has samples there.
+  std::size_t bins = 40;
+  for (const Samples& samples : all)
+    bins = std::clamp<std::size_t>(
+        static_cast<std::size_t>(std::ranges::count_if(samples.x, is_inside)), 1, bins);
+  const double width = (high - low) / static_cast<double>(bins);
+  std::vector<std::vector<double>> values(bins);  // a bin, a realization
   for (const Samples& samples : all) {
-    std::vector<double> sum(kBins, 0);
-    std::vector<int> count(kBins, 0);
+    std::vector<double> sum(bins, 0);
+    std::vector<int> count(bins, 0);
     for (std::size_t i = 0; i < samples.x.size(); ++i) {
-      const auto bin = std::min(kBins - 1, static_cast<std::size_t>((samples.x[i] - low) / width));
+      if (!is_inside(samples.x[i])) continue;
+      const auto bin = std::min(bins - 1, static_cast<std::size_t>((samples.x[i] - low) / width));
       sum[bin] += samples.y[i];
       ++count[bin];
     }
-    for (std::size_t k = 0; k < kBins; ++k)
+    for (std::size_t k = 0; k < bins; ++k)
       if (count[k] > 0) values[k].push_back(sum[k] / count[k]);
   }
-  for (std::size_t k = 0; k < kBins; ++k)
+  for (std::size_t k = 0; k < bins; ++k)
     add_point(mean, low + (static_cast<double>(k) + 0.5) * width, mean_over(values[k]));
   return mean;
 }

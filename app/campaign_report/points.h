@@ -27,7 +27,10 @@ std::vector<CampaignPoint> points_of(std::span<const Job> jobs, std::span<const 
 std::optional<Measured> measured_at(const CampaignPoint& point, std::span<const RunRecord> records,
                                     const ReportedValue& value);
 
-// y over x in bins of equal width: over their centres the means over the realizations of their means in a bin.
+// Whether x is the time since the phase began.
+inline bool is_over_time(const ReportHistory& history) { return history.x == "time"; }
+// y over x in bins of equal width, where all realizations have been: over their centres the means over the realizations
+// of their means in a bin.
 Curve mean_history(std::span<const RunResults> runs, const ReportHistory& history);
 
 // "cone, angle 30": a parameter's value as a reader wants it.

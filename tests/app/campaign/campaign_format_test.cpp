@@ -197,6 +197,12 @@ const Mistake kMistakes[] = {
     {"AbsentStart",
      R"({"set": {"start_from": "no.cbor"}})",
      {"start_from (from set; run 00000", "no.cbor"}},
+    {"HistoryOfNoColumn",
+     R"({"report": {"histories": [{"x": "tme", "y": "depth", "phase": "push"}]}})",
+     {"report.histories[0].x", "no column", "did you mean \"time\""}},
+    {"HistoryOfNoPhase",
+     R"({"report": {"histories": [{"x": "time", "y": "depth", "phase": "pusch"}]}})",
+     {"report.histories[0].phase", "did you mean \"push\""}},
     {"ScriptForOption", R"({"slurm": {"options": ["x.sh"]}})", {"slurm.options", "\"--\""}},
 };
 

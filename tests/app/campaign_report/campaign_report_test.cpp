@@ -108,6 +108,29 @@ TEST_F(CampaignReportTest, HasOneCurveWhereTheOthersFollowFromTheAxis) {
   EXPECT_EQ(plot.curves[0].x.size(), 2U);
 }
 
+// Two phases of different beginnings and lengths, in each of which y is twice the time since it began.
+TEST(MeanHistory, IsOverTheTimeOfThePhaseAsFarAsAllRealizationsCome) {
+  const TemporaryFolder folder;
+  std::vector<RunResults> runs;
+  for (const auto& [begin, length] : {std::pair{10, 80}, std::pair{50, 40}}) {
+    std::string series = "time,phase,depth\n0,settle,0\n";
+    for (int t = 0; t <= length; ++t)
+      series += std::to_string(begin + t) + ",push," + std::to_string(2 * t) + "\n";
+    const std::string name = std::to_string(begin);
+    std::filesystem::create_directories(folder.path() / name);
+    folder.write(name + "/series.csv", series);
+    runs.emplace_back(folder.path() / name);
+  }
+  const Curve mean = mean_history(runs, {.x = "time", .y = "depth", .phase = "push"});
+  ASSERT_EQ(mean.x.size(), 40U);
+  EXPECT_EQ(mean.x.front(), 0.5);
+  EXPECT_EQ(mean.x.back(), 39.5) << "where the shorter one ends";
+  for (std::size_t k = 0; k + 1 < mean.x.size(); ++k) {
+    EXPECT_EQ(mean.y[k], 2.0 * static_cast<double>(k));
+    EXPECT_EQ(mean.y_error[k], 0);
+  }
+}
+
 TEST_F(CampaignReportTest, SaysWhatHasNotFinished) {
   compute();
   std::filesystem::remove_all(at("out/runs/00001"));
