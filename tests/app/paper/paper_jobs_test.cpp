@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "app/experiments/experiments.h"
 #include "app/paper/findings_file.h"
 #include "app/scene_json/scenario_json.h"
 #include "app/studies/figures.h"
@@ -127,6 +128,21 @@ TEST_F(PaperRuns, TheSettingOfNscdIsChosenFromASpecimenThatIsNoRealization) {
     }
   for (std::size_t k = tried; k < jobs.jobs().size(); ++k)
     EXPECT_LT(jobs.jobs()[k].scenario.seed, 101U);
+}
+
+// Stokes' law makes a grain of the scene sink by the height within 0.9 sqrt(d/g) a diameter, by either method.
+TEST_F(PaperRuns, PushesInWaterAreGivenTheTimeInWhichDebrisSinksToTheFloor) {
+  PaperScale by_nscd = small();
+  make_nscd(by_nscd, {});
+  for (const PaperScale& scale : {small(), by_nscd}) {
+    PaperJobs jobs(scale, folder_.path());
+    make_drag_experiment()->plan(jobs);
+    for (const Job& job : jobs.jobs()) {
+      if (!job.scenario.drag) continue;
+      const double slowness = job.scenario.drag->linear;  // over the weight F_g
+      EXPECT_GT(std::get<PushPhase>(job.scenario.phases[0].kind).max_time, slowness * scale.height);
+    }
+  }
 }
 
 TEST_F(PaperRuns, FindingsAreReadAsTheyWereWritten) {
