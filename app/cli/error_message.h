@@ -10,8 +10,8 @@ namespace quicksand {
 
 // A failure that is not the fault of an input.
 struct FailureMessage {
-  std::string kind;          // run_failed, scene, validation, disk_full, memory or unexpected
-  std::string message;       // a sentence
+  std::string kind;     // run_failed, scene, session, validation, disk_full, memory or unexpected
+  std::string message;  // a sentence
   std::string how_to_go_on;  // further lines
 };
 

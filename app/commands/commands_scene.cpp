@@ -56,7 +56,9 @@ struct Load {
     for (const auto& [path, value] : set.items())
       request.overrides.push_back(path + "=" + value.dump());
     if (seed >= 0) request.seed = static_cast<std::uint64_t>(seed);
-    return read_scene(request);
+    Scenario result = read_scene(request);
+    if (!result.start_from.empty()) console.beside(result.start_from);
+    return result;
   }
 };
 

@@ -6,12 +6,31 @@
 
 #include "app/commands/command_table.h"
 #include "app/commands/session_file.h"
+#include "app/run_folder/run_folder.h"
 #include "app/scene/scene_file.h"
 #include "core/base/errors.h"
 
 namespace quicksand {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+// Files are beside another folder as long as it lives.
+class BaseMeanwhile {
+ public:
+  BaseMeanwhile(std::optional<fs::path>& base, std::optional<fs::path> meanwhile)
+      : base_(base), before_(std::exchange(base, std::move(meanwhile))) {}
+  ~BaseMeanwhile() { base_ = std::move(before_); }
+  BaseMeanwhile(const BaseMeanwhile&) = delete;
+  BaseMeanwhile& operator=(const BaseMeanwhile&) = delete;
+
+ private:
+  std::optional<fs::path>& base_;
+  std::optional<fs::path> before_;
+};
+
+}  // namespace
 
 Console::Console(ConsoleFolders folders, double scale)
     : folders_(std::move(folders)), scale_(scale) {
@@ -29,6 +48,11 @@ Json Console::perform(const Json& command, const std::string& place) {
   return row.perform(*this, command, place);
 }
 
+Json Console::perform_beside(const fs::path& base, const Json& command, const std::string& place) {
+  const BaseMeanwhile meanwhile(folders_.base, fs::absolute(base));
+  return perform(command, place);
+}
+
 fs::path Console::output(const std::string& name, const std::string& place) const {
   const fs::path relative = fs::path(name).lexically_normal();
   if (name.empty() || relative.is_absolute() || relative.begin()->string() == ".." ||
@@ -38,6 +62,8 @@ fs::path Console::output(const std::string& name, const std::string& place) cons
                    "\" must name a file in the output folder: no absolute path, no way out of it");
   }
   fs::path path = folders_.out / relative;
+  if (!all_lead_into(folders_.out, path))
+    throw InputError(place, "\"" + name + "\" leads out of the output folder through a link");
   std::error_code error;
   fs::create_directories(path.parent_path(), error);
   if (error) throw InputError(path.parent_path().string(), "cannot be made: " + error.message());
@@ -61,15 +87,25 @@ std::string Console::save_cut_short() {
 }
 
 fs::path Console::input(const std::string& name) const {
+  if (!folders_.base) return beside(name);
   std::error_code ignored;
   const fs::path ours = folders_.out / name;
   return fs::path(name).is_relative() && fs::exists(ours, ignored) ? ours : beside(name);
 }
 
 // An absolute name stays what it is.
-fs::path Console::beside(const std::string& name) const { return folders_.base / name; }
+fs::path Console::beside(const std::string& name) const {
+  fs::path path = folders_.base.value_or(folders_.out) / name;
+  if (!folders_.base && !leads_into(folders_.out, path))
+    throw InputError(name, "lies outside of the output folder, where a browser reaches no file");
+  return path;
+}
 
-fs::path Console::scene(const std::string& name) const { return scene_named(name, folders_.base); }
+fs::path Console::scene(const std::string& name) const {
+  const fs::path folder = folders_.base.value_or(folders_.out);
+  if (!folders_.base) beside(name);
+  return scene_named(name, folder);
+}
 
 Image Console::draw_view(int width, int height) {
   if (!renderer_) renderer_ = std::make_unique<Renderer>();
@@ -172,20 +208,24 @@ void Console::include(const fs::path& file, const std::string& place) {
     throw InputError(place, "files include each other more than " + std::to_string(kDeepest) +
                                 " deep; does one include itself?");
   const SessionFile included = read_session_file(file);
-  const fs::path outside = std::exchange(folders_.base, fs::absolute(file).parent_path());
+  // Whoever is not trusted is not so through a file, either.
+  std::optional<fs::path> base;
+  if (folders_.base) base = fs::absolute(file).parent_path();
+  const BaseMeanwhile meanwhile(folders_.base, std::move(base));
   ++depth_;
-  const auto leave = [&] {
-    --depth_;
-    folders_.base = outside;
-  };
+  const auto leave = [&] { --depth_; };
   try {
     for (std::size_t i = 0; i < included.commands.size() && !quit && !session_.is_to_end(); ++i) {
+      const Json& command = included.commands[i];
+      const std::string told = "\n  the command: " + command.dump();
       try {
-        perform(included.commands[i], place_of(i));
+        perform(command, place_of(i));
       } catch (const InputError& error) {
-        throw CommandFailure(included.where(i) + ": " + error.where() + ": " + error.what());
+        throw CommandFailure(included.where(i) + ": " + error.where() + ": " + error.what() + told);
       } catch (const CommandFailure& error) {
-        throw CommandFailure(included.where(i) + ": " + error.what());
+        // What failed in a file within this one is told already.
+        const bool is_told = command["command"] == "include";
+        throw CommandFailure(included.where(i) + ": " + error.what() + (is_told ? "" : told));
       }
     }
   } catch (...) {

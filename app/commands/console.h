@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/gui/gui.h"
@@ -15,8 +16,10 @@
 namespace quicksand {
 
 struct ConsoleFolders {
-  std::filesystem::path out;   // receives every file that commands write; made when needed
-  std::filesystem::path base;  // of the command file
+  std::filesystem::path out;  // receives every file that commands write; made when needed
+  // Of the command file, beside which others are read. Without one, commands come from somebody who is not trusted:
+  // they read shipped scenes and what is in the folder above.
+  std::optional<std::filesystem::path> base;
 };
 
 class Console {
@@ -27,12 +30,15 @@ class Console {
   // Performs one command {"command": NAME, ...}; `place` names it in errors. Returns what it has to
   // tell. Throws InputError, CommandFailure, RenderError; then nothing but what it began has changed.
   Json perform(const Json& command, const std::string& place = {});
+  // The same for a command of the user, who may name files beside this folder.
+  Json perform_beside(const std::filesystem::path& base, const Json& command,
+                      const std::string& place);
 
   Session& session() { return session_; }
   const Session& session() const { return session_; }
 
   // A file that a command writes: inside the folder for output, whatever the name says. Makes its
-  // folder. Throws InputError for absolute names and those that lead out of it.
+  // folder. Throws InputError for absolute names and those that lead out of it, also by a link.
   std::filesystem::path output(const std::string& name, const std::string& place) const;
   // Ends the recording, if there is one, with the present moment as its last sample; what it has made.
   Json finish_recording();
@@ -41,9 +47,9 @@ class Console {
   std::string save_cut_short();
   // A file that this session wrote, or one beside the command file.
   std::filesystem::path input(const std::string& name) const;
-  // A file beside the command file, or in the present folder if there is none.
+  // A file beside the command file; without one, in the folder for output. Throws InputError for one beyond that.
   std::filesystem::path beside(const std::string& name) const;
-  // A scene beside the command file, or a shipped one by its name.
+  // A scene beside the command file, or a shipped one by its name. Throws as above.
   std::filesystem::path scene(const std::string& name) const;
 
   // The panel, made when it is first asked for. Throws RenderError if there is no font.

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -73,6 +74,31 @@ void remove_earlier_results(const RunFolder& folder) {
     if (name.starts_with("frame_") && name.ends_with(".png")) frames.push_back(file.path());
   }
   for (const fs::path& frame : frames) fs::remove(frame, ignored);
+}
+
+bool leads_into(const fs::path& folder, const fs::path& path) {
+  std::error_code home_error, error;
+  fs::path home = fs::weakly_canonical(fs::absolute(folder), home_error);
+  if (!home.has_filename()) home = home.parent_path();  // a slash at the end
+  const fs::path there = fs::weakly_canonical(fs::absolute(path), error);
+  if (home_error || error) return false;
+  const auto [home_end, rest] = std::mismatch(home.begin(), home.end(), there.begin(), there.end());
+  if (home_end != home.end()) return false;
+  // What is not there is not followed, so that a link to nothing is still among the names.
+  fs::path at = home;
+  return std::none_of(rest, there.end(), [&](const fs::path& name) {
+    at /= name;
+    return fs::is_symlink(fs::symlink_status(at, error));
+  });
+}
+
+bool all_lead_into(const fs::path& folder, const fs::path& path) {
+  if (!leads_into(folder, path)) return false;
+  std::error_code error;
+  for (fs::recursive_directory_iterator entry(path, error);
+       !error && entry != fs::recursive_directory_iterator(); entry.increment(error))
+    if (entry->is_symlink(error) && !leads_into(folder, entry->path())) return false;
+  return true;
 }
 
 }  // namespace quicksand

@@ -52,4 +52,11 @@ void forget_end(const RunFolder& folder);
 // history, tables of searches, report and frames. Other files are left alone.
 void remove_earlier_results(const RunFolder& folder);
 
+// Whether the path leads to a place in the folder, or to the folder itself, once every link on the way has been followed.
+// What it names need not be there yet, but no link may be in its place: writing would follow it.
+bool leads_into(const std::filesystem::path& folder, const std::filesystem::path& path);
+
+// The same of all links below the path, for what is written into a folder under names of its own.
+bool all_lead_into(const std::filesystem::path& folder, const std::filesystem::path& path);
+
 }  // namespace quicksand

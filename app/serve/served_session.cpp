@@ -58,7 +58,7 @@ bool changes_controls(const Json& command) {
 ServedSession::ServedSession(const ServedOptions& options, Exchange& exchange)
     : options_(options),
       exchange_(exchange),
-      console_({options.folder, std::filesystem::current_path()}) {
+      console_({options.folder, std::nullopt}) {
   console_.session().stop_asked = [this](const Session& session) { return listen(session); };
   console_.session().meanwhile = [this] {
     look_up();
@@ -70,7 +70,7 @@ ServedSession::ServedSession(const ServedOptions& options, Exchange& exchange)
 }
 
 void ServedSession::begin(const Json& command) {
-  console_.perform(command, "command line");
+  console_.perform_beside(std::filesystem::current_path(), command, "command line");
   interactions_.add(command);
 }
 

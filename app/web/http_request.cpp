@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "app/run_folder/run_folder.h"
 #include "app/web/access.h"
 
 namespace quicksand {
@@ -99,8 +100,8 @@ HttpAnswer answer_to(const HttpRequest& request, const Access& access, const Pag
     std::error_code error;
     const std::filesystem::path file = access.folder / name;
     // A link could lead out of the folder.
-    if (is_plain_name(name) && std::filesystem::symlink_status(file, error).type() ==
-                                   std::filesystem::file_type::regular) {
+    if (is_plain_name(name) && leads_into(access.folder, file) &&
+        std::filesystem::is_regular_file(file, error)) {
       HttpAnswer answer;
       answer.type = content_type(name);
       answer.file = file;

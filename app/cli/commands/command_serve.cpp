@@ -2,6 +2,8 @@
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/cli/error_message.h"
+#include "app/commands/command_table.h"
 #include "app/options/threads_option.h"
 #include "app/serve/serve.h"
 #include "core/base/parallel.h"
@@ -53,7 +55,11 @@ Command add_serve(CLI::App& program) {
       "  quicksand serve out/collapse");
   return {command, [options, threads] {
             int code = 0;
-            with_threads(thread_count(*threads), [&] { code = run_serve(*options); });
+            try {
+              with_threads(thread_count(*threads), [&] { code = run_serve(*options); });
+            } catch (const CommandFailure& failure) {
+              return tell_failed({"session", failure.what()});
+            }
             return code;
           }};
 }

@@ -2,6 +2,8 @@
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/cli/error_message.h"
+#include "app/commands/command_table.h"
 #include "app/options/picture_options.h"
 #include "app/window/window.h"
 
@@ -38,7 +40,11 @@ Command add_window(CLI::App& program) {
       "  quicksand window collapse --record by_hand.json");
   return {command, [options, size] {
             read_size(*size, options->width, options->height);
-            return run_window(*options);
+            try {
+              return run_window(*options);
+            } catch (const CommandFailure& failure) {
+              return tell_failed({"session", failure.what()});
+            }
           }};
 }
 
