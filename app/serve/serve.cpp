@@ -56,7 +56,7 @@ std::string address_of(const ServeOptions& options, int port, const std::string&
 void write_recording(const ServeOptions& options, ServedSession& live) {
   live.console().finish_recording();
   if (options.record.empty() || !live.console().session().loaded()) return;
-  write_whole(options.record, live.recording().dump(2) + "\n");
+  write_whole(options.record, live.recording());
   std::fprintf(stderr, "what was done is in %s; `quicksand session` plays it again\n",
                options.record.c_str());
 }
@@ -65,6 +65,7 @@ void write_recording(const ServeOptions& options, ServedSession& live) {
 
 int run_serve(const ServeOptions& options) {
   const InterruptWatch watch;
+  if (!options.record.empty()) try_to_write(options.record);
   const RunFolder folder{options.out.empty() ? std::filesystem::path("out") / "serve"
                                              : options.out};
   make_writable(folder);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <utility>
 
 #include "app/commands/command_table.h"
@@ -38,14 +39,6 @@ std::string_view name_of(const Json& command) {
   return command["command"].get_ref<const std::string&>();
 }
 
-bool ends_run(const ClientMessage& message) {
-  return !message.command.is_null() && cuts_short(message.command);
-}
-
-bool looks(const ClientMessage& message) {
-  return !message.command.is_null() && only_looks(message.command);
-}
-
 // After which the controls of the page may look otherwise.
 bool changes_controls(const Json& command) {
   constexpr auto kNames =
@@ -56,9 +49,7 @@ bool changes_controls(const Json& command) {
 }  // namespace
 
 ServedSession::ServedSession(const ServedOptions& options, Exchange& exchange)
-    : options_(options),
-      exchange_(exchange),
-      console_({options.folder, std::nullopt}) {
+    : options_(options), exchange_(exchange), console_({options.folder, std::nullopt}) {
   console_.session().stop_asked = [this](const Session& session) { return listen(session); };
   console_.session().meanwhile = [this] {
     look_up();
@@ -74,7 +65,7 @@ void ServedSession::begin(const Json& command) {
   interactions_.add(command);
 }
 
-Json ServedSession::recording() const {
+std::string ServedSession::recording() const {
   const Session& session = console_.session();
   const Timeline* timeline = session.timeline();
   return interactions_.session(session.world(),
@@ -107,51 +98,55 @@ bool ServedSession::listen(const Session& session) {
 }
 
 bool ServedSession::run_is_to_end() const {
-  return (interrupted && interrupted()) ||
-         std::ranges::any_of(waiting_, ends_run, &Waiting::message);
+  return (interrupted && interrupted()) || std::ranges::any_of(waiting_, &Waiting::ends_run);
 }
 
 // Also within a step, which may take long.
 void ServedSession::look_up() {
   if (exchange_.something_waits()) take_messages(0ms);
   bool seen_otherwise = false;
-  for (; !waiting_.empty() && looks(waiting_.front().message); seen_otherwise = true) answer_next();
+  for (; !waiting_.empty() && waiting_.front().looks; seen_otherwise = true) answer_next();
   if (seen_otherwise || Clock::now() - last_frame_ >= kPicturePeriod) publish_frame();
 }
 
 void ServedSession::take_messages(std::chrono::milliseconds wait) {
   for (const ClientText& message : exchange_.take(wait, picture_is_old_)) hear(message);
+  for (const ClientId gone : exchange_.take_gone())
+    std::erase_if(waiting_, [gone](const Waiting& waiting) { return waiting.said.client == gone; });
 }
 
 void ServedSession::hear(const ClientText& text) {
   Json id;
   try {
-    ClientMessage message = read_message(text.text, id);
+    const ClientMessage message = read_message(text.text, id);
     // Of the world as it is. A recording or a series waits until the steps under way are among those that are counted.
     if (message.command.is_null() && message.question["ask"] == "body")
       return tell(text.client, {{"ok", true}, {"result", answer_question(message.question)}}, id);
-    if (std::ranges::count(waiting_, text.client, &Waiting::client) >= Exchange::kMostOfOneClient)
+    if (!has_room(waiting_, text, &Waiting::said))
       throw InputError("message",
                        "comes while too many commands of this page wait; pause, or try again");
-    waiting_.push_back({text.client, std::move(message), id});
+    const bool is_command = !message.command.is_null();
+    waiting_.push_back({text, is_command && only_looks(message.command),
+                        is_command && cuts_short(message.command)});
   } catch (const InputError& error) {
     tell_problem(text.client, error, id);
   }
 }
 
 void ServedSession::answer_next() {
-  const Waiting next = std::move(waiting_.front());
+  const ClientText next = std::move(waiting_.front().said);
   waiting_.pop_front();
-  if (!next.message.command.is_null()) return perform(next);
+  Json id;
   try {
-    tell(next.client, {{"ok", true}, {"result", answer_question(next.message.question)}}, next.id);
+    const ClientMessage message = read_message(next.text, id);
+    if (!message.command.is_null()) return perform(next.client, message.command, id);
+    tell(next.client, {{"ok", true}, {"result", answer_question(message.question)}}, id);
   } catch (const InputError& error) {
-    tell_problem(next.client, error, next.id);
+    tell_problem(next.client, error, id);
   }
 }
 
-void ServedSession::perform(const Waiting& waiting) {
-  const Json& command = waiting.message.command;
+void ServedSession::perform(ClientId client, const Json& command, const Json& id) {
   const bool loaded = console_.session().loaded();
   const std::int64_t first = loaded ? console_.session().world().step : 0;
   const Answer answer = answer_to(console_, command, "command");
@@ -159,11 +154,12 @@ void ServedSession::perform(const Waiting& waiting) {
   theme_chosen_ = theme_chosen_ || command.contains("theme");
   if (!answer.ok && name_of(command) == "run" && loaded)
     interactions_.add_steps(console_.session().world().step - first);
+  tell_if_full();
   picture_is_old_ = true;
   if (changes_controls(command)) state_is_old_ = plots_are_old_ = true;
   Json json = to_json(answer, console_);
   json["command"] = command;
-  tell(waiting.client, std::move(json), waiting.id);
+  tell(client, std::move(json), id);
 }
 
 // A run that was cut short replays as the steps that it made.
@@ -173,6 +169,15 @@ void ServedSession::record(const Json& command, const Json& result) {
   } else {
     interactions_.add(command);
   }
+}
+
+void ServedSession::tell_if_full() {
+  if (!interactions_.full() || std::exchange(told_full_, true)) return;
+  const std::string text =
+      "the recording is full: what is done from now on is not in it; fetch it, and start anew to "
+      "record more";
+  std::fprintf(stderr, "quicksand: %s\n", text.c_str());
+  tell(kEveryClient, {{"ok", false}, {"error", text}}, nullptr);
 }
 
 // One frame of a session that runs: so many steps, and at least as long as a picture stands.
@@ -185,6 +190,7 @@ void ServedSession::compute() {
   const RunStop stop = session.run(frame);
   const std::int64_t steps = session.world().step - first;
   interactions_.add_steps(steps);
+  tell_if_full();
   rate_.add(steps, session.protocol());
   if (session.finished() || session.failed()) {
     session.running = false;
@@ -242,7 +248,7 @@ Json ServedSession::answer_question(const Json& question) {
     return body < 0 ? Json{{"body", nullptr}} : body_state(session, body);
   }
   if (name == "recording") {
-    write_whole(console_.output(kRecordingFile, "ask"), recording().dump(2) + "\n");
+    write_whole(console_.output(kRecordingFile, "ask"), recording());
     return {{"file", kRecordingFile}};
   }
   if (name == "series") {

@@ -33,16 +33,16 @@ class ServedSession {
   // Cuts computing short. May be empty.
   std::function<bool()> interrupted;
 
-  // What was done so far, as a session that replays to the same world. A scene must be loaded.
-  Json recording() const;
+  // What was done so far, as the text of a session that replays to the same world. A scene must be loaded.
+  std::string recording() const;
   Console& console() { return console_; }
 
  private:
   using Clock = std::chrono::steady_clock;
+  // Kept as it came: what it says takes many times as much memory.
   struct Waiting {
-    ClientId client = kEveryClient;
-    ClientMessage message;
-    Json id;
+    ClientText said;
+    bool looks = false, ends_run = false;
   };
 
   bool listen(const Session& session);
@@ -50,9 +50,10 @@ class ServedSession {
   void look_up();
   void take_messages(std::chrono::milliseconds wait);
   void hear(const ClientText& text);
-  void perform(const Waiting& waiting);
+  void perform(ClientId client, const Json& command, const Json& id);
   void answer_next();
   void record(const Json& command, const Json& result);
+  void tell_if_full();
   void compute();
   void play();
   void look_for_samples();
@@ -73,6 +74,7 @@ class ServedSession {
   std::deque<Waiting> waiting_;
   bool picture_is_old_ = true, state_is_old_ = true, plots_are_old_ = true;
   bool theme_chosen_ = false;  // by a client
+  bool told_full_ = false;     // that the recording is
   Clock::time_point last_frame_{}, last_plots_{}, looked_{};
 };
 

@@ -39,6 +39,7 @@ Client::Message Client::next(Exchange& exchange) {
   if (!answers_.empty()) {
     auto text = std::make_shared<const std::string>(std::move(answers_.front()));
     answers_.pop_front();
+    answer_bytes_ -= text->size();
     return {std::move(text), false};
   }
   for (const Newest kind : {Newest::state, Newest::frame, Newest::plots}) {

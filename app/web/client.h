@@ -28,9 +28,12 @@ class Client {
   Refusal refusal() const { return refusal_; }
   std::string take_text();
 
-  void answer(std::string text) { answers_.push_back(std::move(text)); }
+  void answer(std::string text) {
+    answer_bytes_ += text.size();
+    answers_.push_back(std::move(text));
+  }
   // It has asked for much and reads nothing.
-  bool is_stuck() const { return answers_.size() > kMostAnswers; }
+  bool is_stuck() const { return answers_.size() > kMostAnswers || answer_bytes_ > kMostBytes; }
   // Whether it may get another picture: it has drawn all but the last.
   bool has_room() const { return frame_ - std::min(seen_, frame_) < kPicturesUnderWay; }
   // The number, among those published, of the picture that it got last.
@@ -47,6 +50,8 @@ class Client {
 
  private:
   static constexpr std::size_t kMostAnswers = 300;
+  // An answer holds the command, so that all that may wait of a client has room in its answers.
+  static constexpr std::size_t kMostBytes = 4 * kMostOfOneClient.bytes;
   static constexpr std::uint64_t kPicturesUnderWay = 2;
 
   bool may_speak();
@@ -56,6 +61,7 @@ class Client {
   std::string said_;  // of the present message
   Refusal refusal_ = Refusal::none;
   std::deque<std::string> answers_;
+  std::size_t answer_bytes_ = 0;                    // of those
   std::array<std::uint64_t, kNewestKinds> sent_{};  // numbers of what it got
   std::uint64_t frame_ = 0, seen_ = 0;  // pictures that it got, and has drawn, counted for it
   std::string room_;

@@ -13,12 +13,17 @@ std::size_t index_of(Newest kind) { return static_cast<std::size_t>(kind); }
 bool Exchange::give(ClientText message) {
   {
     const std::lock_guard lock(mutex_);
-    if (std::ranges::count(waiting_, message.client, &ClientText::client) >= kMostOfOneClient)
-      return false;
+    if (!has_room(waiting_, message)) return false;
     waiting_.push_back(std::move(message));
   }
   arrived_.notify_one();
   return true;
+}
+
+void Exchange::forget(ClientId client) {
+  const std::lock_guard lock(mutex_);
+  std::erase_if(waiting_, [client](const ClientText& text) { return text.client == client; });
+  gone_.push_back(client);
 }
 
 void Exchange::want_frame_after(std::uint64_t number) {
@@ -53,7 +58,12 @@ std::vector<ClientText> Exchange::take(std::chrono::milliseconds wait, bool anot
 
 bool Exchange::something_waits() const {
   const std::lock_guard lock(mutex_);
-  return !waiting_.empty();
+  return !waiting_.empty() || !gone_.empty();
+}
+
+std::vector<ClientId> Exchange::take_gone() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(gone_, {});
 }
 
 bool Exchange::frame_wanted() const {

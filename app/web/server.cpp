@@ -71,7 +71,13 @@ Server::Impl::Impl(ServerOptions o, PageParts p, Exchange& e)
   context = lws_create_context(&info);
   if (context != nullptr) vhost = lws_create_vhost(context, &info);
   if (vhost == nullptr) {
+    // Whether it would listen there at any port tells what is to be changed.
+    info.port = 0;
+    const bool listens = context != nullptr && lws_create_vhost(context, &info) != nullptr;
     if (context != nullptr) lws_context_destroy(context);
+    if (!listens)
+      throw InputError("--listen", options.address + " is no address of this machine; 127.0.0.1 " +
+                                       "is reached from it alone, 0.0.0.0 from everywhere");
     throw InputError("--port", "cannot listen at " + options.address + ", port " +
                                    std::to_string(options.port) +
                                    "; is it in use? --port 0 takes one that is free");
@@ -126,7 +132,10 @@ int Server::Impl::serve(lws* wsi, lws_callback_reasons reason, void* in, std::si
     case LWS_CALLBACK_SERVER_WRITEABLE:
       return send(wsi);
     case LWS_CALLBACK_CLOSED:
-      clients.erase(wsi);
+      if (const auto gone = clients.find(wsi); gone != clients.end()) {
+        exchange.forget(gone->second.id());
+        clients.erase(gone);
+      }
       return 0;
     case LWS_CALLBACK_EVENT_WAIT_CANCELLED:
       spread_answers();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 
 #include "app/run_folder/summary.h"
 
@@ -17,35 +18,60 @@ std::string_view command_in(const Json& command) {
   return command["command"].get_ref<const std::string&>();
 }
 
+std::string line_of(const Json& command) {
+  return "  " + command.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 }  // namespace
 
 void InteractionRecording::add(const Json& command) {
   const std::string_view name = command_in(command);
-  if (std::ranges::find(kOfTheWindow, name) != kOfTheWindow.end()) return;
+  if (full_ || std::ranges::find(kOfTheWindow, name) != kOfTheWindow.end()) return;
   // While the mouse moves, only the last force before the next step counts.
-  const bool replaces = name == "apply" && !commands_.empty() &&
-                        command_in(commands_.back()) == "apply" &&
-                        commands_.back()["body"] == command["body"];
-  if (replaces) commands_.pop_back();
-  commands_.push_back(command);
-}
-
-void InteractionRecording::add_steps(std::int64_t steps) {
-  if (steps == 0) return;
-  const bool goes_on = !commands_.empty() && command_in(commands_.back()) == "run" &&
-                       commands_.back().size() == 2 && commands_.back().contains("steps");
-  if (goes_on) {
-    commands_.back()["steps"] = commands_.back()["steps"].get<std::int64_t>() + steps;
+  const bool replaces = name == "apply" && !empty() && command_in(last_) == "apply" &&
+                        last_.contains("body") && command.contains("body") &&
+                        last_["body"] == command["body"];
+  if (replaces) {
+    last_ = command;
   } else {
-    commands_.push_back({{"command", "run"}, {"steps", steps}});
+    append(command);
   }
 }
 
-Json InteractionRecording::session(const World& world, std::optional<std::size_t> shown) const {
-  Json commands = commands_;
-  if (shown) commands.push_back({{"command", "show"}, {"sample", *shown}});
-  commands.push_back({{"command", "expect_hash"}, {"hash", world_hash_text(world)}});
-  return {{"description", "Recorded by hand in a window."}, {"commands", std::move(commands)}};
+void InteractionRecording::add_steps(std::int64_t steps) {
+  if (full_ || steps == 0) return;
+  const bool goes_on =
+      !empty() && command_in(last_) == "run" && last_.size() == 2 && last_.contains("steps");
+  if (goes_on) {
+    last_["steps"] = last_["steps"].get<std::int64_t>() + steps;
+  } else {
+    append({{"command", "run"}, {"steps", steps}});
+  }
+}
+
+void InteractionRecording::append(Json command) {
+  std::string line = empty() ? std::string() : line_of(last_) + ",\n";
+  full_ = earlier_.size() + line.size() + line_of(command).size() > kMostBytes;
+  if (full_) return;
+  earlier_ += line;
+  last_ = std::move(command);
+}
+
+std::string InteractionRecording::session(const World& world,
+                                          std::optional<std::size_t> shown) const {
+  std::string text = "{\"description\": \"Recorded by hand in a window.\",\n\"commands\": [\n";
+  if (full_)
+    text =
+        "{\"description\": \"Recorded by hand in a window; the end had no room.\",\n"
+        "\"commands\": [\n";
+  text += earlier_;
+  std::vector<Json> end;
+  if (!empty()) end.push_back(last_);
+  if (shown && !full_) end.push_back({{"command", "show"}, {"sample", *shown}});
+  if (!full_) end.push_back({{"command", "expect_hash"}, {"hash", world_hash_text(world)}});
+  for (std::size_t i = 0; i < end.size(); ++i)
+    text += line_of(end[i]) + (i + 1 < end.size() ? ",\n" : "\n");
+  return text + "]}\n";
 }
 
 }  // namespace quicksand

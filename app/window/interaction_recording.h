@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <vector>
+#include <string>
 
 #include "app/json/json_text.h"
 #include "core/world/world.h"
@@ -19,13 +19,20 @@ class InteractionRecording {
   // Steps that were made since the last command.
   void add_steps(std::int64_t steps);
 
-  bool empty() const { return commands_.empty(); }
-  // The session file; its last command expects the hash of this world. `shown`: the sample of a run where playing has
-  // led to.
-  Json session(const World& world, std::optional<std::size_t> shown = {}) const;
+  bool empty() const { return last_.is_null(); }
+  // From here on nothing is added: so that who commands without end does not take all memory.
+  bool full() const { return full_; }
+  static constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
+  // The text of the session file, a command a line; its last one expects the hash of this world, unless the recording is
+  // full and has fallen behind. `shown`: the sample of a run where playing has led to.
+  std::string session(const World& world, std::optional<std::size_t> shown = {}) const;
 
  private:
-  std::vector<Json> commands_;
+  void append(Json command);
+
+  std::string earlier_;  // lines of all but the last command
+  Json last_;            // null: none
+  bool full_ = false;
 };
 
 }  // namespace quicksand

@@ -95,6 +95,7 @@ class Window {
 
   void begin() {
     console_.panel().set_recent(recent_.paths());
+    if (!options_.record.empty()) try_to_write(options_.record);
     do_now(opening_command(options_.file));
     // A recording shows what a session does, nothing for the hand.
     if (console_.recording) return;
@@ -135,7 +136,7 @@ class Window {
     const Session& session = console_.session();
     const Timeline* timeline = session.timeline();
     const auto shown = timeline ? std::optional(timeline->shown()) : std::nullopt;
-    write_whole(options_.record, interactions_.session(session.world(), shown).dump(2) + "\n");
+    write_whole(options_.record, interactions_.session(session.world(), shown));
     interactions_written_ = Clock::now();
   }
 

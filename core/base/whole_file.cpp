@@ -62,6 +62,8 @@ void write_whole(const fs::path& path, std::string_view text) {
   file.finish();
 }
 
+void try_to_write(const fs::path& path) { const WholeFile tried(path); }
+
 void bring_to_disk(const fs::path& path) {
   const OpenFile file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.number() < 0) refuse_to_write(path, errno);

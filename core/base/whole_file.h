@@ -61,6 +61,9 @@ class WholeFile {
 // A whole file of this text. Throws InputError if it cannot be written.
 void write_whole(const std::filesystem::path& path, std::string_view text);
 
+// Throws InputError if no whole file could be written here, before there is something to write. Leaves what is there.
+void try_to_write(const std::filesystem::path& path);
+
 // Waits until what was written to a file, or the names in a folder, are on the disk. Throws InputError if
 // they cannot be brought there.
 void bring_to_disk(const std::filesystem::path& path);

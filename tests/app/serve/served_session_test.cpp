@@ -97,7 +97,7 @@ TEST(ServedSession, WhatClientsDidReplaysToTheSameWorld) {
   const std::string file = page.ask({{"ask", "recording"}})["result"]["file"];
   const Json recording = Json::parse(contents(server.folder() / file));
   ServedSession& live = server.stop();
-  EXPECT_EQ(recording, live.recording());
+  EXPECT_EQ(recording, Json::parse(live.recording()));
   EXPECT_EQ(recording["commands"].back()["hash"],
             world_hash_text(live.console().session().world()));
   const Outcome replay =

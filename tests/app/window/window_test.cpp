@@ -93,11 +93,28 @@ TEST(InteractionRecording, KeepsStepsTogetherAndOnlyTheLastForceBetweenThem) {
   recording.add({{"command", "apply"}, {"body", 1}, {"force", {1, 0}}});
   recording.add({{"command", "apply"}, {"body", 1}, {"force", {2, 0}}});
   recording.add_steps(1);
-  const Json session = recording.session(World{});
+  const Json session = Json::parse(recording.session(World{}));
   EXPECT_EQ(session["commands"].size(), 4U);
   EXPECT_EQ(session["commands"][0], (Json{{"command", "run"}, {"steps", 7}}));
   EXPECT_EQ(session["commands"][1]["force"], (Json{2, 0}));
   EXPECT_EQ(session["commands"][3]["hash"], world_hash_text(World{}));
+}
+
+// What is in it replays: later commands and steps would act on another world.
+TEST(InteractionRecording, EndsWhereItIsFull) {
+  InteractionRecording recording;
+  const Json load{{"command", "load"}, {"scene", {{"name", std::string(60'000, 'a')}}}};
+  std::size_t most = 0;
+  for (; !recording.full() && most < 100'000; ++most) recording.add(load);
+  const std::string full = recording.session(World{});
+  EXPECT_LE(full.size(), InteractionRecording::kMostBytes + 1000);
+  EXPECT_GT(full.size(), InteractionRecording::kMostBytes - 100'000);
+  recording.add({{"command", "reset"}});
+  recording.add_steps(3);
+  EXPECT_EQ(recording.session(World{}), full);
+  const Json commands = Json::parse(full)["commands"];
+  EXPECT_EQ(commands.size(), most - 1);
+  EXPECT_EQ(commands.back(), load) << "no hash of a world that it does not lead to";
 }
 
 }  // namespace
