@@ -28,7 +28,7 @@ class RunFailed(Error):
     """The simulation stopped, the disk or the memory is full.
 
     message:      why
-    kind:         "run_failed", "scene", "validation", "disk_full", "memory" or "unexpected"
+    kind:         "run_failed", "scene", "session", "validation", "disk_full", "memory" or "unexpected"
     how_to_go_on: what the program advises, as text
     run:          what was computed, as a Run, or None
     """
