@@ -47,8 +47,9 @@ std::vector<std::string> scenes() {
 std::vector<std::string> campaigns() {
   std::vector<std::string> texts = assets_in("campaigns");
   for (std::string& text : texts) {
-    const std::size_t at = text.find("../scenes");
-    if (at != std::string::npos) text.replace(at, 2, (kSource / "assets").string());
+    constexpr std::string_view kScene = "\"scene\": \"";
+    const std::size_t at = text.find(std::string(kScene) + "../");
+    if (at != std::string::npos) text.replace(at + kScene.size(), 2, (kSource / "assets").string());
   }
   texts.emplace_back(R"({"scene": {"box": {"width": 9}, "phases": [{"type": "settle"}]},
     "list": [{"box.width": 9, "contact.friction": 0.3}, {"phases[0].max_time": 1}],

@@ -18,6 +18,8 @@ for _ in $(seq 100); do [ -s display ] && break; sleep 0.1; done
 DISPLAY=:$(cat display)
 export DISPLAY
 unset WAYLAND_DISPLAY
+# Files that were opened before are a row of the panel.
+export XDG_STATE_HOME=$PWD/state
 # The desktop's libraries (D-Bus, X11, drivers) leave memory behind when a process ends, each machine's
 # others. What is ours, the session and the panel, other tests check for leaks.
 export ASAN_OPTIONS="${ASAN_OPTIONS:+$ASAN_OPTIONS:}detect_leaks=0"
