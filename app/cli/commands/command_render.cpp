@@ -88,6 +88,7 @@ void render_moments(const RenderArguments& options, const History& history,
                     const std::vector<std::size_t>& moments, const Scenario& scenario,
                     const View& view) {
   std::vector<Shown> shown;
+  shown.reserve(moments.size());
   for (const std::size_t k : moments)
     shown.push_back({history.world(k), scenario.name, history.moments()[k].phase_name});
   write_picture(options, view_of(scenario, view), shown);
