@@ -112,7 +112,7 @@ fs::path scene_named(const std::string& word, const fs::path& folder) {
   const bool is_name = word.find_first_of("/.") == std::string::npos;
   std::error_code error;
   if (!is_name || fs::is_regular_file(folder / word, error)) return folder / word;
-  const fs::path shipped = shipped_scene(word);
+  fs::path shipped = shipped_scene(word);
   if (is_there(shipped)) return shipped;
   std::vector<std::string> names;
   for (const fs::path& scene : shipped_scenes()) names.push_back(scene.stem().string());
