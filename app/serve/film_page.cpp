@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/json/base64.h"
+#include "app/series/thinning.h"
 #include "app/serve/frame_message.h"
 #include "app/session/failure_rates.h"
 #include "app/session/session.h"
@@ -126,8 +127,7 @@ std::size_t write_film_page(const std::filesystem::path& file, const RunFolder& 
     frames.push_back(frame_of(session));
     bytes += frames.back().text.size() + kAround;
     while (bytes > most && frames.size() > 1) {
-      for (std::size_t i = 1; 2 * i < frames.size(); ++i) frames[i] = std::move(frames[2 * i]);
-      frames.resize((frames.size() + 1) / 2);
+      keep_every_second(frames);
       stride *= 2;
       bytes = fixed;
       for (const FilmFrame& frame : frames) bytes += frame.text.size() + kAround;

@@ -10,6 +10,7 @@
 #include "app/scene/scene_file.h"
 #include "app/scene/scene_override.h"
 #include "app/scene_json/scenario_json.h"
+#include "app/series/thinning.h"
 #include "app/view/film.h"
 #include "core/base/errors.h"
 #include "core/scene/validate.h"
@@ -83,9 +84,7 @@ void Session::remember(const Row& row) {
   if (samples_++ % stride_ != 0) return;
   history_.push_back(row);
   if (history_.size() < kMostSamples) return;
-  // From 1 on: a row that is moved onto itself may lose its text.
-  for (std::size_t i = 1; 2 * i < history_.size(); ++i) history_[i] = std::move(history_[2 * i]);
-  history_.resize((history_.size() + 1) / 2);
+  keep_every_second(history_);
   stride_ *= 2;
 }
 
