@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Draws the pictures of the README and of the pages anew: draw.sh
 #
-# All but those of long runs, whose commands are in assets/doc/pictures.md; it takes about two minutes. Those of the
+# All but those of long runs, whose commands are in assets/doc/pictures.md; it takes less than a minute. Those of the
 # page in a browser need Chromium with its driver (package chromium-driver), and stay as they are without it.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
