@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/base/nearest_name.h"
+#include "app/json/name_field.h"
 #include "app/scene/scene_override.h"
 #include "app/scene_json/phase_fields.h"
 #include "app/series/quantities.h"
@@ -55,28 +55,17 @@ void describe_plot(Fields& f, ReportPlot& p) {
          kMostShown, p.references, describe_reference);
 }
 
-// A name that is none of these is refused when the campaign is read, not when its report is asked for.
-template <class Known, class Name>
-void require_known(Fields& f, const char* key, const std::string& word, const Known& known,
-                   Name name, const char* what) {
-  if (!f.reading()) return;
-  try {
-    named(known, word, name, "", "\"" + word + "\" is no " + what);
-  } catch (const InputError& error) {
-    f.refuse(key, error.what());
-  }
-}
-
+// Wrong names are refused when the campaign is read, not when its report is asked for.
 void describe_history(Fields& f, ReportHistory& h) {
   f.text({"x", "column of series.csv; time counts from the beginning of the phase",
           Presence::required},
          h.x);
   f.text({"y", "column of series.csv", Presence::required}, h.y);
-  require_known(f, "x", h.x, quantities(), &Quantity::name, "column of series.csv");
-  require_known(f, "y", h.y, quantities(), &Quantity::name, "column of series.csv");
+  known_in_field(f, "x", h.x, quantities(), &Quantity::name, "column of series.csv");
+  known_in_field(f, "y", h.y, quantities(), &Quantity::name, "column of series.csv");
   f.text({"label", "of the vertical axis; the words of y if absent"}, h.label);
   f.text({"phase", "whose samples count", Presence::required}, h.phase);
-  require_known(f, "phase", h.phase, phase_kinds(), &PhaseKind::name, "phase");
+  known_in_field(f, "phase", h.phase, phase_kinds(), &PhaseKind::name, "phase");
   f.number({"factor", "that y is multiplied by"}, kFactor, h.factor);
   f.flag({"logarithmic", "whether the vertical axis is"}, h.logarithmic);
 }

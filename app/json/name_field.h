@@ -1,10 +1,12 @@
-// What a scene, campaign or session begins with: its name, which also names its output folder, and what it is.
+// Names: what a scene, campaign or session begins with, its name, which also names its output folder, and what it is; and
+// names that must be those of something known.
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <string_view>
 
+#include "app/base/nearest_name.h"
 #include "app/json/fields.h"
 
 namespace quicksand {
@@ -18,5 +20,19 @@ std::string name_of(const std::filesystem::path& file);
 
 // Such as line ends: a name with them would not be shown as it is.
 bool has_control_characters(std::string_view text);
+
+// The one of `known` that a field names; refuses a word that is none of them, "is no `what`", with the nearest. Nullptr
+// where nothing is read.
+template <class Known, class Name>
+auto known_in_field(Fields& f, const char* key, const std::string& word, const Known& known,
+                    Name name, const char* what) -> decltype(std::data(known)) {
+  if (!f.reading()) return nullptr;
+  try {
+    return &named(known, word, name, "", "\"" + word + "\" is no " + what);
+  } catch (const InputError& error) {
+    f.refuse(key, error.what());
+  }
+  return nullptr;
+}
 
 }  // namespace quicksand

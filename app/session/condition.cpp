@@ -1,6 +1,7 @@
 #include "app/session/condition.h"
 
 #include "app/base/nearest_name.h"
+#include "app/json/name_field.h"
 #include "app/series/quantities.h"
 #include "core/base/errors.h"
 
@@ -22,13 +23,9 @@ void describe_condition(Fields& f, Condition& condition) {
            condition.at_least);
   f.number({"at_most", "upper bound, in the unit of the quantity"}, between(-kAny, kAny, "1"),
            condition.at_most);
-  if (!f.reading()) return;
-  const Quantity* quantity = nullptr;
-  try {
-    quantity = &quantity_named(condition.quantity, "");
-  } catch (const InputError& error) {
-    f.refuse("quantity", error.what());
-  }
+  const Quantity* quantity =
+      known_in_field(f, "quantity", condition.quantity, quantities(), &Quantity::name, "quantity");
+  if (!quantity) return;
   if (std::holds_alternative<std::string>(quantity->get(Row{})))
     f.refuse("quantity", "\"" + condition.quantity + "\" is a word and has no bounds");
   if (!condition.at_least && !condition.at_most)
