@@ -174,7 +174,7 @@ struct PhaseText {
 // the energy of their bond (limits.md). Absent where another criterion decides or nothing sticks. [sqrt(d/g)]
 std::optional<double> bond_time(const Scenario& s) {
   const ContactLaw& law = s.grain_law;
-  if (s.step.break_rule != FailureCriterion::energy || !law.cohesion_force.value_or(0))
+  if (s.step.break_rule != FailureCriterion::energy || law.cohesion_force.value_or(0) == 0)
     return std::nullopt;
   constexpr double kReducedMass = 0.5;  // of two grains [m]
   return std::sqrt(2 * law.cohesion_range * kReducedMass / *law.cohesion_force);
