@@ -11,13 +11,6 @@ namespace {
 constexpr std::size_t kLongestWord = 64;      // longer ones are not names
 constexpr std::ptrdiff_t kLongBeginning = 6;  // letters that two names share by more than chance
 
-std::string lower(std::string_view word) {
-  std::string result(word);
-  std::ranges::transform(result, result.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
-}
-
 }  // namespace
 
 int edit_distance(std::string_view a, std::string_view b) {

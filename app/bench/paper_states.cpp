@@ -8,7 +8,7 @@
 #include "app/scene/scene_file.h"
 #include "app/scene_json/scenario_json.h"
 #include "core/base/errors.h"
-#include "core/phases/protocol.h"
+#include "core/protocol/protocol.h"
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
 #include "core/world/extent.h"

@@ -12,12 +12,7 @@ namespace quicksand::bench {
 StepProblem next_problem(const World& world, const StepSettings& settings) {
   StepProblem result;
   StepSettings step = settings;
-  if (step.max_turn) {
-    const double turn = step.dt * fastest_turning(world);
-    int halvings = 0;
-    while (halvings < step.max_halvings && std::ldexp(turn, -halvings) > *step.max_turn) ++halvings;
-    step.dt = std::ldexp(step.dt, -halvings);
-  }
+  step.dt = std::ldexp(step.dt, -halvings_by_turning(world, step));
   std::vector<Vec3> free;
   free_velocities(world, step.dt, free);
   const double reach = contact_reach(world, free, step.dt);

@@ -127,8 +127,9 @@ struct Apply {
                                             std::to_string(disks.size()) + ", numbered from 0");
     std::vector<int> bodies;
     for (int k = 0; k < disks.size(); ++k)
-      if (inside ? disks.role[k] == Role::grain && inside->contains(disks.position[k], world.box)
-                 : k == body)
+      if (inside
+              ? disks.role[k] == DiskRole::grain && inside->contains(disks.position[k], world.box)
+              : k == body)
         bodies.push_back(k);
     if (bodies.empty()) throw InputError(place + ".inside", "no grain has its centre there");
     for (const int k : bodies) console.session().apply(k, force);

@@ -82,16 +82,15 @@ void add_outline(std::span<const Vec2> corners, double radius, int body, int par
 
 std::vector<OutlinePiece> outlines_of(const World& world) {
   std::vector<OutlinePiece> pieces;
-  const std::vector<Corner>& all = world.shapes.corners;
-  int part = 0;
-  for (std::size_t k = 0; k < all.size(); k += static_cast<std::size_t>(all[k].count), ++part) {
-    const Vec2 centre = shown_at(world, all[k].body);
-    const Eigen::Rotation2Dd turn(world.disks.angle[all[k].body]);
+  int parts = 0;
+  world.shapes.for_each_part([&](std::span<const Corner> part, std::size_t) {
+    const auto& [place, radius, body, count, shaft] = part.front();
+    const Vec2 centre = shown_at(world, body);
+    const Eigen::Rotation2Dd turn(world.disks.angle[body]);
     std::vector<Vec2> corners;
-    for (std::size_t i = k; i < k + static_cast<std::size_t>(all[k].count); ++i)
-      corners.emplace_back(centre + turn * all[i].place);
-    add_outline(corners, all[k].radius, all[k].body, part, pieces);
-  }
+    for (const Corner& corner : part) corners.emplace_back(centre + turn * corner.place);
+    add_outline(corners, radius, body, parts++, pieces);
+  });
   return pieces;
 }
 

@@ -59,7 +59,7 @@ constexpr DataColumn kDiskColumns[] = {
      [](const E& e, int row, int) { return e.pressure[static_cast<std::size_t>(row)]; }},
     {"role", "1", "0 grain, 1 intruder", integer, 1,
      [](const E& e, int row, int) {
-       return e.world.disks.role[row] == Role::intruder ? 1.0 : 0.0;
+       return e.world.disks.role[row] == DiskRole::intruder ? 1.0 : 0.0;
      }},
     {"fixed", "1", "1: moves as prescribed, whatever acts on it", integer, 1,
      [](const E& e, int row, int) { return e.world.disks.fixed(row) ? 1.0 : 0.0; }},

@@ -69,7 +69,7 @@ std::vector<OutlinePoint> points_of(const std::vector<OutlinePiece>& outlines) {
 // The line of a disk, or of a point of its outline.
 std::string line_of(const ExportedWorld& world, const DataTable& table, int row,
                     const OutlinePoint* point) {
-  const bool intruder = world.world.disks.role[static_cast<std::size_t>(row)] == Role::intruder;
+  const bool intruder = world.world.disks.role[static_cast<std::size_t>(row)] == DiskRole::intruder;
   std::string line = point ? "O" : intruder ? "I" : "Si";
   for (const DataColumn& column : table.columns) {
     for (int k = 0; k < column.size; ++k) {

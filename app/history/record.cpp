@@ -110,7 +110,7 @@ Bytes record_of(const World& world, std::int64_t row, int phase, std::string_vie
                                    .time = world.time,
                                    .step = world.step,
                                    .phase = phase,
-                                   .grains = std::ranges::count(world.disks.role, Role::grain),
+                                   .grains = std::ranges::count(world.disks.role, DiskRole::grain),
                                    .bonds_active = active,
                                    .bonds_formed = world.bonds.formed,
                                    .bonds_broken = world.bonds.broken},

@@ -146,7 +146,7 @@ void add_disks(const Disks& disks, Columns& c) {
     c.fy.push_back(narrow(disks.applied[k].y()));
     c.torque.push_back(narrow(disks.applied[k].z()));
     c.disk_flags.push_back(static_cast<std::uint8_t>(
-        (disks.role[k] == Role::intruder ? kIntruder : 0) | (disks.fixed(i) ? kFixed : 0)));
+        (disks.role[k] == DiskRole::intruder ? kIntruder : 0) | (disks.fixed(i) ? kFixed : 0)));
   }
 }
 
@@ -209,7 +209,7 @@ void take_disks(const Columns& c, Disks& disks) {
                .density = c.density[k],
                .velocity = {c.vx[k], c.vy[k]},
                .spin = c.spin[k],
-               .role = (c.disk_flags[k] & kIntruder) != 0 ? Role::intruder : Role::grain,
+               .role = (c.disk_flags[k] & kIntruder) != 0 ? DiskRole::intruder : DiskRole::grain,
                .fixed = (c.disk_flags[k] & kFixed) != 0});
     disks.angle.back() = c.angle[k];
     disks.applied.back() = {c.fx[k], c.fy[k], c.torque[k]};

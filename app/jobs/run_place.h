@@ -7,7 +7,7 @@
 
 #include "app/jobs/job.h"
 #include "app/jobs/pool_progress.h"
-#include "core/phases/protocol.h"
+#include "core/protocol/protocol.h"
 
 namespace quicksand {
 

@@ -59,7 +59,7 @@ void show_body(PanelFrame& frame, int body) {
   const World& world = frame.session.world();
   const auto k = static_cast<std::size_t>(body);
   const Disks& disks = world.disks;
-  const bool intruder = disks.role[k] == Role::intruder;
+  const bool intruder = disks.role[k] == DiskRole::intruder;
   w.reading(intruder ? "Intruder" : "Grain", std::to_string(body));
   w.reading("Diameter [d]", short_number(2 * disks.radius[k]));
   w.reading("Position [d]", pair_text(disks.position[k].x(), disks.position[k].y()));

@@ -89,7 +89,7 @@ void tell_body(const PanelFrame& frame, int body) {
     const auto [a, b] = world.rows(bond.pair);
     if (bond.state == BondState::active && (a == body || b == body)) ++bonds;
   }
-  const bool intruder = world.disks.role[k] == Role::intruder;
+  const bool intruder = world.disks.role[k] == DiskRole::intruder;
   frame.widgets.tooltip((intruder ? "intruder: " : "grain " + std::to_string(body) + ": ") +
                         std::to_string(touches) + " contacts, " + std::to_string(bonds) +
                         " active bonds\nspeed " +

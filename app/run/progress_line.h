@@ -7,7 +7,7 @@
 #include <string>
 
 #include "app/base/status_line.h"
-#include "core/phases/protocol.h"
+#include "core/protocol/protocol.h"
 
 namespace quicksand {
 

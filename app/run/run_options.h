@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "app/run_folder/validation.h"
-#include "core/phases/protocol.h"
+#include "core/protocol/protocol.h"
 #include "render/base/view.h"
 
 namespace quicksand {

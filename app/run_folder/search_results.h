@@ -4,7 +4,7 @@
 
 #include "app/json/json_text.h"
 #include "app/run_folder/run_folder.h"
-#include "core/phases/protocol.h"
+#include "core/protocol/protocol.h"
 #include "core/scene/scenario.h"
 
 namespace quicksand {

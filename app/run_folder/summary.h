@@ -7,8 +7,8 @@
 #include "app/json/json_text.h"
 #include "app/run_folder/run_folder.h"
 #include "app/series/quantities.h"
-#include "core/phases/protocol.h"
 #include "core/problem/work_clock.h"
+#include "core/protocol/protocol.h"
 #include "core/scene/scenario.h"
 
 namespace quicksand {

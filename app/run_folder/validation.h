@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/phases/protocol.h"
+#include "core/protocol/protocol.h"
 #include "core/scene/scenario.h"
 
 namespace quicksand {

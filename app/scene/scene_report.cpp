@@ -8,7 +8,7 @@
 #include "app/scene_json/si_scale.h"
 #include "app/series/sample_times.h"
 #include "core/base/format.h"
-#include "core/phases/search.h"
+#include "core/protocol/search.h"
 
 namespace quicksand {
 

@@ -165,7 +165,7 @@ void add_forces(BinaryMessage& message, const Session& session, PairNumbers& num
 Json intruders_json(const World& world) {
   Json intruders = Json::array();
   for (std::size_t k = 0; k < world.disks.role.size(); ++k)
-    if (world.disks.role[k] == Role::intruder) intruders.push_back(k);
+    if (world.disks.role[k] == DiskRole::intruder) intruders.push_back(k);
   return intruders;
 }
 
@@ -176,16 +176,15 @@ Json shapes_json(const World& world) {
     const double angle = world.disks.angle[shaped.body];
     const Eigen::Rotation2Dd turn(angle);
     Json parts = Json::array();
-    const std::vector<Corner>& corners = world.shapes.corners;
-    for (std::size_t k = 0; k < corners.size(); k += static_cast<std::size_t>(corners[k].count)) {
-      if (corners[k].body != shaped.body) continue;
+    world.shapes.for_each_part([&](std::span<const Corner> part, std::size_t) {
+      if (part.front().body != shaped.body) return;
       Json places = Json::array();
-      for (std::size_t i = k; i < k + static_cast<std::size_t>(corners[k].count); ++i) {
-        const Vec2 place = turn * corners[i].place;
+      for (const Corner& corner : part) {
+        const Vec2 place = turn * corner.place;
         places.push_back({place.x(), place.y()});
       }
-      parts.push_back({{"corners", std::move(places)}, {"radius", corners[k].radius}});
-    }
+      parts.push_back({{"corners", std::move(places)}, {"radius", part.front().radius}});
+    });
     const Vec2 force = reaction_on(world, shaped.body).force;
     shapes.push_back({{"body", shaped.body},
                       {"angle", angle},

@@ -168,7 +168,7 @@ Json body_state(const Session& session, int body) {
     return bond.state == BondState::active && (a == body || b == body);
   });
   return {{"body", body},
-          {"role", disks.role[k] == Role::intruder ? "intruder" : "grain"},
+          {"role", disks.role[k] == DiskRole::intruder ? "intruder" : "grain"},
           {"diameter", 2 * disks.radius[k]},
           {"position", {world.wrapped_x(disks.position[k].x()), disks.position[k].y()}},
           {"velocity", {disks.velocity[k].x(), disks.velocity[k].y()}},

@@ -26,7 +26,7 @@ View view_of(const Scenario& scenario, View view) {
           scenario.phases,
           [](const Phase& phase) { return std::holds_alternative<PushPhase>(phase.kind); }) ||
       std::ranges::any_of(scenario.disks,
-                          [](const Disk& disk) { return disk.role == Role::intruder; });
+                          [](const Disk& disk) { return disk.role == DiskRole::intruder; });
   view.method =
       scenario.step.nscd ? "NSCD, " + std::to_string(scenario.step.nscd->sweeps) + " sweeps" : "";
   return view;

@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "core/base/errors.h"
+#include "core/base/format.h"
 #include "core/base/whole_file.h"
 
 namespace quicksand {
@@ -24,13 +25,6 @@ bool is_hex(char c) { return std::isxdigit(static_cast<unsigned char>(c)) != 0; 
 
 bool is_token(std::string_view text) {
   return text.size() == 2 * kTokenBytes && std::ranges::all_of(text, is_hex);
-}
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::ranges::transform(result, result.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
 }
 
 // An address without its port: "[::1]:80" is [::1].

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/phases/protocol.h"
+#include "core/protocol/protocol.h"
 
 namespace quicksand {
 

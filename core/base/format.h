@@ -11,6 +11,9 @@ namespace quicksand {
 // printf into a string of at most 511 bytes.
 std::string format(const char* pattern, ...) __attribute__((format(printf, 1, 2)));
 
+// Letters of ASCII in lower case.
+std::string lower(std::string_view text);
+
 // The items with the separator between them, each as `text` gives it.
 template <class Items, class Text = std::identity>
 std::string joined(const Items& items, std::string_view separator, Text text = {}) {

@@ -10,7 +10,7 @@
 
 namespace quicksand {
 
-enum class Role : std::uint8_t { grain, intruder };
+enum class DiskRole : std::uint8_t { grain, intruder };
 
 struct Disk {
   Vec2 position{0, 0};  // centre [d]
@@ -18,7 +18,7 @@ struct Disk {
   double density = 1;   // over that of a grain [1]
   Vec2 velocity{0, 0};  // [sqrt(g d)]
   double spin = 0;      // counter-clockwise [sqrt(g/d)]
-  Role role = Role::grain;
+  DiskRole role = DiskRole::grain;
   bool fixed = false;  // moves with its given velocity, whatever acts on it
 };
 
@@ -30,7 +30,7 @@ struct Disks {
   std::vector<double> radius;      // (nd) [d]
   std::vector<double> mass;        // (nd) [grain masses]
   std::vector<Vec3> inverse_mass;  // (nd) (1/m, 1/m, 1/I), zero if fixed
-  std::vector<Role> role;          // (nd)
+  std::vector<DiskRole> role;      // (nd)
   bool operator==(const Disks&) const = default;
 
   int size() const { return static_cast<int>(position.size()); }

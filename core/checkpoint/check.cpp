@@ -34,7 +34,7 @@ bool possible(const Disks& d) {
          std::ranges::all_of(d.radius, positive) && std::ranges::all_of(d.mass, positive) &&
          std::ranges::all_of(d.inverse_mass,
                              [](const Vec3& m) { return m.allFinite() && m.minCoeff() >= 0; }) &&
-         std::ranges::all_of(d.role, [](Role role) { return role <= Role::intruder; });
+         std::ranges::all_of(d.role, [](DiskRole role) { return role <= DiskRole::intruder; });
 }
 
 bool possible(const Wall& wall) {
@@ -113,8 +113,8 @@ bool pairs_in_order(const World& world, const std::vector<Item>& items) {
   const auto nw = static_cast<int>(world.walls.size());
   const std::vector<Corner>& corners = world.shapes.corners;
   std::vector<char> begins_part(corners.size(), 0);
-  for (std::size_t k = 0; k < corners.size(); k += static_cast<std::size_t>(corners[k].count))
-    begins_part[k] = 1;
+  world.shapes.for_each_part(
+      [&](std::span<const Corner>, std::size_t first) { begins_part[first] = 1; });
   const auto is_corner = [&](int body, bool of_part) {
     if (is_disk(body) || is_wall(body)) return false;
     const auto k = static_cast<std::size_t>(body - kCornerBase);

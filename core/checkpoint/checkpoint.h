@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/errors.h"
-#include "core/phases/protocol.h"
+#include "core/protocol/protocol.h"
 #include "core/world/world.h"
 
 namespace quicksand {

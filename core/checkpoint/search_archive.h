@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/checkpoint/archive.h"
-#include "core/phases/protocol.h"
+#include "core/protocol/protocol.h"
 
 namespace quicksand {
 

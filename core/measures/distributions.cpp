@@ -22,8 +22,8 @@ constexpr int kBinsPerDecade = 10;
 
 bool has_intruder(const World& world, Pair pair) {
   const auto [a, b] = world.rows(pair);
-  return world.disks.role[a] == Role::intruder ||
-         (!is_wall(b) && world.disks.role[b] == Role::intruder);
+  return world.disks.role[a] == DiskRole::intruder ||
+         (!is_wall(b) && world.disks.role[b] == DiskRole::intruder);
 }
 
 // Normal forces of the last step that `take` lets through, as it gives them.
@@ -99,7 +99,7 @@ Histogram bond_angles(const World& world, std::vector<double> edges) {
   const std::vector<std::vector<double>> all = bond_directions(world);
   for (int i = 0; i < world.disks.size(); ++i) {
     std::vector<double> around = all[static_cast<std::size_t>(i)];
-    if (world.disks.role[i] != Role::grain || around.size() < 2) continue;
+    if (world.disks.role[i] != DiskRole::grain || around.size() < 2) continue;
     std::ranges::sort(around);
     if (around.size() == 2) {
       const double apart = around[1] - around[0];
@@ -153,7 +153,7 @@ std::vector<Slice> height_profile(const World& world, std::span<const Pair> touc
   const double highest = packing_top(world);
   double bottom = world.box.floor ? 0 : std::numeric_limits<double>::infinity();
   for (int i = 0; i < world.disks.size() && !world.box.floor; ++i)
-    if (world.disks.role[i] == Role::grain)
+    if (world.disks.role[i] == DiskRole::grain)
       bottom = std::min(bottom, world.disks.position[i].y() - world.disks.radius[i]);
   if (highest <= bottom || !std::isfinite(highest)) return {};
   const double first = std::floor(bottom / thickness), last = std::ceil(highest / thickness);

@@ -96,7 +96,7 @@ ContactCounts contact_counts(const World& world, const NeighbourCounts& neighbou
   ContactCounts counts;
   int grains = 0;
   for (int i = 0; i < world.disks.size(); ++i) {
-    if (world.disks.role[i] != Role::grain) continue;
+    if (world.disks.role[i] != DiskRole::grain) continue;
     const auto k = static_cast<std::size_t>(i);
     ++grains;
     counts.touching += neighbours.touching[k];
@@ -146,7 +146,7 @@ WeightAbove weight_above_intruder(const World& world, const MeasureChoices& choi
   double all = 0;
   WeightAbove above;
   for (int i = 0; i < world.disks.size(); ++i) {
-    if (world.disks.role[i] != Role::grain) continue;
+    if (world.disks.role[i] != DiskRole::grain) continue;
     const double mass = world.disks.mass[i];
     all += mass;
     if (world.disks.position[i].y() <= begins) continue;
@@ -164,7 +164,7 @@ WithinGap within_gap(const World& world, std::span<const Pair> pairs, double gap
                      std::int64_t grains, std::int64_t bonds) {
   std::int64_t near = 0, ends = 0;
   const auto is_grain = [&](int body) {
-    return !is_wall(body) && world.disks.role[world.row(body)] == Role::grain;
+    return !is_wall(body) && world.disks.role[world.row(body)] == DiskRole::grain;
   };
   for (const Pair& pair : pairs) {
     if (!world.movable(pair) || world.gap(pair) > gap) continue;
@@ -184,7 +184,7 @@ Sample measure(const World& world, const MeasureChoices& choices) {
   s.time = world.time;
   s.step = world.step;
   s.energy = energies(world);
-  s.grains = std::ranges::count(world.disks.role, Role::grain);
+  s.grains = std::ranges::count(world.disks.role, DiskRole::grain);
   for (const Vec3& v : world.disks.velocity)
     s.max_speed = std::max(s.max_speed, v.head<2>().norm());
   s.packing_top = packing_top(world);

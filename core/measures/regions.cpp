@@ -34,7 +34,7 @@ std::vector<Region> regions_of(const World& world, std::span<const Pair> touchin
                                std::span<const int> region, int count) {
   std::vector<Sums> sums(static_cast<std::size_t>(count));
   const auto is_grain = [&](int body) {
-    return is_disk(body) && world.disks.role[body] == Role::grain;
+    return is_disk(body) && world.disks.role[body] == DiskRole::grain;
   };
   // Calls add(sums, twice the share) for the region of each grain of a pair.
   const auto share_out = [&](Pair pair, auto add) {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/measures/measures.h"
-#include "core/phases/running_phase.h"
+#include "core/protocol/running_phase.h"
 #include "core/scene/grain_sizes.h"
 #include "core/world/ballistic.h"
 #include "core/world/extent.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/phases/running_phase.h"
+#include "core/protocol/running_phase.h"
 
 namespace quicksand {
 

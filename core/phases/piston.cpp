@@ -3,7 +3,7 @@
 #include <numbers>
 #include <optional>
 
-#include "core/phases/running_phase.h"
+#include "core/protocol/running_phase.h"
 #include "core/world/extent.h"
 
 namespace quicksand {

@@ -1,5 +1,5 @@
 // The phase "pull": the smallest upward force that takes the intruder out.
-#include "core/phases/running_phase.h"
+#include "core/protocol/running_phase.h"
 #include "core/world/extent.h"
 #include "core/world/shaped_contact.h"
 

@@ -1,5 +1,5 @@
 // The phase "push": an intruder is pushed into the packing, or the smallest force is sought with which it enters.
-#include "core/phases/running_phase.h"
+#include "core/protocol/running_phase.h"
 #include "core/world/ballistic.h"
 
 namespace quicksand {
@@ -34,7 +34,7 @@ class Push final : public RunningPhaseOf<PushPhase> {
     const int intruder = world.disks.add({.position = centre,
                                           .radius = radius,
                                           .density = settings().density,
-                                          .role = Role::intruder});
+                                          .role = DiskRole::intruder});
     if (!settings().threshold) return renew_force(stage);
     begin_search_on(stage, SearchKind::push, intruder, settings().force);
   }

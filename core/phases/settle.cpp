@@ -1,5 +1,5 @@
 // The phase "settle": nothing is added.
-#include "core/phases/running_phase.h"
+#include "core/protocol/running_phase.h"
 
 namespace quicksand {
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "core/measures/critical_force.h"
-#include "core/phases/running_phase.h"
+#include "core/protocol/running_phase.h"
 #include "core/world/extent.h"
 
 namespace quicksand {
@@ -18,7 +18,7 @@ std::vector<int> grains_at(const World& world, double height) {
   std::vector<int> grains;
   const Disks& disks = world.disks;
   for (int i = 0; i < disks.size(); ++i)
-    if (disks.role[i] == Role::grain && !disks.fixed(i) &&
+    if (disks.role[i] == DiskRole::grain && !disks.fixed(i) &&
         std::abs(disks.position[i].y() - height) <= kDepthBand)
       grains.push_back(i);
   return grains;

@@ -32,7 +32,7 @@ struct SolverSettings {
 };
 
 // What found the solution; see contact_solver.cpp.
-enum class SolverStage : std::uint8_t { start, local, interior_point, far_start, polish };
+enum class SolverStage : std::uint8_t { start, local, interior_point, far_start, sweeps };
 
 // Not converging is an answer: the caller decides.
 struct SolveReport {

@@ -70,7 +70,7 @@ void require_intruder(const Scenario& scenario, std::size_t phase, const std::st
   const auto before = scenario.phases.begin() + static_cast<std::ptrdiff_t>(phase);
   if (std::any_of(scenario.phases.begin(), before, brings_intruder) ||
       !scenario.start_from.empty() ||
-      std::ranges::find(scenario.disks, Role::intruder, &Disk::role) != scenario.disks.end())
+      std::ranges::find(scenario.disks, DiskRole::intruder, &Disk::role) != scenario.disks.end())
     return;
   throw InputError(where, problem);
 }
@@ -91,7 +91,7 @@ void check_one_intruder(const Scenario& scenario, std::size_t phase, const std::
     if (brings_intruder(scenario.phases[k]))
       throw InputError(where, "brings an intruder, and phases[" + std::to_string(k) +
                                   "] has brought one; a scene has one intruder of this kind");
-  if (std::ranges::find(scenario.disks, Role::intruder, &Disk::role) != scenario.disks.end())
+  if (std::ranges::find(scenario.disks, DiskRole::intruder, &Disk::role) != scenario.disks.end())
     throw InputError(where, "brings an intruder, and one is among the bodies");
 }
 

@@ -75,6 +75,16 @@ struct Shapes {
       if (shaped.body == body) return &shaped;
     return nullptr;
   }
+  // `see` gets the corners of each part and the place of the first of them among all.
+  template <class See>
+  void for_each_part(See see) const {
+    const std::span<const Corner> all = corners;
+    for (std::size_t first = 0; first < all.size();) {
+      const auto count = static_cast<std::size_t>(all[first].count);
+      see(all.subspan(first, count), first);
+      first += count;
+    }
+  }
   bool operator==(const Shapes&) const = default;
 };
 

@@ -34,6 +34,9 @@ double turning_rate(const World& world, const Contact& contact, const std::vecto
   return u_ct * u_ct / (world.disks.radius[a] + world.disks.radius[b] + contact.gap);
 }
 
+namespace {
+
+// The fastest of all bonded pairs, |u_ct|/D [rad sqrt(g/d)].
 double fastest_turning(const World& world) {
   double fastest = 0;
   for (const Bond& bond : world.bonds.list) {
@@ -51,6 +54,16 @@ double fastest_turning(const World& world) {
     fastest = std::max(fastest, std::abs(perpendicular(apart).dot(u)) / apart.squaredNorm());
   }
   return fastest;
+}
+
+}  // namespace
+
+int halvings_by_turning(const World& world, const StepSettings& step) {
+  if (!step.max_turn) return 0;
+  const double turn = step.dt * fastest_turning(world);
+  int halvings = 0;
+  while (halvings < step.max_halvings && std::ldexp(turn, -halvings) > *step.max_turn) ++halvings;
+  return halvings;
 }
 
 double fastest(const World& world, const std::vector<Vec3>& velocity) {

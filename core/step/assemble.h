@@ -19,8 +19,8 @@ void start_velocities(const World& world, std::vector<Vec3>& velocity);
 // times that of its end. [g]
 double turning_rate(const World& world, const Contact& contact, const std::vector<Vec3>& velocity);
 
-// The fastest of all bonded pairs, |u_ct|/D [rad sqrt(g/d)].
-double fastest_turning(const World& world);
+// How often a step from this state is halved so that no bonded pair turns farther in it than max_turn.
+int halvings_by_turning(const World& world, const StepSettings& step);
 
 // Of the fastest centre, or point of a shaped body [sqrt(g d)].
 double fastest(const World& world, const std::vector<Vec3>& velocity);

@@ -19,7 +19,7 @@ SolveReport solve_gauss_seidel(const ContactProblem& problem, const SolverSettin
   inverse_delassus(problem, inverse);
   SolveReport report;
   report.measure(problem, settings, state);
-  if (!report.converged) report.stage = SolverStage::polish;
+  if (!report.converged) report.stage = SolverStage::sweeps;
   while (!report.converged && report.iterations < settings.max_iterations) {
     WorkClock::look_up(clock);
     const auto sweeps =

@@ -43,7 +43,7 @@ SolveReport NscdSweeps::solve(const ContactProblem& problem, const Nscd& nscd,
     report.residual = residual(problem, state);
     if (nscd.tolerance && report.residual.natural <= *nscd.tolerance) break;
   }
-  report.stage = SolverStage::polish;
+  report.stage = SolverStage::sweeps;
   report.converged = accepted.accepts(report.residual);
   return report;
 }

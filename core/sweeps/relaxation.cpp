@@ -50,7 +50,7 @@ SolveReport solve_relaxation(const ContactProblem& problem, const SolverSettings
                              ContactState& state, RelaxationScratch& scratch) {
   SolveReport report;
   if (report.measure(problem, settings, state) || settings.max_iterations <= 0) return report;
-  report.stage = SolverStage::polish;
+  report.stage = SolverStage::sweeps;
   const std::size_t nc = problem.contacts.size();
   const std::vector<Vec3>& inverse = scratch.inverse_delassus;
   inverse_delassus(problem, scratch.inverse_delassus);

@@ -13,7 +13,7 @@ double top_of(const World& world, bool intruders) {
   const Disks& disks = world.disks;
   std::optional<double> top;
   for (int i = 0; i < disks.size(); ++i) {
-    if (disks.role[i] == Role::intruder && !intruders) continue;
+    if (disks.role[i] == DiskRole::intruder && !intruders) continue;
     const double of_disk = highest_point_of(world, i);
     top = std::max(top.value_or(of_disk), of_disk);
   }
@@ -30,7 +30,7 @@ double weight_above(const World& world, double height) {
   if (!world.gravity) return 0;
   double mass = 0;
   for (int i = 0; i < world.disks.size(); ++i)
-    if (world.disks.role[i] == Role::grain && world.disks.position[i].y() > height)
+    if (world.disks.role[i] == DiskRole::grain && world.disks.position[i].y() > height)
       mass += world.disks.mass[i];
   return mass * world.gravity->norm();
 }

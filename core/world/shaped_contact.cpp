@@ -143,7 +143,7 @@ bool meets_within(const World& world, Pair pair, const std::vector<Vec3>& veloci
 int add_shape(World& world, const Disk& disk, std::span<const ConvexPart> parts) {
   MassProperties whole = mass_properties(parts);
   Disk equal = disk;
-  equal.role = Role::intruder;
+  equal.role = DiskRole::intruder;
   equal.radius = std::sqrt(whole.area / std::numbers::pi);
   const bool one_disk = parts.size() == 1 && parts.front().corners.size() == 1;
   if (one_disk) {
@@ -172,8 +172,7 @@ int add_shape(World& world, const Disk& disk, std::span<const ConvexPart> parts)
 }
 
 void add_shaped_pairs(const World& world, double distance, std::vector<Pair>& pairs) {
-  const std::vector<Corner>& corners = world.shapes.corners;
-  const int nc = static_cast<int>(corners.size());
+  const int nc = static_cast<int>(world.shapes.corners.size());
   const auto offer = [&](Pair pair) {
     if (world.gap(pair) <= distance) pairs.push_back(pair);
   };
@@ -182,8 +181,9 @@ void add_shaped_pairs(const World& world, double distance, std::vector<Pair>& pa
       if (world.shapes.find(i)) continue;  // shaped bodies do not touch each other
       const double apart = world.separation(i, shaped.body).norm();
       if (apart > shaped.reach() + world.disks.radius[i] + distance) continue;
-      for (int k = 0; k < nc; k += corners[static_cast<std::size_t>(k)].count)
-        if (corners[static_cast<std::size_t>(k)].body == shaped.body) offer({i, kCornerBase + k});
+      world.shapes.for_each_part([&](std::span<const Corner> part, std::size_t first) {
+        if (part.front().body == shaped.body) offer({i, kCornerBase + static_cast<int>(first)});
+      });
     }
   for (int k = 0; k < nc; ++k)
     for (int w = 0; w < static_cast<int>(world.walls.size()); ++w)

@@ -13,9 +13,9 @@ namespace quicksand {
 
 const ContactLaw& World::law(Pair pair) const {
   const auto [a, b] = is_shaped(pair) ? rows(pair) : pair;
-  if (disks.role[a] == Role::intruder) return intruder_law;
+  if (disks.role[a] == DiskRole::intruder) return intruder_law;
   if (is_wall(b)) return wall_law;
-  return disks.role[b] == Role::intruder ? intruder_law : grain_law;
+  return disks.role[b] == DiskRole::intruder ? intruder_law : grain_law;
 }
 
 Vec2 World::separation(int a, int b) const {
@@ -48,7 +48,7 @@ double World::gap(Pair pair, Vec2* normal) const {
 }
 
 int World::intruder() const {
-  const auto at = std::ranges::find(disks.role, Role::intruder);
+  const auto at = std::ranges::find(disks.role, DiskRole::intruder);
   return at == disks.role.end() ? -1 : static_cast<int>(at - disks.role.begin());
 }
 
@@ -135,7 +135,7 @@ std::uint64_t world_hash(const World& world) {
   hash.add_all(world.disks.radius);
   hash.add_all(world.disks.mass);
   hash.add_all(world.disks.inverse_mass);
-  for (const Role role : world.disks.role) hash.add(static_cast<int>(role));
+  for (const DiskRole role : world.disks.role) hash.add(static_cast<int>(role));
   for (const Corner& corner : world.shapes.corners) {
     hash.add(corner.place), hash.add(corner.radius);
     hash.add(corner.body), hash.add(corner.count);

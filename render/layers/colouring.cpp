@@ -98,7 +98,7 @@ std::vector<double> coloured_values(const World& world, Colouring colouring) {
 std::vector<double> of_grains(const World& world, const std::vector<double>& values) {
   std::vector<double> grains;
   for (std::size_t i = 0; i < values.size(); ++i)
-    if (world.disks.role[i] == Role::grain) grains.push_back(values[i]);
+    if (world.disks.role[i] == DiskRole::grain) grains.push_back(values[i]);
   return grains;
 }
 

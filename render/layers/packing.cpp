@@ -80,8 +80,9 @@ void draw_disks(DrawList& list, const World& world, const View& view, const Colo
   const double paling = view.forces ? network_paling(view.theme) : 0;
   const Colour outline = with_alpha(colours.outline, colours.outline.a / 255.0 * (1 - paling));
   const auto fill = [&](std::size_t k) {
-    return world.disks.role[k] == Role::intruder ? colours.intruder
-                                                 : mix(grains.fill[k], colours.background, paling);
+    return world.disks.role[k] == DiskRole::intruder
+               ? colours.intruder
+               : mix(grains.fill[k], colours.background, paling);
   };
   const auto visit = [&](auto&& draw) {
     for (int i = 0; i < world.disks.size(); ++i) {
@@ -97,7 +98,7 @@ void draw_disks(DrawList& list, const World& world, const View& view, const Colo
     }
   };
   visit([&](std::size_t k, const Vec2& pixel, double radius) {
-    if (world.disks.role[k] == Role::intruder) {
+    if (world.disks.role[k] == DiskRole::intruder) {
       list.disk(pixel, radius, fill(k), std::clamp(0.1 * radius, 1.0, 3.0),
                 colours.intruder_outline);
     } else {
@@ -105,7 +106,7 @@ void draw_disks(DrawList& list, const World& world, const View& view, const Colo
     }
   });
   visit([&](std::size_t k, const Vec2& pixel, double radius) {
-    const bool intruder = world.disks.role[k] == Role::intruder;
+    const bool intruder = world.disks.role[k] == DiskRole::intruder;
     draw_applied_force(list, pixel, radius, world.disks.applied[k],
                        clearer_on(fill(k), colours.ink, colours.background));
     if (view.orientation && radius >= kSmallestMarked) {

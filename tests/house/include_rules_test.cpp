@@ -114,6 +114,20 @@ TEST_P(Rooms, IncludeOnlyWhatTheirLayersListSays) {
   }
 }
 
+// So that the list is what one reads to know a room.
+TEST_P(Rooms, IncludeAllThatTheirLayersListSays) {
+  const std::vector<Include> all = includes();
+  for (const auto& [room, below] : rooms_of(GetParam()))
+    for (const std::string& other : below)
+      EXPECT_TRUE(
+          std::ranges::any_of(all,
+                              [&](const Include& include) {
+                                return room_of(include.file) == std::pair(GetParam(), room) &&
+                                       room_of(include.header) == std::pair(GetParam(), other);
+                              }))
+          << GetParam() << "/CMakeLists.txt: nothing goes from " << room << " to " << other;
+}
+
 // So that no circle can be among them.
 TEST_P(Rooms, ComeAfterThoseThatTheyMayInclude) {
   Prefixes before;

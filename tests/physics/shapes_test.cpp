@@ -33,7 +33,7 @@ TEST_P(ShapedBodies, OfOneDiskMoveAsADiskToTheLastBit) {
                   .density = 1.7,
                   .velocity = {0.2, 1.5},
                   .spin = -3,
-                  .role = Role::intruder};
+                  .role = DiskRole::intruder};
   scene.box.floor = false;
   scene.walls.push_back({.point = {0, -2.2}});
   Simulation as_disk(scene), as_shape(scene);

@@ -14,7 +14,7 @@
 #include "app/scene/scene_file.h"
 #include "core/measures/linear_fit.h"
 #include "core/measures/measures.h"
-#include "core/phases/protocol.h"
+#include "core/protocol/protocol.h"
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
 

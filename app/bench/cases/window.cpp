@@ -43,7 +43,7 @@ Window measure_window(Protocol& protocol, const WindowSettings& settings, const 
   run.factorisations = after.factorisations - before.factorisations;
   run.unconverged +=
       after.unconverged_steps - before.unconverged_steps + after.halved_steps - before.halved_steps;
-  run.size = std::ranges::count(protocol.world().disks.role, Role::grain);
+  run.size = std::ranges::count(protocol.world().disks.role, DiskRole::grain);
   run.contacts = static_cast<std::int64_t>(protocol.world().contacts.size());
   return window;
 }

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/bench/bench.h"
-#include "core/phases/protocol.h"
+#include "core/protocol/protocol.h"
 #include "core/scene/scenario.h"
 
 namespace quicksand::bench {

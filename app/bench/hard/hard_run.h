@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/bench/bench.h"
-#include "core/phases/protocol.h"
+#include "core/protocol/protocol.h"
 #include "core/scene/scenario.h"
 
 namespace quicksand::bench {

@@ -6,7 +6,7 @@
 
 #include "app/bench/hard/hard_run.h"
 #include "core/base/random.h"
-#include "core/phases/protocol.h"
+#include "core/protocol/protocol.h"
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
 #include "core/world/neighbors.h"

@@ -9,7 +9,7 @@
 #include "app/bench/problems/recorded_problem.h"
 #include "core/base/errors.h"
 #include "core/base/format.h"
-#include "core/phases/protocol.h"
+#include "core/protocol/protocol.h"
 
 namespace quicksand::bench {
 

@@ -137,7 +137,7 @@ void read_json(const json& file, RecordedProblem& recorded) {
   recorded.group = file.at("group");
   recorded.time = file.at("time");
   const int from = file.at("from");
-  if (from < 0 || from > static_cast<int>(SolverStage::polish))
+  if (from < 0 || from > static_cast<int>(SolverStage::sweeps))
     throw std::runtime_error("names no stage of the solver");
   recorded.from = static_cast<SolverStage>(from);
   recorded.with_more = file.at("with_more");

@@ -93,7 +93,7 @@ TEST_F(ExportTest, TablesHoldTheWorldBitByBit) {
     EXPECT_TRUE(same_bits(disks.at("velocity_x")[i], d.velocity[i].x()));
     EXPECT_TRUE(same_bits(disks.at("spin")[i], d.velocity[i].z()));
     EXPECT_TRUE(same_bits(disks.at("applied_force_y")[i], d.applied[i].y()));
-    EXPECT_EQ(disks.at("role")[i] == 1, d.role[i] == Role::intruder);
+    EXPECT_EQ(disks.at("role")[i] == 1, d.role[i] == DiskRole::intruder);
     EXPECT_GE(disks.at("position_x")[i], 0);
     EXPECT_LT(disks.at("position_x")[i], 12);
   }
@@ -199,7 +199,7 @@ TEST(Export, XyzTracesTheOutlineOfAShapedIntruder) {
   scenario.box = {.width = 12, .height = 10, .floor = true};
   World world = make_world(scenario);
   const std::vector<ConvexPart> parts{{.corners = {{-1.5, 0}, {1.5, 0}}, .radius = 0.25}};
-  const int body = add_shape(world, {.position = {6, 5}, .role = Role::intruder}, parts);
+  const int body = add_shape(world, {.position = {6, 5}, .role = DiskRole::intruder}, parts);
   const TemporaryFolder folder;
   export_state(world, export_format("xyz"), folder.path() / "plate.xyz");
   std::istringstream file(contents(folder.path() / "plate.xyz"));

@@ -7,7 +7,7 @@
 #include "app/run_folder/search_results.h"
 #include "app/scene_json/scenario_json.h"
 #include "core/checkpoint/checkpoint.h"
-#include "core/phases/protocol.h"
+#include "core/protocol/protocol.h"
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
 #include "tests/support/files.h"

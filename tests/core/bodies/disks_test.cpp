@@ -32,7 +32,7 @@ TEST(Disks, AFixedDiskDoesNotRespondButKeepsItsMassAndVelocity) {
 TEST(Disks, EveryArrayGrowsByOne) {
   Disks disks;
   EXPECT_EQ(disks.add({}), 0);
-  EXPECT_EQ(disks.add({.role = Role::intruder}), 1);
+  EXPECT_EQ(disks.add({.role = DiskRole::intruder}), 1);
   for (std::size_t size :
        {disks.position.size(), disks.angle.size(), disks.velocity.size(), disks.applied.size(),
         disks.radius.size(), disks.mass.size(), disks.inverse_mass.size(), disks.role.size()})

@@ -250,7 +250,7 @@ TEST_F(CheckpointFile, OfAnImpossibleWorldIsRefused) {
       [](Checkpoint& c) { c.world.disks.mass[0] = 0; },
       [](Checkpoint& c) { c.world.disks.inverse_mass[0].z() = -1; },
       [](Checkpoint& c) { c.world.disks.angle[0] = std::nan(""); },
-      [](Checkpoint& c) { c.world.disks.role[0] = static_cast<Role>(9); },
+      [](Checkpoint& c) { c.world.disks.role[0] = static_cast<DiskRole>(9); },
       [](Checkpoint& c) { c.world.disks.velocity.pop_back(); },
       [](Checkpoint& c) { c.world.box.sides = static_cast<Sides>(9); },
       [](Checkpoint& c) { c.world.box.width = 0; },

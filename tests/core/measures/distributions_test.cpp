@@ -136,7 +136,7 @@ TEST(ContactForces, OfAColumnAreTheWeightsAbove) {
 
 TEST(ContactForces, LeaveOutTheIntruder) {
   Scenario scene = column(Method::automatic, 2);
-  scene.disks.push_back({.position = {0, 3.5}, .radius = 1.5, .role = Role::intruder});
+  scene.disks.push_back({.position = {0, 3.5}, .radius = 1.5, .role = DiskRole::intruder});
   scene.disk_forces = {{0, 0, 0}, {0, 0, 0}, {0, -1000, 0}};
   Simulation run(scene);
   run.advance(3);

@@ -112,7 +112,7 @@ TEST(Coordination, OfTheTwoLattices) {
 
 TEST(Coordination, CountsWallsAsNeighboursAndIntrudersNotAsGrains) {
   Scenario scene = column(Method::automatic, 2);
-  scene.disks.push_back({.position = {0, 3.5}, .radius = 1.5, .role = Role::intruder});
+  scene.disks.push_back({.position = {0, 3.5}, .radius = 1.5, .role = DiskRole::intruder});
   const Sample sample = measure(make_world(scene));
   EXPECT_EQ(sample.grains, 2);
   EXPECT_EQ(sample.coordination, 2);
@@ -126,7 +126,7 @@ TEST(Resistance, OfAnIntruderAtRestIsItsWeightAndThePush) {
   for (const ContactLaw& law : {ContactLaw{}, paper_law(10)}) {
     Scenario scene = column(Method::automatic, 2, law);
     scene.disks.push_back(
-        {.position = {0, 3.5}, .radius = 1.5, .density = 0.5, .role = Role::intruder});
+        {.position = {0, 3.5}, .radius = 1.5, .density = 0.5, .role = DiskRole::intruder});
     scene.disk_forces = {{0, 0, 0}, {0, 0, 0}, {0, -7, 0}};
     scene.initial_bonds = InitialBonds::touching;
     Simulation run(scene);

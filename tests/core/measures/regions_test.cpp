@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/measures/measures.h"
-#include "core/phases/protocol.h"
+#include "core/protocol/protocol.h"
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
 #include "core/world/intruder_trajectory.h"
@@ -84,7 +84,7 @@ TEST(Regions, CountWallsAsNeighboursOfTheirGrain) {
 World pierced_row() {
   World world = bonded_row();
   const int intruder =
-      world.disks.add({.position = {4.5, -8}, .radius = 1, .role = Role::intruder});
+      world.disks.add({.position = {4.5, -8}, .radius = 1, .role = DiskRole::intruder});
   for (double y = 8; y > -8; y -= 0.3) world.trajectory.places.push_back({4.5, y});
   world.disks.position[4].y() = -2;  // torn out, with both its bonds
   world.bonds.find({3, 4})->state = BondState::broken;
@@ -140,7 +140,7 @@ TEST(WeightAbove, IsThatOfTheColumnAndOfTheLevelOverAll) {
   Scenario scene = empty_scene(Method::automatic);
   scene.box = {.width = 20, .height = 20, .sides = Sides::periodic, .floor = true};
   // An intruder at the side; heavy, light, beside, below and between centre and top.
-  scene.disks = {{.position = {0.5, 5}, .radius = 1.5, .density = 9, .role = Role::intruder},
+  scene.disks = {{.position = {0.5, 5}, .radius = 1.5, .density = 9, .role = DiskRole::intruder},
                  {.position = {19.5, 9}, .density = 3},
                  {.position = {0.5, 12}},
                  {.position = {5, 9}, .density = 2},

@@ -5,7 +5,7 @@
 
 #include "core/base/errors.h"
 #include "core/measures/measures.h"
-#include "core/phases/protocol.h"
+#include "core/protocol/protocol.h"
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
 #include "core/scene/validate.h"

@@ -6,7 +6,7 @@
 
 #include "core/base/errors.h"
 #include "core/measures/measures.h"
-#include "core/phases/protocol.h"
+#include "core/protocol/protocol.h"
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
 #include "core/scene/validate.h"
@@ -175,7 +175,7 @@ TEST_P(Piston, ThatStaysPressesOn) {
 
 TEST(PistonPlace, IsTheTopOfAllBodiesIntrudersIncluded) {
   Scenario scene = pressed_column(Method::automatic, kPiston);
-  scene.disks.push_back({.position = {1, 4.5}, .radius = 0.7, .role = Role::intruder});
+  scene.disks.push_back({.position = {1, 4.5}, .radius = 0.7, .role = DiskRole::intruder});
   PhaseRun run(scene);
   EXPECT_FALSE(measure(run.world()).piston_y);
   run.protocol.advance();

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/parallel.h"
-#include "core/phases/protocol.h"
+#include "core/protocol/protocol.h"
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
 #include "core/world/ballistic.h"

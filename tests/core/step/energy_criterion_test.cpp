@@ -97,7 +97,7 @@ TEST(EnergyCriterion, BreaksWhatManyPullTogether) {
     scene.grain_law = {.cohesion_force = kCohesion, .cohesion_range = 0.05};
     scene.intruder_law = ContactLaw{.cohesion_force = kCohesion, .cohesion_range = kRange};
     scene.initial_bonds = InitialBonds::touching;
-    scene.disks = {{.position = {0, 0}, .role = Role::intruder, .fixed = true}};
+    scene.disks = {{.position = {0, 0}, .role = DiskRole::intruder, .fixed = true}};
     for (int k = 1; k <= kRow; ++k)
       scene.disks.push_back(
           {.position = {k, 0}, .velocity = {2 * momentum * k / (kRow * (kRow + 1)), 0}});

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/phases/protocol.h"
+#include "core/protocol/protocol.h"
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
 #include "core/step/assemble.h"

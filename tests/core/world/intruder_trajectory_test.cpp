@@ -19,7 +19,7 @@ World intruder_and_grain() {
   Scenario scene = empty_scene(Method::automatic);
   scene.box = {.width = 10, .height = 20, .sides = Sides::periodic, .floor = true};
   scene.disks = {{.position = {5, 0.5}},
-                 {.position = {5, 8}, .radius = 1.5, .role = Role::intruder}};
+                 {.position = {5, 8}, .radius = 1.5, .role = DiskRole::intruder}};
   return make_world(scene);
 }
 

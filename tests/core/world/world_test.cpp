@@ -49,7 +49,7 @@ TEST(Geometry, NormalsPointFromTheFirstToTheSecondBody) {
 
 TEST(PairLaws, FollowTheRoles) {
   Scenario scene = column(Method::automatic, 2);
-  scene.disks.push_back({.position = {0, 3.5}, .radius = 1.5, .role = Role::intruder});
+  scene.disks.push_back({.position = {0, 3.5}, .radius = 1.5, .role = DiskRole::intruder});
   scene.grain_law.friction = 0.1;
   scene.wall_law = ContactLaw{.friction = 0.2};
   scene.intruder_law = ContactLaw{.friction = 0.3};
@@ -126,7 +126,7 @@ TEST(WorldHash, SeesEveryPartOfTheWorld) {
       {"applied force", [](World& w) { w.disks.applied[0].x() += 1e-15; }},
       {"radius", [](World& w) { w.disks.radius[0] *= 1 + 1e-15; }},
       {"mass", [](World& w) { w.disks.mass[0] *= 1 + 1e-15; }},
-      {"role", [](World& w) { w.disks.role[2] = Role::intruder; }},
+      {"role", [](World& w) { w.disks.role[2] = DiskRole::intruder; }},
       {"wall", [](World& w) { w.walls[0].point.y() -= 1e-15; }},
       {"piston", [](World& w) { w.walls[0].force = 1; }},
       {"bond", [](World& w) { w.bonds.list[0].state = BondState::broken; }},

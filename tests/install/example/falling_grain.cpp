@@ -2,7 +2,7 @@
 // headers. Prints the height of the centre at the end, half a diameter.
 #include <cstdio>
 
-#include "core/phases/protocol.h"
+#include "core/protocol/protocol.h"
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
 #include "render/image/png.h"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/phases/protocol.h"
+#include "core/protocol/protocol.h"
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
 #include "core/world/reaction.h"

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "core/phases/protocol.h"
+#include "core/protocol/protocol.h"
 #include "core/scene/scenario.h"
 #include "core/step/step.h"
 #include "core/world/world.h"

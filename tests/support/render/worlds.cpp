@@ -66,7 +66,7 @@ World arch_with_intruder() {
                                         .radius = 1,
                                         .density = 0.5,
                                         .velocity = Vec2(0, -1),
-                                        .role = Role::intruder});
+                                        .role = DiskRole::intruder});
   world.disks.applied[static_cast<std::size_t>(intruder)] = Vec3(0, -50, 0);
   return world;
 }

@@ -1,7 +1,7 @@
 // What a person does to a run under way.
 #include <gtest/gtest.h>
 
-#include "core/phases/protocol.h"
+#include "core/protocol/protocol.h"
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
 #include "tests/support/core/scenes.h"

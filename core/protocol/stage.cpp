@@ -1,4 +1,4 @@
-#include "core/phases/stage.h"
+#include "core/protocol/stage.h"
 
 #include <algorithm>
 

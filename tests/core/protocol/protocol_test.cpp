@@ -1,4 +1,4 @@
-#include "core/phases/protocol.h"
+#include "core/protocol/protocol.h"
 
 #include <gtest/gtest.h>
 

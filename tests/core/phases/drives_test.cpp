@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include "core/base/errors.h"
-#include "core/drives/drive.h"
 #include "core/measures/measures.h"
-#include "core/phases/protocol.h"
+#include "core/phases/drive.h"
+#include "core/protocol/protocol.h"
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
 #include "core/scene/validate.h"

@@ -2,7 +2,7 @@
 // most phases ask.
 #pragma once
 
-#include "core/phases/protocol_state.h"
+#include "core/protocol/protocol_state.h"
 #include "core/scene/phases.h"
 #include "core/step/step.h"
 #include "core/world/world.h"

@@ -1,9 +1,9 @@
 // What the searches push with a threshold, pull, shear and adiabatic deposition share.
-#include "core/phases/search.h"
+#include "core/protocol/search.h"
 
 #include <cmath>
 
-#include "core/phases/running_phase.h"
+#include "core/protocol/running_phase.h"
 #include "core/world/extent.h"
 
 namespace quicksand {

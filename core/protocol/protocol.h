@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "core/phases/running_phase.h"
+#include "core/protocol/running_phase.h"
 #include "core/scene/scenario.h"
 #include "core/step/step.h"
 #include "core/world/world.h"

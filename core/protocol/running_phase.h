@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "core/phases/search.h"
-#include "core/phases/stage.h"
+#include "core/protocol/search.h"
+#include "core/protocol/stage.h"
 #include "core/scene/phases.h"
 
 namespace quicksand {

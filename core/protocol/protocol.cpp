@@ -1,4 +1,4 @@
-#include "core/phases/protocol.h"
+#include "core/protocol/protocol.h"
 
 #include <algorithm>
 #include <cmath>
@@ -118,10 +118,7 @@ bool Protocol::make_step(const Phase& phase) {
   record_trajectory(world_);
   StepSettings step = scenario_.step;
   step.dt = phase.dt.value_or(step.dt);
-  if (!step.max_turn) return try_step(step, step.max_halvings);
-  int halvings = 0;
-  const double turn = step.dt * fastest_turning(world_);
-  while (halvings < step.max_halvings && std::ldexp(turn, -halvings) > *step.max_turn) ++halvings;
+  const int halvings = halvings_by_turning(world_, step);
   step.dt = std::ldexp(step.dt, -halvings);
   return try_step(step, step.max_halvings - halvings);
 }

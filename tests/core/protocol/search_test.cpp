@@ -1,5 +1,5 @@
 // Push, pull and shear on systems whose critical force is known.
-#include "core/phases/search.h"
+#include "core/protocol/search.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "core/measures/critical_force.h"
 #include "core/measures/measures.h"
-#include "core/phases/protocol.h"
+#include "core/protocol/protocol.h"
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
 #include "tests/support/core/methods.h"
@@ -47,7 +47,7 @@ void expect_around(const CriticalForce& found, double force, double tolerance) {
 // An intruder of diameter 2 and density 0.5, mass 2, on the floor.
 Scenario free_intruder(Method method) {
   Scenario scene = column(method, 0);
-  scene.disks = {{.position = {0, 1}, .radius = 1, .density = 0.5, .role = Role::intruder}};
+  scene.disks = {{.position = {0, 1}, .radius = 1, .density = 0.5, .role = DiskRole::intruder}};
   scene.phases = {{PullPhase{.trials = {.first_force = 0.7, .max_time = 20}, .distance = 1}, 1e-2}};
   return scene;
 }
@@ -64,7 +64,7 @@ TEST_P(Pull, AFreeIntruderIsTakenOutByItsWeight) {
 
 TEST_P(Pull, ABondedIntruderIsTakenOutByItsWeightAndTheCohesionForce) {
   Scenario scene = hanging_chain(GetParam(), 0, 50);
-  scene.disks.push_back({.position = {0, 1}, .role = Role::intruder});
+  scene.disks.push_back({.position = {0, 1}, .role = DiskRole::intruder});
   scene.phases = {{PullPhase{.trials = {.first_force = 1}, .distance = 3}, 1e-2}};
   const SearchEnd run = searched(scene);
   ASSERT_EQ(run.forces.size(), 1U);
@@ -73,7 +73,7 @@ TEST_P(Pull, ABondedIntruderIsTakenOutByItsWeightAndTheCohesionForce) {
 
 TEST_P(Pull, EndsWithTheBodiesAndBondsThatItBeganWithAndALaterClock) {
   Scenario scene = hanging_chain(GetParam(), 0, 50);
-  scene.disks.push_back({.position = {0, 1}, .role = Role::intruder});
+  scene.disks.push_back({.position = {0, 1}, .role = DiskRole::intruder});
   scene.phases = {{PullPhase{.trials = {.first_force = 40}, .distance = 3}, 1e-2}};
   const World before = make_world(scene);
   World after = searched(scene).world;
@@ -87,7 +87,7 @@ TEST_P(Pull, EndsWithTheBodiesAndBondsThatItBeganWithAndALaterClock) {
 
 TEST_P(Pull, AHeldTrialEndsAtRestLongBeforeItsTime) {
   Scenario scene = hanging_chain(GetParam(), 0, 50);
-  scene.disks.push_back({.position = {0, 1}, .role = Role::intruder});
+  scene.disks.push_back({.position = {0, 1}, .role = DiskRole::intruder});
   scene.phases = {{PullPhase{.trials = {.first_force = 40, .tolerance = 0.5, .max_time = 1000}}}};
   const SearchEnd run = searched(scene);
   EXPECT_EQ(run.forces.at(0).trials, 2);
@@ -110,7 +110,7 @@ TEST_P(Pull, ATrialThatEndsByItsTimeIsHeldAndCounted) {
 TEST_P(Pull, ATrialMayEndWhenItsBodyRestsAndNoBondFails) {
   for (const RestOf until : {RestOf::all, RestOf::driven}) {
     Scenario scene = hanging_chain(GetParam(), 0, 50);
-    scene.disks.push_back({.position = {0, 1}, .role = Role::intruder});
+    scene.disks.push_back({.position = {0, 1}, .role = DiskRole::intruder});
     scene.disks.push_back({.position = {20, 0}, .velocity = {1, 100}});
     scene.phases = {
         {PullPhase{.trials = {.first_force = 40, .tolerance = 0.5, .max_time = 20, .until = until},

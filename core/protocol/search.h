@@ -5,7 +5,7 @@
 // ends with the base, too.
 #pragma once
 
-#include "core/phases/stage.h"
+#include "core/protocol/stage.h"
 #include "core/scene/phases.h"
 
 namespace quicksand {

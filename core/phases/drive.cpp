@@ -1,0 +1,96 @@
+#include "core/phases/drive.h"
+
+#include <algorithm>
+
+#include "core/base/errors.h"
+#include "core/world/shaped_contact.h"
+
+namespace quicksand {
+
+void require_no_intruder(const Stage& stage) {
+  if (stage.world.intruder() < 0) return;
+  throw InputError("phases[" + std::to_string(stage.state.phase) + "]",
+                   "brings an intruder, and the state that it begins with has one");
+}
+
+void set_free(World& world, int body) {
+  Disks& disks = world.disks;
+  const ShapedBody* shaped = world.shapes.find(body);
+  const double inertia = shaped ? shaped->inertia : disks.inertia(body);
+  disks.inverse_mass[body] = {1 / disks.mass[body], 1 / disks.mass[body], 1 / inertia};
+}
+
+void begin_way(Stage& stage, double way) {
+  auto& memory = stage.state.memory;
+  memory["way_begins"] = memory["way_before"] = way;
+}
+
+namespace {
+
+// The body moves with this velocity, whatever acts on it.
+void prescribe(World& world, int body, const Vec3& velocity) {
+  world.disks.inverse_mass[body].setZero();
+  world.disks.velocity[body] = velocity;
+}
+
+DriveResult drive_result(const Stage& stage, Drive drive, double way, int body) {
+  const auto& memory = stage.state.memory;
+  const auto number = [&](const char* key) {
+    const auto found = memory.find(key);
+    return found == memory.end() ? 0 : found->second;
+  };
+  const double late = number("late_time"), driven = way - number("way_begins");
+  return {.phase = stage.state.phase,
+          .drive = drive,
+          .peak = number("peak"),
+          .peak_at = number("peak_at"),
+          .residual = late > 0 ? number("late_load") / late : 0,
+          .mean = driven > 0 ? number("work") / driven : 0,
+          .way = way,
+          .radius = reach_of(stage.world, body),
+          .cleared = static_cast<std::int64_t>(number("cleared"))};
+}
+
+}  // namespace
+
+void drive_on(Stage& stage, const DriveSetup& setup, int body, double ramp_time) {
+  const double share = ramp_time == 0 ? 1 : std::min(1.0, stage.since_start() / ramp_time);
+  if (setup.rate) return prescribe(stage.world, body, share * *setup.rate * setup.direction);
+  set_free(stage.world, body);  // a session may have driven it at a rate so far
+  stage.world.disks.applied[body] = share * setup.load * setup.direction;
+}
+
+void record_load(Stage& stage, const DriveSetup& setup, double load, double way) {
+  auto& memory = stage.state.memory;
+  const double time = stage.world.time - std::max(memory["recorded"], stage.state.phase_start);
+  memory["recorded"] = stage.world.time;
+  if (time <= 0) return;
+  double& before = memory["way_before"];
+  memory["work"] += load * (way - before);
+  before = way;
+  memory["window_load"] += time * load;
+  memory["window_time"] += time;
+  constexpr double kLate = 0.75;  // of the way
+  if (way >= kLate * setup.whole) {
+    memory["late_load"] += time * load;
+    memory["late_time"] += time;
+  }
+  if (way < memory["window_begin"] + setup.window) return;
+  const double mean = memory["window_load"] / memory["window_time"];
+  if (mean > memory["peak"]) {
+    memory["peak"] = mean;
+    memory["peak_at"] = way;
+  }
+  memory["window_begin"] = way;
+  memory["window_load"] = memory["window_time"] = 0;
+}
+
+void end_way(Stage& stage, const DriveSetup& setup, double way, int body, bool release) {
+  stage.state.drive_results.push_back(drive_result(stage, setup.drive, way, body));
+  if (setup.rate) prescribe(stage.world, body, {0, 0, 0});
+  if (!release) return;
+  stage.world.disks.applied[body] = {0, 0, 0};
+  set_free(stage.world, body);
+}
+
+}  // namespace quicksand
