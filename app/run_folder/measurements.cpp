@@ -38,6 +38,24 @@ const CountValue kCountValues[] = {
     {"without", "share of grains that touch nothing", &ContactCounts::without},
 };
 
+struct ChangeValue {
+  std::string_view name, unit;
+  Value (*get)(const Changes& changes);
+};
+const ChangeValue kChangeValues[] = {
+    {"duration", "sqrt(d/g)", [](const Changes& c) -> Value { return c.duration; }},
+    {"grains", "1", [](const Changes& c) -> Value { return std::ssize(c.grains); }},
+    {"mean_displacement", "d", [](const Changes& c) -> Value { return c.mean_displacement; }},
+    {"largest_displacement", "d", [](const Changes& c) -> Value { return c.largest_displacement; }},
+    {"mean_sinking", "d", [](const Changes& c) -> Value { return c.mean_sinking; }},
+    {"displaced", "1, grains by more than d/2",
+     [](const Changes& c) -> Value { return c.displaced; }},
+    {"bonds_broken", "1", [](const Changes& c) -> Value { return c.bonds_broken; }},
+    {"bonds_formed", "1", [](const Changes& c) -> Value { return c.bonds_formed; }},
+    {"contacts_lost", "1", [](const Changes& c) -> Value { return c.contacts_lost; }},
+    {"contacts_gained", "1", [](const Changes& c) -> Value { return c.contacts_gained; }},
+};
+
 std::string padded(std::string text, std::size_t width) {
   text.resize(std::max(width, text.size()), ' ');
   return text;
@@ -72,6 +90,15 @@ std::string histogram_csv(const Histogram& h) {
   for (std::size_t k = 0; k < h.counts.size(); ++k)
     csv += csv_line({number_text(h.edges[k]), number_text(h.edges[k + 1]),
                      std::to_string(h.counts[k]), number_text(density[k])});
+  return csv;
+}
+
+std::string displacements_csv(const Changes& changes) {
+  std::string csv = csv_line({"grain", "dx", "dy", "rotation", "bonds_broken", "bonds_formed"});
+  for (const GrainChange& g : changes.grains)
+    csv += csv_line({std::to_string(g.grain), number_text(g.displacement.x()),
+                     number_text(g.displacement.y()), number_text(g.rotation),
+                     std::to_string(g.bonds_broken), std::to_string(g.bonds_formed)});
   return csv;
 }
 
@@ -152,6 +179,12 @@ std::string text_of(const Measurements& m) {
   for (const CountValue& count : kCountValues)
     text += padded(std::string(count.name), kName) +
             padded(short_text(m.counts.*count.value), kColumn) + std::string(count.help) + "\n";
+  if (!m.changes) return text;
+  text += "\nsince the earlier state\n";
+  for (const ChangeValue& value : kChangeValues)
+    text += padded(std::string(value.name), kName) +
+            padded(short_text(value.get(*m.changes)), kColumn) + "[" + std::string(value.unit) +
+            "]\n";
   return text;
 }
 
@@ -182,6 +215,9 @@ Json to_json(const Measurements& m) {
                                                       {"below", known.histogram.below},
                                                       {"above", known.histogram.above},
                                                       {"density", known.histogram.density()}};
+  if (m.changes)
+    for (const ChangeValue& value : kChangeValues)
+      json["changes"][std::string(value.name)] = json_of(value.get(*m.changes));
   return json;
 }
 
@@ -191,6 +227,7 @@ void write_measurements(const std::filesystem::path& folder, const Measurements&
   write_whole(folder / "profile.csv", profile_csv(m));
   for (const NamedHistogram& known : m.histograms)
     write_whole(folder / (std::string(known.name) + ".csv"), histogram_csv(known.histogram));
+  if (m.changes) write_whole(folder / "displacements.csv", displacements_csv(*m.changes));
 }
 
 }  // namespace quicksand

@@ -1,8 +1,9 @@
-// What is measured on one state: the quantities of its sample, regions, profile and distributions, as
-// text, JSON and CSV.
+// What is measured on one state: the quantities of its sample, regions, profile and distributions, and what has changed
+// since an earlier one, as text, JSON and CSV.
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "app/json/json_text.h"
 #include "app/run_folder/state_file.h"
 #include "app/series/quantities.h"
+#include "core/measures/changes.h"
 #include "core/measures/distributions.h"
 #include "core/measures/measures.h"
 
@@ -37,6 +39,7 @@ struct Measurements {
   std::vector<NamedRegion> regions;  // the whole first; only that where there is no intruder
   std::vector<Slice> profile;
   std::vector<NamedHistogram> histograms;
+  std::optional<Changes> changes = {};  // since an earlier state
 };
 
 // Slices are of thickness `slice` [d].
@@ -46,7 +49,7 @@ Measurements measure_state(const StateFile& state, const MeasureChoices& choices
 std::string text_of(const Measurements& measurements);
 Json to_json(const Measurements& measurements);
 
-// Writes measures.json, profile.csv and a CSV file a distribution. Throws InputError.
+// Writes measures.json, profile.csv, a CSV file a distribution and, of changes, displacements.csv. Throws InputError.
 void write_measurements(const std::filesystem::path& folder, const Measurements& measurements);
 
 }  // namespace quicksand

@@ -17,7 +17,4 @@ std::vector<std::string_view> cells_of(std::string_view line);
 // out, as a run that still computes has one; so are columns that the file lacks. Empty if there is no such file.
 std::vector<Row> read_series(const std::filesystem::path& file, std::size_t most);
 
-// The cells of a line, into which they point.
-std::vector<std::string_view> cells_of(std::string_view line);
-
 }  // namespace quicksand

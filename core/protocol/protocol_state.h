@@ -10,7 +10,7 @@
 
 #include "core/measures/critical_force.h"
 #include "core/measures/drive_result.h"
-#include "core/measures/force_bracket.h"
+#include "core/protocol/force_bracket.h"
 #include "core/sweeps/nscd.h"
 #include "core/world/world.h"
 

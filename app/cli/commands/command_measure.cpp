@@ -1,21 +1,30 @@
-// quicksand measure: numbers of a checkpoint, over regions, over height and as distributions.
+// quicksand measure: numbers of a state, over regions, over height and as distributions, and what has changed since an
+// earlier one.
+#include <charconv>
 #include <cstdio>
 #include <memory>
 
 #include "app/base/exit_code.h"
 #include "app/cli/commands.h"
 #include "app/json/json_reader.h"
+#include "app/options/moment_options.h"
 #include "app/options/number_range.h"
 #include "app/run_folder/measurements.h"
+#include "app/scene/scene_file.h"
+#include "app/view/history_view.h"
 #include "core/base/errors.h"
 
 namespace quicksand {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 struct MeasureArguments {
-  std::filesystem::path state;
-  std::filesystem::path out;
+  fs::path state;  // or the folder of a run
+  std::optional<double> time;
+  std::optional<std::string> since;  // a time, or a checkpoint
+  fs::path out;
   bool json = false;
   MeasureChoices choices;
   double slice = 5;  // [d]
@@ -33,10 +42,54 @@ void check_regions(const MeasureArguments& options, const World& world) {
                        number_text(channel / (2 * radius)) + " diameters of the intruder");
 }
 
+// A sample of a run as its history keeps it.
+StateFile state_at(const fs::path& run, const char* option, double time) {
+  const History history = history_of(RunFolder{run});
+  const std::size_t k = moment_at(history, option, time);
+  StateFile state;
+  state.scenario = read_scene({RunFolder{run}.scene(), {}, {}});
+  state.checkpoint.world = history.world(k);
+  state.phase = history.moments()[k].phase_name;
+  return state;
+}
+
+StateFile measured_state(const MeasureArguments& options) {
+  const bool of_run = is_folder(options.state);
+  if (options.time && !of_run)
+    throw InputError(options.state.string(), "is one state; --time needs the folder of a run");
+  if (options.time) return state_at(options.state, "--time", *options.time);
+  return read_state(of_run ? RunFolder{options.state}.state() : options.state);
+}
+
+World earlier_world(const MeasureArguments& options) {
+  const std::string& since = *options.since;
+  double time = 0;
+  const char* end = since.data() + since.size();
+  const auto [stop, error] = std::from_chars(since.data(), end, time);
+  if (error != std::errc() || stop != end) return read_state(since).checkpoint.world;
+  if (!is_folder(options.state))
+    throw InputError("--since " + since,
+                     "is a time, which needs the folder of a run; give the earlier STATE.cbor");
+  return state_at(options.state, "--since", time).checkpoint.world;
+}
+
+Changes changes_since(const MeasureArguments& options, const World& now) {
+  const World before = earlier_world(options);
+  const std::string where = "--since " + *options.since;
+  if (!same_specimen(before, now))
+    throw InputError(where, "is of another specimen: box or disks differ");
+  if (before.time > now.time)
+    throw InputError(where, "is later, at " + message_number(before.time) +
+                                " sqrt(d/g), than the state that is measured, at " +
+                                message_number(now.time));
+  return changes_between(before, now);
+}
+
 int measure_and_report(const MeasureArguments& options) {
-  const StateFile state = read_state(options.state);
+  const StateFile state = measured_state(options);
   check_regions(options, state.checkpoint.world);
-  const Measurements m = measure_state(state, options.choices, options.slice);
+  Measurements m = measure_state(state, options.choices, options.slice);
+  if (options.since) m.changes = changes_since(options, state.checkpoint.world);
   if (!options.out.empty()) write_measurements(options.out, m);
   const std::string text = options.json ? to_json(m).dump(2) + "\n" : text_of(m);
   std::fputs(text.c_str(), stdout);
@@ -47,12 +100,22 @@ int measure_and_report(const MeasureArguments& options) {
 
 Command add_measure(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
-      "measure", "Measure the state of a run: regions, profile, angles, forces.");
+      "measure",
+      "Measure a state of a run: regions, profile, angles, forces, and what has changed.");
   const auto options = std::make_shared<MeasureArguments>();
   constexpr double kFar = 1e6;
-  command->add_option("state", options->state, "checkpoint of a run")
-      ->type_name("STATE.cbor")
+  command->add_option("state", options->state, "folder of a run, or a checkpoint")
+      ->type_name("DIR|STATE.cbor")
       ->required();
+  command
+      ->add_option("--time", options->time,
+                   "measure the sample of the run nearest to this time [sqrt(d/g)]; its last state "
+                   "if absent")
+      ->type_name("TIME");
+  command
+      ->add_option("--since", options->since,
+                   "tell what has changed since this time of the run, or this checkpoint")
+      ->type_name("TIME|STATE.cbor");
   command->add_option("--out", options->out, "folder that receives measures.json and CSV files")
       ->type_name("DIR");
   command->add_flag("--json", options->json, "print measures.json instead of a table");
@@ -89,9 +152,9 @@ Command add_measure(CLI::App& program) {
       "for\n"
       "a region by the share of its grains in it.\n"
       "DIR receives measures.json, profile.csv, bond_angles.csv, contact_orientations.csv,\n"
-      "contact_forces.csv and bond_tensions.csv.\n\n"
+      "contact_forces.csv and bond_tensions.csv; with --since displacements.csv, a row a grain.\n\n"
       "Examples:\n"
-      "  quicksand measure out/collapse/state.cbor\n"
+      "  quicksand measure out/collapse --time 4 --since 3\n"
       "  quicksand measure out/collapse/state.cbor --out out/collapse/measures --slice 2");
   return {command, [options] { return measure_and_report(*options); }};
 }

@@ -1,10 +1,13 @@
 // quicksand measure, as a user meets it.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <map>
 #include <sstream>
 
 #include "app/json/json_text.h"
 #include "app/series/quantities.h"
+#include "app/series/read_series.h"
 #include "tests/support/files.h"
 #include "tests/support/pierced_scene.h"
 #include "tests/support/program_fixture.h"
@@ -29,6 +32,21 @@ std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
   for (std::string line; std::getline(stream, line);) lines.push_back(line);
   return lines;
+}
+
+using Columns = std::map<std::string, std::vector<double>>;
+
+// series.csv by columns; words count as 0.
+Columns columns_of(const std::filesystem::path& run) {
+  const std::vector<std::string> lines = lines_of(contents(run / "series.csv"));
+  const std::vector<std::string_view> names = cells_of(lines.front());
+  Columns columns;
+  for (std::size_t k = 1; k < lines.size(); ++k) {
+    const std::vector<std::string_view> cells = cells_of(lines[k]);
+    for (std::size_t c = 0; c < names.size(); ++c)
+      columns[std::string(names[c])].push_back(std::atof(std::string(cells[c]).c_str()));
+  }
+  return columns;
 }
 
 TEST_F(MeasureTest, SaysOfAStateWhatTheRunSaidOfItsLastSample) {
@@ -139,6 +157,74 @@ TEST_F(MeasureTest, RefusesWhatItCannotMeasure) {
     EXPECT_NE(outcome.err.find(answer), std::string::npos) << outcome.err;
     EXPECT_EQ(outcome.out, "");
   }
+}
+
+TEST_F(MeasureTest, OfARunIsThatOfItsLastState) {
+  run_scene();
+  const Outcome of_run = quicksand({"measure", "out/pierced", "--json"});
+  ASSERT_EQ(of_run.exit_code, 0) << of_run.err;
+  EXPECT_EQ(of_run.out, quicksand({"measure", "out/pierced/state.cbor", "--json"}).out);
+}
+
+TEST_F(MeasureTest, OfASampleIsWhatTheSeriesSaysOfIt) {
+  run_scene();
+  const Columns rows = columns_of(at("out/pierced"));
+  const std::vector<double>& times = rows.at("time");
+  const std::size_t k = times.size() / 2;
+  const Outcome measured =
+      quicksand({"measure", "out/pierced", "--time", std::to_string(times[k]), "--json"});
+  ASSERT_EQ(measured.exit_code, 0) << measured.err;
+  const Json quantities = parse_json(measured.out)["quantities"];
+  EXPECT_EQ(quantities["bonds_active"], rows.at("bonds_active")[k]);
+  EXPECT_EQ(quantities["grains"], rows.at("grains")[k]);
+  EXPECT_NEAR(quantities["depth"].get<double>(), rows.at("depth")[k], 1e-6);
+}
+
+TEST_F(MeasureTest, SinceAnEarlierTimeTellsWhichBondsBroke) {
+  run_scene({"--set", "phases[0].grains=60", "--set", "phases[1].max_time=2"});
+  const Columns rows = columns_of(at("out/pierced"));
+  const Json summary = parse_json(contents(at("out/pierced/summary.json")));
+  std::size_t k = 0;  // the first sample of the push
+  while (rows.at("remaining_bond_fraction")[k] == 0) ++k;
+  const std::string time = std::to_string(rows.at("time")[k]);
+  const Outcome measured = quicksand(
+      {"measure", "out/pierced", "--since", time, "--json", "--out", "out/pierced/measures"});
+  ASSERT_EQ(measured.exit_code, 0) << measured.err;
+  const Json changes = parse_json(measured.out)["changes"];
+  EXPECT_EQ(changes["grains"], 60);
+  EXPECT_GT(changes["bonds_broken"], 0);
+  EXPECT_EQ(changes["bonds_formed"], 0);
+  EXPECT_EQ(changes["bonds_broken"],
+            rows.at("bonds_active")[k] - summary["bonds_active"].get<double>());
+  EXPECT_GT(changes["largest_displacement"], changes["mean_displacement"]);
+  const auto lines = lines_of(contents(at("out/pierced/measures/displacements.csv")));
+  EXPECT_EQ(lines.front(), "grain,dx,dy,rotation,bonds_broken,bonds_formed");
+  EXPECT_EQ(lines.size(), 61U);
+  // A checkpoint says the same as the time that it is of.
+  const Outcome none = quicksand({"measure", "out/pierced", "--since", "out/pierced/state.cbor"});
+  ASSERT_EQ(none.exit_code, 0) << none.err;
+  EXPECT_NE(none.out.find("bonds_broken             0"), std::string::npos) << none.out;
+}
+
+TEST_F(MeasureTest, RefusesToCompareWhatIsNoEarlierStateOfTheSpecimen) {
+  run_scene();
+  const auto refused = [&](std::vector<std::string> arguments, const char* part) {
+    arguments.insert(arguments.begin(), "measure");
+    const Outcome outcome = quicksand(arguments);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+  };
+  const std::string state = "out/pierced/state.cbor";
+  refused({state, "--time", "1"}, "--time needs the folder of a run");
+  refused({state, "--since", "1"}, "is a time, which needs the folder of a run");
+  refused({"out/pierced", "--since", "1e9"}, "the times in");
+  refused({"out/pierced", "--time", "0", "--since", state}, "is later");
+  refused({"out/pierced", "--since", "nowhere.cbor"}, "nowhere.cbor");
+  ASSERT_EQ(quicksand({"run", "pierced.json", "--no-frames", "--set", "box.width=13", "--out",
+                       "out/wider"})
+                .exit_code,
+            0);
+  refused({"out/pierced", "--since", "out/wider/state.cbor"}, "another specimen");
 }
 
 }  // namespace

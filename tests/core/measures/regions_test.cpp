@@ -14,17 +14,8 @@
 namespace quicksand {
 namespace {
 
-// Ten bonded disks in a row, at x = 0.5 to 9.5 in an open box: nine bonds.
-World bonded_row() {
-  Scenario scene = empty_scene(Method::automatic);
-  scene.grain_law = paper_law(10);
-  scene.initial_bonds = InitialBonds::touching;
-  for (int k = 0; k < 10; ++k) scene.disks.push_back({.position = {0.5 + k, 0}});
-  return make_world(scene);
-}
-
 TEST(Regions, CountAContactByTheShareOfItsGrains) {
-  World world = bonded_row();
+  World world = make_world(bonded_row(10));
   world.bonds.find({3, 4})->state = BondState::broken;  // still touching
   world.bonds.find({4, 5})->state = BondState::broken;
   const std::vector<int> region{0, 0, 0, 0, 0, 1, 1, 1, -1, -1};
@@ -82,7 +73,7 @@ TEST(Regions, CountWallsAsNeighboursOfTheirGrain) {
 
 // The row with an intruder of 2 d that went down at x = 4.5, and grains that fell into its channel.
 World pierced_row() {
-  World world = bonded_row();
+  World world = make_world(bonded_row(10));
   const int intruder =
       world.disks.add({.position = {4.5, -8}, .radius = 1, .role = DiskRole::intruder});
   for (double y = 8; y > -8; y -= 0.3) world.trajectory.places.push_back({4.5, y});
@@ -131,7 +122,7 @@ TEST(Regions, ByBondsAreTheGrainsThatKeptAll) {
 }
 
 TEST(Regions, AroundNoIntruderAreEmpty) {
-  const AroundIntruder around = measure(bonded_row()).around_intruder;
+  const AroundIntruder around = measure(make_world(bonded_row(10))).around_intruder;
   EXPECT_EQ(around.channel.grains + around.intact.grains, 0);
   EXPECT_FALSE(around.channel.coordination || around.intact.active_bond_fraction);
 }

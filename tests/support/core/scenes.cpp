@@ -46,6 +46,14 @@ Scenario bonded_row(Method method, int n, const Vec2& direction, double cohesion
 
 }  // namespace
 
+Scenario bonded_row(int n) {
+  Scenario scene = empty_scene(Method::automatic);
+  scene.grain_law = paper_law(10);
+  scene.initial_bonds = InitialBonds::touching;
+  for (int k = 0; k < n; ++k) scene.disks.push_back({.position = {0.5 + k, 0}});
+  return scene;
+}
+
 Scenario hanging_chain(Method method, int n, double cohesion) {
   return bonded_row(method, n, {0, -1}, cohesion);
 }

@@ -15,6 +15,8 @@ ContactLaw paper_law(double cohesion = 0);
 
 // n disks standing on each other on the floor, just touching, under gravity.
 Scenario column(Method method, int n, const ContactLaw& law = {});
+// n bonded disks in a row, at x = 0.5 to n - 0.5, without gravity: n - 1 bonds.
+Scenario bonded_row(int n);
 // n bonded disks hanging from a fixed one, disk 0.
 Scenario hanging_chain(Method method, int n, double cohesion);
 // n bonded disks sticking out of a fixed one, disk 0, to the right.

@@ -1,4 +1,4 @@
-#include "core/measures/force_bracket.h"
+#include "core/protocol/force_bracket.h"
 
 #include <cmath>
 
