@@ -152,7 +152,8 @@ Command add_measure(CLI::App& program) {
       "for\n"
       "a region by the share of its grains in it.\n"
       "DIR receives measures.json, profile.csv, bond_angles.csv, contact_orientations.csv,\n"
-      "contact_forces.csv and bond_tensions.csv; with --since displacements.csv, a row a grain.\n\n"
+      "contact_forces.csv and bond_tensions.csv; with --since displacements.csv, a row a grain.\n"
+      "Displaced are grains that moved by more than d/2.\n\n"
       "Examples:\n"
       "  quicksand measure out/collapse --time 4 --since 3\n"
       "  quicksand measure out/collapse/state.cbor --out out/collapse/measures --slice 2");

@@ -74,7 +74,6 @@ TEST_F(RefusedInput, SaysOnceWhatIsWrongAndWithWhichFile) {
   folder_.write("f.txt", "text");
   expect_refused({"report", "r", "--out", "f.txt"},
                  "f.txt: is a file, the results need a folder; choose another with --out");
-  expect_refused({"measure", "r"}, "r: is a folder; give the state in it, r/state.cbor");
   expect_refused({"run", "small.json", "--continue", "r"},
                  "r: is a folder; give the state in it, r/state.cbor");
   expect_refused({"run", "small.json", "--out", ""}, "--out: is empty");
