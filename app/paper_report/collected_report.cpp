@@ -117,7 +117,7 @@ Report collected_report(const std::vector<std::filesystem::path>& files, const V
                 .intro = {"Every number of the paper beside ours, each from the report that it "
                           "links to, which has its figures and runs. Boxes of " +
                           number_text(box.x()) + " x " + number_text(box.y()) +
-                          " d; the paper has 51 x 199 d and 10 realizations."}};
+                          " d; the paper has one of 51 x 199 d and 10 realizations."}};
   add_first_page(report, targets.targets, methods, folder);
   Section all{.title = "All numbers in one picture", .blocks = {}};
   all.add(Figure{

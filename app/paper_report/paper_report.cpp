@@ -113,7 +113,7 @@ void add_intro(Report& report, const std::vector<Programme>& programmes) {
   if (scale.width != PaperScale{}.width || scale.height != PaperScale{}.height)
     report.intro.emplace_back(
         "The box is smaller than the paper's: depths, heights and what depends on the weight above "
-        "cannot agree, and walls and ground are nearer. The reasons for what is outside are those "
+        "cannot agree, and walls and floor are nearer. The reasons for what is outside are those "
         "measured in the paper's box where they do not say otherwise.");
 }
 

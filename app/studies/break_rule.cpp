@@ -86,7 +86,7 @@ class BreakRules : public PaperExperiment {
         "The same specimens, pushed until everything rests, under each failure criterion and with "
         "smaller and smaller time steps. Where a rule still changes with the step its numbers are "
         "the step's; the rules are to meet where it is small. Plain geometric: without the "
-        "curvature term, in steps of one length, as Contact Dynamics is without what the other "
+        "curvature term, in steps of one length, as NSCD is without what the other "
         "rules add. It breaks a bond that turns by more than √(2 d_c/d) in a step."});
     section.add(table_of(results));
     section.add(Paragraph{conclusion(results)});

@@ -154,8 +154,8 @@ Table comparison_table(const PaperTargets& targets, const std::vector<MethodFind
   std::string caption =
       "Mean ± standard error; n counts realizations where it does not say otherwise. Inside: "
       "within the paper's interval, or half a unit of the last digit that it prints, widened "
-      "by two standard errors of ours; inside by its error, where only these reach it. Where "
-      "the error is unknown nothing is added, and the verdict is that of a single specimen.";
+      "by two standard errors of ours; inside by its error, if only by this widening. Where "
+      "the error is unknown nothing is added.";
   if (std::ranges::any_of(targets.targets, is_marked))
     caption +=
         " †: chose the setting of NSCD, in another specimen, so that ours by NSCD is no "

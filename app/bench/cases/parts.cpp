@@ -27,7 +27,7 @@ std::span<const Part> parts() {
       Part{"kernels", "Distance from the machine's limits",
            "operations and bytes a second of a step's kernels against peak and stream",
            kernel_tasks, report_kernels},
-      Part{"threads", "Further cores", "time of a solution on one core and on more, same bytes",
+      Part{"threads", "Thread scaling", "time of a solution on one core and on more, same bytes",
            thread_tasks, report_threads},
       Part{"nscd", "Standard nonsmooth contact dynamics",
            "time of an update of a contact, and sweeps that a chain needs", nscd_tasks,

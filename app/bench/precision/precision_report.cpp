@@ -180,7 +180,7 @@ void report_precision(std::span<const Row> rows, const Options&, Section& sectio
       Paragraph{"There are two references for each problem. The first is auto at a tolerance of "
                 "1e-12 from the warm start. The second is auto from twice the cohesion impulses, "
                 "so by the interior point from afar, and then up to 40 iterations of Newton's "
-                "method on the modes of the contacts (open, stick, slide, roll). The one of "
+                "method on the contact status (open, sticking, sliding, rolling). The one of "
                 "smaller residual is taken, and no error below their distance is reported."});
   section.add(reference_table(problems));
   section.add(time_table(problems));

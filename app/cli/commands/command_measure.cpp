@@ -155,7 +155,7 @@ Command add_measure(CLI::App& program) {
       "contact_forces.csv and bond_tensions.csv; with --since displacements.csv, a row a grain.\n"
       "Displaced are grains that moved by more than d/2.\n\n"
       "Examples:\n"
-      "  quicksand measure out/collapse --time 4 --since 3\n"
+      "  quicksand measure out/collapse --time 13 --since 5.96\n"
       "  quicksand measure out/collapse/state.cbor --out out/collapse/measures --slice 2");
   return {command, [options] { return measure_and_report(*options); }};
 }
