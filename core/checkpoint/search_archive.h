@@ -25,6 +25,8 @@ void describe_present_search(Archive& archive, Search& search) {
   archive.value("trials", search.bracket.trials);
   archive.value("undecided", search.undecided);
   archive.value("interval", search.interval);
+  archive.added("breaks", search.breaks);
+  archive.added("last_break", search.last_break);
 }
 
 template <class Archive, class State>

@@ -17,13 +17,19 @@ std::vector<Pair> active_pairs(const World& world) {
   return pairs;
 }
 
-// Pairs of the first list that are not in the second, of disks before this row and of what is no disk.
+bool has(const World& world, int body) {
+  if (is_disk(body)) return body < world.disks.size();
+  if (is_wall(body)) return body - kWallBase < std::ssize(world.walls);
+  return body - kCornerBase < std::ssize(world.shapes.corners);
+}
+
+// Pairs of the first list that are not in the second, of bodies that the world of the second has, too.
 std::vector<Pair> only_in(const std::vector<Pair>& first, const std::vector<Pair>& second,
-                          int rows) {
+                          const World& of_second) {
   std::vector<Pair> only;
   std::ranges::set_difference(first, second, std::back_inserter(only));
-  const auto later = [&](int body) { return is_disk(body) && body >= rows; };
-  std::erase_if(only, [&](const Pair& pair) { return later(pair.a) || later(pair.b); });
+  std::erase_if(
+      only, [&](const Pair& pair) { return !has(of_second, pair.a) || !has(of_second, pair.b); });
   return only;
 }
 
@@ -56,15 +62,15 @@ Changes changes_between(const World& before, const World& now) {
   const int rows = common_rows(before, now);
   const std::vector<Pair> bonds = active_pairs(before), bonds_now = active_pairs(now);
   const std::vector<Pair> touching = touching_pairs(before), touching_now = touching_pairs(now);
-  const std::vector<Pair> broken = only_in(bonds, bonds_now, rows);
-  const std::vector<Pair> formed = only_in(bonds_now, bonds, rows);
+  const std::vector<Pair> broken = only_in(bonds, bonds_now, now);
+  const std::vector<Pair> formed = only_in(bonds_now, bonds, before);
   const std::vector<int> broken_of = count_per_disk(broken, rows);
   const std::vector<int> formed_of = count_per_disk(formed, rows);
   Changes changes{.duration = now.time - before.time,
                   .bonds_broken = std::ssize(broken),
                   .bonds_formed = std::ssize(formed),
-                  .contacts_lost = std::ssize(only_in(touching, touching_now, rows)),
-                  .contacts_gained = std::ssize(only_in(touching_now, touching, rows))};
+                  .contacts_lost = std::ssize(only_in(touching, touching_now, now)),
+                  .contacts_gained = std::ssize(only_in(touching_now, touching, before))};
   for (int i = 0; i < rows; ++i) {
     if (now.disks.role[i] != DiskRole::grain) continue;
     const Vec2 displacement = now.disks.position[i] - before.disks.position[i];

@@ -1,6 +1,7 @@
 // What a driven intruder met: the largest load on the way, and the one that is left.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <numbers>
 
@@ -24,9 +25,10 @@ struct DriveResult {
   bool operator==(const DriveResult&) const = default;
 };
 
-// Peak over residual; 0 without a residual.
+// Peak over residual; 0 without a residual, or with one that is rounding.
 inline double sensitivity(const DriveResult& found) {
-  return found.residual != 0 ? found.peak / found.residual : 0;
+  constexpr double kRounding = 1e-9;
+  return std::abs(found.residual) > kRounding * found.peak ? found.peak / found.residual : 0;
 }
 // Shear strength on the circle of the tips that a torque tells, T/(2 pi R^2) [F_g/d].
 inline double vane_strength(double torque, double radius) {

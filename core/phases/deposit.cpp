@@ -54,6 +54,10 @@ class Deposit final : public RunningPhaseOf<DepositPhase> {
     stage.world.bonds.form(bonded);
   }
 
+  void settings_changed(Stage& stage, const Phase&) override {
+    stage.form_bonds(true, settings().bonds);
+  }
+
   bool finished(Stage& stage) override {
     const double limit = static_cast<double>(settings().grains);
     const bool all = full(stage) != 0 || (limit > 0 && dropped(stage) >= limit);

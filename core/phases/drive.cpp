@@ -22,7 +22,7 @@ void set_free(World& world, int body) {
 
 void begin_way(Stage& stage, double way) {
   auto& memory = stage.state.memory;
-  memory["way_begins"] = memory["way_before"] = way;
+  memory["way_begins"] = memory["way_before"] = memory["window_begin"] = way;
 }
 
 namespace {
@@ -60,18 +60,23 @@ void drive_on(Stage& stage, const DriveSetup& setup, int body, double ramp_time)
   stage.world.disks.applied[body] = share * setup.load * setup.direction;
 }
 
-void record_load(Stage& stage, const DriveSetup& setup, double load, double way) {
+double take_unrecorded_time(Stage& stage) {
+  double& recorded = stage.state.memory["recorded"];
+  const double time = stage.world.time - std::max(recorded, stage.state.phase_start);
+  recorded = stage.world.time;
+  return time;
+}
+
+void record_load(Stage& stage, const DriveSetup& setup, double load, double time, double way) {
   auto& memory = stage.state.memory;
-  const double time = stage.world.time - std::max(memory["recorded"], stage.state.phase_start);
-  memory["recorded"] = stage.world.time;
-  if (time <= 0) return;
   double& before = memory["way_before"];
   memory["work"] += load * (way - before);
   before = way;
   memory["window_load"] += time * load;
   memory["window_time"] += time;
   constexpr double kLate = 0.75;  // of the way
-  if (way >= kLate * setup.whole) {
+  const double begins = memory["way_begins"];
+  if (way >= begins + kLate * (setup.whole - begins)) {
     memory["late_load"] += time * load;
     memory["late_time"] += time;
   }

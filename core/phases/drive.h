@@ -31,8 +31,10 @@ void set_free(World& world, int body);
 void begin_way(Stage& stage, double way);
 // A step of the drive begins: rate or load, which rise from 0 in `ramp_time`, act on the body.
 void drive_on(Stage& stage, const DriveSetup& setup, int body, double ramp_time);
-// Records a resistance that has acted since it was recorded last, with `way` behind now.
-void record_load(Stage& stage, const DriveSetup& setup, double load, double way);
+// Time of the phase of which no load is recorded yet; from now on it is. [sqrt(d/g)]
+double take_unrecorded_time(Stage& stage);
+// Records a resistance that has acted for this time, with `way` behind now.
+void record_load(Stage& stage, const DriveSetup& setup, double load, double time, double way);
 // Keeps the account of the phase, which is at its end, and stops the body; `release`: lets go of it, too.
 void end_way(Stage& stage, const DriveSetup& setup, double way, int body, bool release);
 
@@ -54,7 +56,8 @@ class DrivePhaseOf : public RunningPhaseOf<Settings> {
   bool finished(Stage& stage) override {
     const bool there = way(stage) >= setup_.whole;
     if (settings().threshold) return search_is_over(stage, trials(), there, RestOf::driven);
-    record_load(stage, setup_, resistance(stage), way(stage));
+    if (const double time = take_unrecorded_time(stage); time > 0)
+      record_load(stage, setup_, resistance(stage), time, way(stage));
     if (there || stage.lasted(settings().max_time)) return true;
     if (setup_.rate || !stage.lasted(settings().ramp_time)) return false;
     return stage.rested(speed(stage) <= settings().rest_speed, settings().rest_time);

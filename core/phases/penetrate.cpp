@@ -52,7 +52,7 @@ class Penetrate final : public DrivePhaseOf<PenetratePhase> {
     return reaction_on(stage.world, stage.world.intruder()).force.y();
   }
   double speed(const Stage& stage) const override {
-    return stage.world.disks.velocity[stage.world.intruder()].head<2>().norm();
+    return speed_of_body(stage.world, stage.world.intruder());
   }
 };
 

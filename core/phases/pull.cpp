@@ -1,5 +1,5 @@
 // The phase "pull": the smallest upward force that takes the intruder out.
-#include "core/protocol/running_phase.h"
+#include "core/phases/drive.h"
 #include "core/world/extent.h"
 #include "core/world/shaped_contact.h"
 
@@ -17,6 +17,7 @@ class Pull final : public RunningPhaseOf<PullPhase> {
     stage.form_bonds(false);
     const int intruder = stage.world.intruder();
     if (intruder < 0) return begin_search(stage, SearchKind::pull);
+    set_free(stage.world, intruder);  // what held it so far, such as a drive at a rate, lets go
     begin_search_on(stage, SearchKind::pull, intruder, settings().trials.first_force);
   }
 

@@ -47,9 +47,7 @@ class Vane final : public DrivePhaseOf<VanePhase> {
   }
   // Of its tips.
   double speed(const Stage& stage) const override {
-    const int intruder = stage.world.intruder();
-    const Vec3& v = stage.world.disks.velocity[intruder];
-    return v.head<2>().norm() + reach_of(stage.world, intruder) * std::abs(v.z());
+    return fastest_point(stage.world, stage.world.intruder());
   }
 
   void embed(Stage& stage) const {

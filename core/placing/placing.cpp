@@ -1,8 +1,10 @@
 #include "core/placing/placing.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "core/base/errors.h"
 #include "core/world/extent.h"
 #include "core/world/shaped_contact.h"
 
@@ -10,13 +12,12 @@ namespace quicksand {
 
 Vec2 place_on_surface(const World& world, double x, std::span<const ConvexPart> parts) {
   constexpr double kTouching = 1e-10;  // [d]
-  constexpr int kMostLooks = 10000;
+  constexpr int kMostLooks = 1000;
   World trial = world;
   const int body = add_shape(trial, {.position = {x, 0}, .fixed = true}, parts);
   const double reach = trial.shapes.find(body)->reach();
   Vec2& place = trial.disks.position[body];
   place.y() = highest_point(world) + reach;
-  // It may fall as far as it is from the nearest without touching anything.
   std::vector<Pair> pairs;
   add_shaped_pairs(trial, std::numeric_limits<double>::infinity(), pairs);
   std::erase_if(pairs, [&](Pair pair) {
@@ -25,12 +26,19 @@ Vec2 place_on_surface(const World& world, double x, std::span<const ConvexPart> 
   });
   if (pairs.empty()) return place;
   for (int k = 0; k < kMostLooks; ++k) {
-    double gap = std::numeric_limits<double>::infinity();
-    for (const Pair& pair : pairs) gap = std::min(gap, trial.gap(pair));
-    if (gap <= kTouching) break;
-    place.y() -= gap;
+    // Convex bodies that a line separates touch only when the one has fallen to the line of the other: each pair lets it
+    // fall at least by its gap over the slope of the normal, and any way where the normal points down.
+    double fall = std::numeric_limits<double>::infinity();
+    for (const Pair& pair : pairs) {
+      Vec2 normal;
+      const double gap = trial.gap(pair, &normal);
+      const double closing = is_wall(pair.b) ? trial.wall(pair.b).normal.y() : normal.y();
+      if (closing > 0) fall = std::min(fall, gap / closing);
+    }
+    if (fall <= kTouching || std::isinf(fall)) return place;
+    place.y() -= fall;
   }
-  return place;
+  throw InputError("the intruder", "finds no place on the surface at x = " + message_number(x));
 }
 
 }  // namespace quicksand

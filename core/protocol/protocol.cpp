@@ -10,10 +10,7 @@
 namespace quicksand {
 
 Protocol::Protocol(const Scenario& scenario, World world, const ProtocolState& state)
-    : scenario_(scenario),
-      world_(std::move(world)),
-      state_(state),
-      stage_{world_, state_, report_} {
+    : scenario_(scenario), world_(std::move(world)), state_(state), stage_{world_, state_} {
   take_up();
   if (!running_ || !state_.entered || running_->searches_for() == state_.search.kind) return;
   if (state_.search.base) return_to_base(stage_);
@@ -54,7 +51,8 @@ Progress Protocol::go_on() {
 
 // A phase that refuses the world as it is leaves it so, and is not entered.
 void Protocol::enter() {
-  const World before = world_;
+  const World world_before = world_;
+  const ProtocolState state_before = state_;
   state_.entered = true;
   state_.phase_start = state_.trial_start = world_.time;
   state_.rest_since = -1;
@@ -63,9 +61,8 @@ void Protocol::enter() {
   try {
     running_->begin(stage_);
   } catch (const InputError&) {
-    world_ = before;
-    state_.entered = false;
-    state_.search = {};
+    world_ = world_before;
+    state_ = state_before;
     throw;
   }
 }
@@ -87,7 +84,8 @@ bool Protocol::missed_rest() const {
 
 void Protocol::begin_phase(const Phase& phase) {
   if (state_.entered) {
-    if (state_.search.base) return_to_base(stage_);
+    // A deposition keeps the specimen that it has.
+    if (is_of_force(state_.search.kind)) return_to_base(stage_);
     end_phase();
   }
   scenario_.phases.insert(scenario_.phases.begin() + state_.phase, phase);
@@ -102,7 +100,9 @@ void Protocol::change(const Scenario& scenario) {
   if (phase() && state_.entered && search_kind(*phase()) != state_.search.kind)
     scenario_.phases[static_cast<std::size_t>(state_.phase)] = before;
   take_up();
-  if (running_ && state_.entered) running_->settings_changed(stage_, before);
+  if (!running_ || !state_.entered) return;
+  running_->settings_changed(stage_, before);
+  if (state_.search.base) take_laws_in_search(stage_, scenario_);
 }
 
 void Protocol::take_push_force() {
@@ -131,8 +131,11 @@ bool Protocol::try_step(const StepSettings& step, int halvings_left) {
   state_.iterations += report_.solve.iterations;
   state_.factorisations += report_.solve.factorisations;
   if (!report_.finite) {
-    failure_ = "the velocity of body " + std::to_string(report_.bad_body) +
-               " is not a finite number in step " + std::to_string(world_.step + 1);
+    const int wall = report_.bad_body - world_.disks.size();
+    failure_ =
+        "the velocity of " +
+        (wall < 0 ? "body " + std::to_string(report_.bad_body) : "wall " + std::to_string(wall)) +
+        " is not a finite number in step " + std::to_string(world_.step + 1);
     return false;
   }
   if (!report_.taken) {

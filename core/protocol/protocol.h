@@ -31,7 +31,7 @@ class Protocol {
 
   // What a person does to a run under way.
   // Ends the present phase, if it has begun, and begins this one with the next step; the phases that
-  // have not begun follow.
+  // have not begun follow. A search for a force leaves the world as it was before its trials.
   void begin_phase(const Phase& phase);
   // Takes over gravity, drag, contact laws, step, solver and phases of this scene. Its phases must be of
   // the same kinds as now, up to the present one. Bodies and box stay.
@@ -75,7 +75,7 @@ class Protocol {
   ProtocolState state_;
   Stepper stepper_;
   StepReport report_;
-  Stage stage_;  // of these three
+  Stage stage_;  // of world and state
   struct Kept {
     World world;
     ProtocolState state;

@@ -35,6 +35,8 @@ struct Search {
   ForceBracket bracket;               // of the present target
   int undecided = 0;                  // trials of the present target
   double interval = 0;                // adiabatic: between the grains of this sample [sqrt(d/g)]
+  std::int64_t breaks = 0;            // Bonds::broken as last looked at
+  double last_break = -1;             // when it was found changed in this trial [sqrt(d/g)]
 };
 
 // One sample of an adiabatic deposition.

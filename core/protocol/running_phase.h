@@ -46,7 +46,9 @@ class RunningPhaseOf : public RunningPhase {
       if (!settings_.until_rest) return false;
     }
     if constexpr (requires { settings_.rest_time; })
-      return stage.state.rest_since < 0 || !stage.due(stage.state.rest_since + settings_.rest_time);
+      return stage.lasted(settings_.max_time) &&
+             (stage.state.rest_since < 0 ||
+              !stage.due(stage.state.rest_since + settings_.rest_time));
     return false;
   }
   void settings_changed(Stage& stage, const Phase&) override {

@@ -1,10 +1,13 @@
-// What the searches push with a threshold, pull, shear and adiabatic deposition share.
+// What all phases share that repeat trials: searches for a force or torque, and adiabatic deposition.
 #include "core/protocol/search.h"
 
 #include <cmath>
+#include <utility>
 
 #include "core/protocol/running_phase.h"
+#include "core/scene/make_world.h"
 #include "core/world/extent.h"
+#include "core/world/shaped_contact.h"
 
 namespace quicksand {
 
@@ -37,6 +40,8 @@ void return_to_base(Stage& stage) {
 void begin_trial(Stage& stage) {
   return_to_base(stage);
   stage.state.search.trial_runs = true;
+  stage.state.search.breaks = stage.world.bonds.broken;
+  stage.state.search.last_break = -1;
   stage.state.trial_start = stage.world.time;
   stage.state.rest_since = -1;
 }
@@ -52,14 +57,17 @@ void begin_force_trial(Stage& stage, const Vec3& direction) {
 
 namespace {
 
-// At most, of a point of the body; the spin of a disk matters only where it is what is to be turned.
+// A body at rest may still be given way by what breaks around it.
+bool broke_in_last_step(Stage& stage) {
+  Search& search = stage.state.search;
+  if (std::exchange(search.breaks, stage.world.bonds.broken) != stage.world.bonds.broken)
+    search.last_break = stage.world.time;
+  return search.last_break == stage.world.time;
+}
+
+// The spin of a disk matters only where it is what is to be turned.
 double speed_of(const World& world, int body, SearchKind kind) {
-  const Vec3& v = world.disks.velocity[body];
-  const ShapedBody* shaped = world.shapes.find(body);
-  const double reach = shaped                     ? shaped->reach()
-                       : kind == SearchKind::vane ? world.disks.radius[body]
-                                                  : 0;
-  return v.head<2>().norm() + reach * std::abs(v.z());
+  return kind == SearchKind::vane ? fastest_point(world, body) : speed_of_body(world, body);
 }
 
 void finish_target(ProtocolState& state) {
@@ -91,8 +99,7 @@ bool search_is_over(Stage& stage, const SearchTrials& trials, bool moved, RestOf
   if (search.trial_runs && stage.world.time > stage.state.trial_start) {
     const bool rests = until == RestOf::all
                            ? stage.at_rest(trials.rest_speed, trials.rest_time)
-                           // A body at rest may still be given way by what breaks around it.
-                           : stage.rested(stage.last_step.bonds_broken == 0 &&
+                           : stage.rested(!broke_in_last_step(stage) &&
                                               speed_of(stage.world, search.targets.front().body,
                                                        search.kind) <= trials.rest_speed,
                                           trials.rest_time);
@@ -106,6 +113,19 @@ bool search_is_over(Stage& stage, const SearchTrials& trials, bool moved, RestOf
   if (!search.targets.empty()) return false;
   return_to_base(stage);
   return true;
+}
+
+void take_laws_in_search(Stage& stage, const Scenario& scenario) {
+  Search& search = stage.state.search;
+  World base = *search.base;
+  take_laws(base, scenario);
+  base.bonding = stage.world.bonding;
+  base.rebonding = stage.world.rebonding;
+  if (same_but_for_time(base, *search.base)) return;
+  search.base = std::make_shared<const World>(std::move(base));
+  search.trial_runs = false;
+  search.bracket = {.first = search.bracket.first};
+  search.undecided = 0;
 }
 
 double search_progress(const Stage& stage, const SearchTrials& trials) {

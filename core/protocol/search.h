@@ -7,6 +7,7 @@
 
 #include "core/protocol/stage.h"
 #include "core/scene/phases.h"
+#include "core/scene/scenario.h"
 
 namespace quicksand {
 
@@ -28,6 +29,8 @@ void begin_force_trial(Stage& stage, const Vec3& direction);
 // Ends the trial if it has an outcome (`moved`, or held); true if nothing is left to search.
 bool search_is_over(Stage& stage, const SearchTrials& trials, bool moved,
                     RestOf until = RestOf::all);
+// Laws, gravity and bonding that a person has changed hold for the base, too, and the present target is sought anew.
+void take_laws_in_search(Stage& stage, const Scenario& scenario);
 double search_progress(const Stage& stage, const SearchTrials& trials);
 
 }  // namespace quicksand

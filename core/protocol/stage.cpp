@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/world/shaped_contact.h"
+
 namespace quicksand {
 
 // Times are sums of steps: a moment that is due within rounding is due.
@@ -22,6 +24,8 @@ bool Stage::at_rest(double speed, double duration) {
   bool all_slow = true;
   for (int i = 0; i < disks.size(); ++i)
     all_slow = all_slow && (disks.fixed(i) || slow(disks.velocity[i]));
+  for (const ShapedBody& shaped : world.shapes.bodies)
+    all_slow = all_slow && (disks.fixed(shaped.body) || fastest_point(world, shaped.body) <= speed);
   return rested(all_slow && std::ranges::all_of(world.walls,
                                                 [&](const Wall& wall) {
                                                   return wall.mass == 0 || slow(wall.velocity);
@@ -31,7 +35,7 @@ bool Stage::at_rest(double speed, double duration) {
 
 bool Stage::rests_of(RestOf until, int disk, double speed, double duration) {
   if (until == RestOf::all) return at_rest(speed, duration);
-  return rested(world.disks.velocity[disk].head<2>().norm() <= speed, duration);
+  return rested(speed_of_body(world, disk) <= speed, duration);
 }
 
 bool Stage::rested(bool slow, double duration) {

@@ -1,10 +1,8 @@
-// What a phase under way acts on: the world, where the protocol stands, and the step just made; with the questions that
-// most phases ask.
+// What a phase under way acts on: the world, and where the protocol stands; with the questions that most phases ask.
 #pragma once
 
 #include "core/protocol/protocol_state.h"
 #include "core/scene/phases.h"
-#include "core/step/step.h"
 #include "core/world/world.h"
 
 namespace quicksand {
@@ -12,7 +10,6 @@ namespace quicksand {
 struct Stage {
   World& world;
   ProtocolState& state;
-  const StepReport& last_step;
 
   // Whether touches form bonds from now on, and which.
   void form_bonds(bool bonding, BondingTouch touch = BondingTouch::first);
@@ -21,7 +18,7 @@ struct Stage {
   // Since the phase began, whatever the trial. [sqrt(d/g)]
   double since_start() const { return world.time - state.phase_start; }
 
-  // The following are to be asked after each step.
+  // The following are to be asked before and after each step.
   // Whether all bodies, and walls with mass, have been slower than `speed` for `duration`.
   bool at_rest(double speed, double duration);
   // The same of all, or of this disk alone.

@@ -125,9 +125,12 @@ void Stepper::update_bonds(World& world, const StepSettings& step, StepReport& r
     torn.state = BondState::broken;
     ++report.bonds_broken;
   };
-  // Bonds that are no contacts: wider open than any reach, by a range that was made shorter.
+  // Bonds that are no contacts: wider open than any reach, by a range that was made shorter, or of two bodies that no
+  // force moves.
   const auto tear_if_active = [&](Bond& bond) {
-    if (bond.state == BondState::active && world.movable(bond.pair)) tear(bond);
+    if (bond.state != BondState::active) return;
+    if (world.movable(bond.pair) || world.gap(bond.pair) > world.law(bond.pair).cohesion_range)
+      tear(bond);
   };
   SortedCursor<Bond> bonds(world.bonds.list);
   s.formed.clear();
@@ -187,6 +190,7 @@ StepReport Stepper::advance(World& world, const StepSettings& step,
     find_contacts(world, s.neighbors.pairs(world, reach), s.free_velocity, step.dt, s.contacts,
                   step.nscd ? NewBond::balanced : NewBond::from_zero);
   }
+  const std::optional<Random> sweep_random = world.sweep_random;
   solve_contacts(world, step, settings, report);
   s.breaks.clear();
   if (report.solve.converged && report.finite && step.break_rule == FailureCriterion::energy) {
@@ -210,7 +214,10 @@ StepReport Stepper::advance(World& world, const StepSettings& step,
   }
   report.converged = report.solve.converged;
   report.taken = report.finite && (report.converged || !step.stop_if_unconverged);
-  if (!report.taken) return report;
+  if (!report.taken) {
+    world.sweep_random = sweep_random;
+    return report;
+  }
 
   const WorkClock::Span moving(&s.clock, Work::motion);
   const bool rests =

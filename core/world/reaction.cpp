@@ -32,10 +32,13 @@ Reaction reaction_on(const World& world, int body) {
   Reaction sum;
   const double dt = world.impulse_dt;
   if (dt == 0) return sum;
-  std::vector<Vec3> backwards;
-  for (const Vec3& v : world.disks.velocity) backwards.emplace_back(-v);
-  for (const Wall& wall : world.walls)
-    backwards.emplace_back(-wall.velocity.x(), -wall.velocity.y(), 0);
+  std::vector<Vec3> backwards;  // for shaped bodies alone
+  if (world.shapes.find(body)) {
+    backwards.reserve(world.disks.velocity.size() + world.walls.size());
+    for (const Vec3& v : world.disks.velocity) backwards.emplace_back(-v);
+    for (const Wall& wall : world.walls)
+      backwards.emplace_back(-wall.velocity.x(), -wall.velocity.y(), 0);
+  }
   for (const Contact& contact : world.contacts) {
     const auto [a, b] = world.rows(contact.pair);
     if (a != body && b != body) continue;

@@ -222,6 +222,16 @@ double reach_of(const World& world, int body) {
   return shaped ? shaped->reach() : world.disks.radius[body];
 }
 
+double fastest_point(const World& world, int body) {
+  const Vec3& v = world.disks.velocity[body];
+  return v.head<2>().norm() + reach_of(world, body) * std::abs(v.z());
+}
+
+double speed_of_body(const World& world, int body) {
+  return world.shapes.find(body) ? fastest_point(world, body)
+                                 : world.disks.velocity[body].head<2>().norm();
+}
+
 bool holds(const World& world, int body, const Vec2& place) {
   Vec2 away = place - world.disks.position[body];
   away.x() -= world.box.image_shift(away.x());

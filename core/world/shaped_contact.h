@@ -51,6 +51,10 @@ double highest_point_of(const World& world, int body);
 double half_width(const World& world, int body);
 // Of the circle about its centre that holds it [d].
 double reach_of(const World& world, int body);
+// At most, of a point of the body, a disk turning, too [sqrt(g d)].
+double fastest_point(const World& world, int body);
+// The same, but of a disk the speed of its centre: where it turns in its place, nothing moves.
+double speed_of_body(const World& world, int body);
 // Whether a place is in the body, seen through periodic sides.
 bool holds(const World& world, int body, const Vec2& place);
 

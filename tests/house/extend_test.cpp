@@ -96,8 +96,7 @@ TEST(ExtendPage, ExampleHeavesTheFloorByItsHeightAndLeavesItAtRest) {
   World world;
   world.walls.push_back({.point = {0, 0}, .normal = {0, 1}, .role = WallRole::floor});
   ProtocolState state;
-  const StepReport report;
-  Stage stage{world, state, report};
+  Stage stage{world, state};
   const HeavePhase settings;
   const auto phase = running(settings);
   phase->begin(stage);

@@ -74,5 +74,17 @@ TEST(Changes, AreOfOneSpecimen) {
   EXPECT_FALSE(same_specimen(world, other));
 }
 
+// A piston that is taken away takes its bonds and contacts along; they did not break.
+TEST(Changes, LeaveOutWallsThatOnlyOneStateHas) {
+  World before = make_world(bonded_row(5));
+  const World now = before;
+  before.walls.push_back({.point = {0, 0.5}, .normal = {0, -1}, .role = WallRole::piston});
+  before.bonds.form({{0, kWallBase}, {1, kWallBase}});
+  for (const Changes& changes : {changes_between(before, now), changes_between(now, before)}) {
+    EXPECT_EQ(changes.bonds_broken + changes.bonds_formed, 0);
+    EXPECT_EQ(changes.contacts_lost + changes.contacts_gained, 0);
+  }
+}
+
 }  // namespace
 }  // namespace quicksand

@@ -264,5 +264,66 @@ TEST(Validation, RefusesAShapeThatMeetsItselfAroundTheBox) {
   EXPECT_NE(verdict_on(scene).find("box.width"), std::string::npos) << verdict_on(scene);
 }
 
+// The bed is left with a cone that is held; to be pulled it must be let go.
+TEST(PullAfterADrive, FindsAForceForAnIntruderThatWasHeld) {
+  Phase cone = kCone;
+  std::get<PenetratePhase>(cone.kind).depth = 0.5;
+  Scenario scene = bed(Method::automatic, cone);
+  scene.phases.push_back(
+      {PullPhase{.trials = {.first_force = 8, .tolerance = 0.3, .rest_time = 0.1, .max_time = 1},
+                 .distance = 0.3}});
+  Protocol run(scene, make_world(scene));
+  finish_phase(run);
+  ASSERT_TRUE(run.world().disks.fixed(run.world().intruder()));
+  finish_phase(run);
+  ASSERT_EQ(run.state().critical_forces.size(), 1U);
+  EXPECT_TRUE(run.state().critical_forces[0].force_high) << "moved at no force";
+}
+
+// A grain in the air is struck at 1 sqrt(g d) by an intruder of infinite mass, long before the way ends. Its load is
+// an impulse over dt, of which means over the way say the same at any step, wherever the way begins.
+TEST(LoadOfADrive, HasAPeakThatDoesNotDependOnWhereTheWayBegins) {
+  const auto peak = [](double surface) {
+    Scenario scene = empty_scene(Method::automatic);
+    scene.box = {.width = 30, .height = 10, .sides = Sides::open};
+    scene.step.dt = 1e-3;
+    scene.disks = {{.position = {10, 3}}};
+    if (surface > 3.5) scene.disks.push_back({.position = {2, surface - 0.5}, .fixed = true});
+    scene.phases = {{PenetratePhase{.shape = DiskIntruder{.diameter = 1},
+                                    .x = 10,
+                                    .speed = 1,
+                                    .depth = surface - 3.5 + 0.3,
+                                    .max_time = 5}}};
+    Protocol run(scene, make_world(scene));
+    finish_phase(run);
+    return run.state().drive_results.at(0).peak;
+  };
+  EXPECT_LT(peak(3.5), 20);
+  EXPECT_NEAR(peak(6), peak(3.5), 0.2 * peak(3.5));
+}
+
+// A plate rocks on one grain: its centre hardly moves, its tips do.
+TEST(RestOfADrive, IsThatOfTheTips) {
+  Scenario scene = empty_scene(Method::automatic);
+  scene.gravity = Vec2(0, -1);
+  scene.box = {.width = 20, .height = 10, .sides = Sides::walls, .floor = true};
+  scene.grain_law = {.friction = 1};
+  scene.step.dt = 5e-3;
+  scene.disks = {{.position = {10, 3}, .fixed = true}};
+  scene.phases = {{PenetratePhase{.shape = PlateIntruder{.width = 4, .thickness = 0.1},
+                                  .x = 10.01,
+                                  .depth = 3,
+                                  .max_time = 3}}};
+  Protocol run(scene, make_world(scene));
+  finish_phase(run);
+  EXPECT_NEAR(run.world().time, 3, 0.01);
+  EXPECT_TRUE(run.missed_rest());
+}
+
+TEST(Sensitivity, IsThatOfARealResidual) {
+  EXPECT_EQ(sensitivity({.peak = 6, .residual = 4}), 1.5);
+  EXPECT_EQ(sensitivity({.peak = 9, .residual = 7e-15}), 0);
+}
+
 }  // namespace
 }  // namespace quicksand

@@ -244,5 +244,17 @@ TEST(Validation, RefusesAPistonWithoutFloorSidesOrBodies) {
   EXPECT_NO_THROW(validate(scene));
 }
 
+TEST(PistonAtAVolumeFraction, HasMissedNoRest) {
+  PistonPhase piston = kPiston;
+  piston.volume_fraction = 0.14;
+  Scenario scene = pressed_column(Method::automatic, piston);
+  scene.disks[2].position.x() += 0.1;  // so that the column gives way
+  scene.disks[3].position.x() -= 0.1;
+  Protocol run(scene, make_world(scene));
+  ASSERT_EQ(finish_phase(run), Progress::phase_ended);
+  ASSERT_LT(run.world().time, piston.max_time) << "it ended at its volume fraction";
+  EXPECT_FALSE(run.missed_rest());
+}
+
 }  // namespace
 }  // namespace quicksand

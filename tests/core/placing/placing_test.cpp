@@ -55,5 +55,18 @@ TEST(RemoveDisks, LeavesTheOthersWithTheirBonds) {
   EXPECT_EQ(world.contacts[0].pair, (Pair{1, kWallBase}));
 }
 
+// A rectangle slides down beside a column, however narrow the room between them.
+TEST(PlaceOnSurface, LetsAFlankPass) {
+  const std::vector<ConvexPart> block{{{{-1, -3}, {1, -3}, {1, 3}, {-1, 3}}, 0.1}};
+  for (const double clearance : {1e-2, 1e-3, 1e-4, 1e-5}) {
+    World world;
+    world.box = {.width = 30, .height = 10, .sides = Sides::open, .floor = true};
+    world.walls.push_back({});
+    for (int k = 0; k < 6; ++k)
+      world.disks.add({.position = {15 + 1.1 + 0.5 + clearance, 0.5 + k}});
+    EXPECT_NEAR(place_on_surface(world, 15, block).y(), 3.1, 1e-8) << clearance;
+  }
+}
+
 }  // namespace
 }  // namespace quicksand

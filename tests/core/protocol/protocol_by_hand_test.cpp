@@ -126,5 +126,54 @@ TEST(ForceByHand, ActsUntilItIsTakenAway) {
   EXPECT_NEAR(protocol.world().disks.velocity[0].x(), 2 * dt / mass, 1e-12);
 }
 
+TEST(ChangeByHand, LawsThatChangeDuringASearchAreThoseOfItsResult) {
+  Scenario scene = scene_of({kDeposit, phase_of(PushPhase{.force = 1, .max_time = 0.1}),
+                             phase_of(PullPhase{.trials = {.first_force = 1e4}})});
+  Protocol protocol(scene, make_world(scene));
+  finish_phase(protocol);
+  finish_phase(protocol);
+  for (int i = 0; i < 5; ++i) protocol.advance();
+  ASSERT_TRUE(protocol.state().search.trial_runs);
+  scene.grain_law.cohesion_force = 3 * *scene.grain_law.cohesion_force;
+  protocol.change(scene);
+  EXPECT_FALSE(protocol.state().search.trial_runs) << "the trial was half of the old law";
+  EXPECT_EQ(protocol.state().search.bracket.trials, 0);
+  finish_phase(protocol);
+  EXPECT_EQ(protocol.world().grain_law.cohesion_force, scene.grain_law.cohesion_force);
+}
+
+TEST(ChangeByHand, OfTheSolverLeavesTheTrialOfASearchAlone) {
+  Scenario scene = scene_of({kDeposit, phase_of(PushPhase{.force = 1, .max_time = 0.1}),
+                             phase_of(PullPhase{.trials = {.first_force = 1e4}})});
+  Protocol protocol(scene, make_world(scene));
+  finish_phase(protocol);
+  finish_phase(protocol);
+  for (int i = 0; i < 5; ++i) protocol.advance();
+  scene.solver.tolerance /= 2;
+  protocol.change(scene);
+  EXPECT_TRUE(protocol.state().search.trial_runs);
+}
+
+TEST(ChangeByHand, TouchesOfADepositUnderWayBondAsItSaysNow) {
+  Scenario scene = scene_of({kDeposit});
+  Protocol protocol(scene, make_world(scene));
+  protocol.advance();
+  ASSERT_FALSE(protocol.world().rebonding);
+  std::get<DepositPhase>(scene.phases[0].kind).bonds = BondingTouch::every;
+  protocol.change(scene);
+  EXPECT_TRUE(protocol.world().rebonding);
+}
+
+TEST(PhaseByHand, KeepsTheGrainsOfAnAdiabaticDeposit) {
+  const Scenario scene = scene_of(
+      {phase_of(DepositPhase{.grains = 12, .interval = 0.02, .adiabatic = Adiabatic{}}), kSettle});
+  Protocol protocol(scene, make_world(scene));
+  for (int i = 0; i < 20; ++i) protocol.advance();
+  const int grains = protocol.world().disks.size();
+  ASSERT_GT(grains, 0);
+  protocol.begin_phase(kSettle);
+  EXPECT_EQ(protocol.world().disks.size(), grains);
+}
+
 }  // namespace
 }  // namespace quicksand

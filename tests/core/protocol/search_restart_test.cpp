@@ -194,5 +194,29 @@ TEST(SearchCheckpoint, OfAnImpossibleSearchIsRefused) {
   }
 }
 
+// Two grains that part break their bond in the first step; the trial waits for what breaks.
+TEST(SearchRestartOfADrivenBody, KnowsThatABondBrokeInTheStepBefore) {
+  Scenario scene = empty_scene(Method::automatic);
+  scene.gravity = Vec2(0, -1);
+  scene.box = {.width = 30, .height = 10, .sides = Sides::open, .floor = true};
+  scene.grain_law = {.cohesion_force = 1};
+  scene.initial_bonds = InitialBonds::touching;
+  scene.step.dt = 0.01;
+  scene.disks = {{.position = {5, 0.5}, .role = DiskRole::intruder},
+                 {.position = {12, 0.5}, .velocity = {-1, 0}},
+                 {.position = {13, 0.5}, .velocity = {1, 0}}};
+  scene.phases = {{PullPhase{
+      .trials = {.first_force = 0.5, .rest_time = 0.1, .max_time = 5, .until = RestOf::driven},
+      .distance = 1}}};
+  Protocol whole(scene, make_world(scene));
+  whole.advance();
+  ASSERT_GT(whole.world().bonds.broken, 0);
+  Protocol resumed(scene, whole.world(), whole.state());
+  finish_phase(whole);
+  finish_phase(resumed);
+  EXPECT_EQ(whole.world().step, resumed.world().step);
+  EXPECT_EQ(world_hash(whole.world()), world_hash(resumed.world()));
+}
+
 }  // namespace
 }  // namespace quicksand

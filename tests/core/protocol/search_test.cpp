@@ -121,9 +121,9 @@ TEST_P(Pull, ATrialMayEndWhenItsBodyRestsAndNoBondFails) {
   }
 }
 
-TEST_P(Pull, AnIntruderThatIsHeldForGoodIsReportedWithoutAnUpperForce) {
+TEST_P(Pull, AnIntruderUnderACeilingIsReportedWithoutAnUpperForce) {
   Scenario scene = free_intruder(GetParam());
-  scene.disks[0].fixed = true;
+  scene.walls.push_back({.point = {0, 2}, .normal = {0, -1}});
   const CriticalForce found = searched(scene).forces.at(0);
   EXPECT_FALSE(found.force_high);
   EXPECT_GT(found.force_low, 1e5);

@@ -219,5 +219,20 @@ TEST_P(Step, ASteppersPastDoesNotMatterForPairsThatComeSlowly) {
   }
 }
 
+TEST(BondOfBodiesThatNoForceMoves, BreaksWhereTheyAreLedApart) {
+  Scenario scene = empty_scene(Method::automatic);
+  scene.grain_law = paper_law(10);
+  scene.step.dt = 1e-2;
+  scene.disks = {{.position = {0, 0}, .fixed = true},
+                 {.position = {1, 0}, .fixed = true},
+                 {.position = {2, 0}, .velocity = {1, 0}, .fixed = true}};
+  Simulation run(scene);
+  run.world.bonds.form({{0, 1}, {1, 2}});
+  run.advance(3);
+  EXPECT_EQ(run.world.bonds.list[0].state, BondState::active);
+  EXPECT_EQ(run.world.bonds.list[1].state, BondState::broken);
+  EXPECT_EQ(run.world.bonds.broken, 1);
+}
+
 }  // namespace
 }  // namespace quicksand

@@ -263,5 +263,16 @@ TEST(Nscd, ACheckpointGoesOnToTheSameBytesInTheMiddleOfARun) {
   EXPECT_EQ(rest.state().sweep_errors.residual.total(), whole.world().step);
 }
 
+TEST(RefusedStepByNscd, LeavesTheWorldAsItWas) {
+  Scenario scene = column(Method::automatic, 5, paper_law());
+  scene.step.nscd = Nscd{.sweeps = 1, .order = SweepOrder::random};
+  scene.step.stop_if_unconverged = true;
+  Simulation run(scene);
+  const std::uint64_t before = world_hash(run.world);
+  run.advance();
+  ASSERT_FALSE(run.last.taken) << "one sweep is too few";
+  EXPECT_EQ(world_hash(run.world), before);
+}
+
 }  // namespace
 }  // namespace quicksand
