@@ -25,6 +25,17 @@ Phase phase_of(decltype(Phase::kind) kind) {
 const Phase kDeposit = phase_of(DepositPhase{.grains = 12, .interval = 0.02});
 const Phase kSettle = phase_of(SettlePhase{.max_time = 5, .until_rest = false});
 
+// Before the first step of a search.
+struct PullUnderWay {
+  Scenario scene = scene_of({kDeposit, phase_of(PushPhase{.force = 1, .max_time = 0.1}),
+                             phase_of(PullPhase{.trials = {.first_force = 1e4}})});
+  Protocol protocol{scene, make_world(scene)};
+  PullUnderWay() {
+    finish_phase(protocol);
+    finish_phase(protocol);
+  }
+};
+
 TEST(PhaseByHand, EndsThePresentOneAndComesBeforeThoseThatFollow) {
   const Scenario scene = scene_of({kDeposit, kSettle, kSettle});
   Protocol protocol(scene, make_world(scene));
@@ -51,11 +62,8 @@ TEST(PhaseByHand, GoesOnAfterTheLast) {
 }
 
 TEST(PhaseByHand, ASearchThatIsLeftReturnsToItsBase) {
-  const Scenario scene = scene_of({kDeposit, phase_of(PushPhase{.force = 1, .max_time = 0.1}),
-                                   phase_of(PullPhase{.trials = {.first_force = 1e4}})});
-  Protocol protocol(scene, make_world(scene));
-  finish_phase(protocol);
-  finish_phase(protocol);
+  PullUnderWay pull;
+  Protocol& protocol = pull.protocol;
   const auto before = protocol.world().disks.position;
   for (int i = 0; i < 5; ++i) protocol.advance();
   ASSERT_NE(protocol.world().disks.position, before) << "a trial moves it";
@@ -127,11 +135,9 @@ TEST(ForceByHand, ActsUntilItIsTakenAway) {
 }
 
 TEST(ChangeByHand, LawsThatChangeDuringASearchAreThoseOfItsResult) {
-  Scenario scene = scene_of({kDeposit, phase_of(PushPhase{.force = 1, .max_time = 0.1}),
-                             phase_of(PullPhase{.trials = {.first_force = 1e4}})});
-  Protocol protocol(scene, make_world(scene));
-  finish_phase(protocol);
-  finish_phase(protocol);
+  PullUnderWay pull;
+  Scenario& scene = pull.scene;
+  Protocol& protocol = pull.protocol;
   for (int i = 0; i < 5; ++i) protocol.advance();
   ASSERT_TRUE(protocol.state().search.trial_runs);
   scene.grain_law.cohesion_force = 3 * *scene.grain_law.cohesion_force;
@@ -143,11 +149,9 @@ TEST(ChangeByHand, LawsThatChangeDuringASearchAreThoseOfItsResult) {
 }
 
 TEST(ChangeByHand, OfTheSolverLeavesTheTrialOfASearchAlone) {
-  Scenario scene = scene_of({kDeposit, phase_of(PushPhase{.force = 1, .max_time = 0.1}),
-                             phase_of(PullPhase{.trials = {.first_force = 1e4}})});
-  Protocol protocol(scene, make_world(scene));
-  finish_phase(protocol);
-  finish_phase(protocol);
+  PullUnderWay pull;
+  Scenario& scene = pull.scene;
+  Protocol& protocol = pull.protocol;
   for (int i = 0; i < 5; ++i) protocol.advance();
   scene.solver.tolerance /= 2;
   protocol.change(scene);
