@@ -37,7 +37,8 @@ RunResults::RunResults(const fs::path& folder) : folder_{folder} {
   }
   if (!is_there(folder_.series())) {
     throw InputError(folder.string(),
-                     "is not the folder of a run or a recording: it has no series.csv");
+                     "is not the folder of a run or a recording: it has no series.csv (a session "
+                     "writes one with \"record\")");
   }
   const bool of_run = is_there(folder_.scene());
   if (of_run && !is_there(folder_.summary())) {

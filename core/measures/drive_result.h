@@ -27,8 +27,8 @@ struct DriveResult {
 
 // Peak over residual; 0 without a residual, or with one that is rounding.
 inline double sensitivity(const DriveResult& found) {
-  constexpr double kRounding = 1e-9;
-  return std::abs(found.residual) > kRounding * found.peak ? found.peak / found.residual : 0;
+  constexpr double kNegligible = 1e-9;
+  return std::abs(found.residual) > kNegligible * found.peak ? found.peak / found.residual : 0;
 }
 // Shear strength on the circle of the tips that a torque tells, T/(2 pi R^2) [F_g/d].
 inline double vane_strength(double torque, double radius) {
