@@ -59,8 +59,7 @@ constexpr std::array kObservables{
     Observable{"depth", [](const Sample& s) { return s.depth; }},
     Observable{"volume fraction", [](const Sample& s) { return s.volume_fraction; }},
     Observable{"coordination", [](const Sample& s) { return s.coordination; }},
-    Observable{"active share",
-               [](const Sample& s) { return s.active_bond_fraction.value_or(0); }}};
+    Observable{"active share", [](const Sample& s) { return s.active_bond_fraction.value_or(0); }}};
 
 Scenario push_scene(const Options& options) {
   const bool quick = options.quick;
