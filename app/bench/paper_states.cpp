@@ -5,6 +5,7 @@
 
 #include "app/base/assets.h"
 #include "app/base/build_info.h"
+#include "app/bench/step_problem.h"
 #include "app/scene/scene_file.h"
 #include "app/scene_json/scenario_json.h"
 #include "core/base/errors.h"
@@ -140,6 +141,27 @@ Checkpoint ploughing(const Options& options) {
                  p.world().disks.position[static_cast<std::size_t>(intruder)].y() <= half;
         });
   });
+}
+
+World under_piston(const Options& options) {
+  constexpr double kPressure = 3e5 / 51, kMassPerWidth = 500.0 / 51;  // [F_g/d], [m/d]
+  World world = settled(options).world;
+  world.walls.push_back({.point = {0, packing_top(world)},
+                         .normal = {0, -1},
+                         .mass = kMassPerWidth * world.box.width,
+                         .force = kPressure * world.box.width,
+                         .role = WallRole::piston});
+  world.bonding = false;
+  world.bonds.mark_initial();
+  return world;
+}
+
+Scenario piston_scene(const Options& options, const std::string& method) {
+  constexpr double kStep = 5e-3, kLongest = 20;  // [sqrt(d/g)]
+  Scenario scene = paper_scene(options, method);
+  scene.step.max_turn.reset();
+  scene.phases = {watching(kLongest, kStep)};
+  return scene;
 }
 
 Scenario collapse_scene(const Options& options) {

@@ -34,6 +34,11 @@ Checkpoint at_rest(const Options& options);
 // The intruder half-way down.
 Checkpoint ploughing(const Options& options);
 
+// The settled packing with a piston on its top; contacts made from now on are plain.
+World under_piston(const Options& options);
+// What follows, at dt = 5e-3, until 20 sqrt(d/g) have passed.
+Scenario piston_scene(const Options& options, const std::string& method);
+
 // The shipped collapse (quick: in a box of half its size) 1 sqrt(d/g) after its push, while the channel falls in.
 Checkpoint collapsing(const Options& options);
 // Grains without cohesion (assets/scenes/dense.json; quick: 100 of them) 1 sqrt(d/g) after the last was dropped.

@@ -43,8 +43,11 @@ void with_threads(int most, const std::atomic<int>& now, const std::function<voi
   in_arena(most, &now, work);
 }
 
-void parallel::in_parts(int parts, const std::function<void(int)>& work) {
-  tbb::parallel_for(0, parts, work, tbb::simple_partitioner());
+void parallel::in_parts(int threads, const std::function<void(int)>& work) {
+  tbb::parallel_for(
+      0, threads,
+      [&](int) { work(std::max(0, tbb::this_task_arena::current_thread_index()) % threads); },
+      tbb::simple_partitioner());
 }
 
 }  // namespace quicksand

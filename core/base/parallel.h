@@ -6,6 +6,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <functional>
@@ -24,21 +25,32 @@ void with_threads(int most, const std::atomic<int>& now, const std::function<voi
 namespace parallel {
 // Fewer contacts than these are not worth the waking of a thread.
 inline constexpr std::size_t kWorthSharing = 3000;
-void in_parts(int parts, const std::function<void(int)>& work);
+inline constexpr int kMostThreads = 64;
+struct alignas(64) Counter {
+  std::atomic<int> next = 0;
+};
+// work(thread) on so many threads, by their own numbers from 0; perhaps several times on one.
+void in_parts(int threads, const std::function<void(int)>& work);
 }  // namespace parallel
 
-// work(0), ..., work(parts - 1), in any order and perhaps at the same time.
+// work(0), ..., work(parts - 1), in any order and perhaps at the same time. A thread begins with the same parts each
+// time, as far as it comes: what they read and write is then in its own cache.
 template <class Work>
 void share_parts(int parts, const Work& work) {
-  std::atomic<int> next = 0;
-  const auto take = [&](int) {
-    for (int part = next++; part < parts; part = next++) work(part);
-  };
-  const int threads = std::min(parts, usable_threads());
-  if (threads > 1)
-    parallel::in_parts(threads, std::ref(take));  // as a reference it is not allocated
-  else
-    take(0);
+  const int threads = std::min({parts, usable_threads(), parallel::kMostThreads});
+  if (threads <= 1) {
+    for (int part = 0; part < parts; ++part) work(part);
+    return;
+  }
+  const auto first = [&](int thread) { return parts * thread / threads; };
+  std::array<parallel::Counter, parallel::kMostThreads> begun;
+  for (int k = 0; k < threads; ++k) begun[k].next = first(k);
+  parallel::in_parts(threads, [&](int thread) {
+    for (int k = 0; k < threads; ++k) {
+      const int of = (thread + k) % threads, end = first(of + 1);
+      for (int part = begun[of].next++; part < end; part = begun[of].next++) work(part);
+    }
+  });
 }
 
 // work(begin, end) for ranges that make up 0 to n; shared from `worth` on.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace quicksand {
 
@@ -103,6 +104,7 @@ void ContactMatrix::attach(const ContactProblem& problem) {
   order_contacts();
   place_contacts();
   list_sides();
+  list_parts();
 }
 
 void ContactMatrix::place_bodies() {
@@ -175,55 +177,76 @@ void ContactMatrix::list_sides() {
   });
 }
 
+void ContactMatrix::list_parts() {
+  const auto parts = static_cast<std::size_t>(lu_.parts());
+  bodies_of_part_.fill(parts, [&](const auto& use) {
+    for (int i = 0; i < mobile_; ++i) use(lu_.part_of(i), i);
+  });
+  couplings_of_part_.fill(parts, [&](const auto& use) {
+    int k = 0;
+    for (const Coupling& c : coupling_) {
+      const RowLanes& row = rows_[static_cast<std::size_t>(c.contact) / kLanes];
+      const std::size_t lane = static_cast<std::size_t>(c.contact) % kLanes;
+      use(lu_.part_of(std::min(row.a[lane], row.b[lane])), k++);
+    }
+  });
+}
+
+QUICKSAND_IN_LANES void ContactMatrix::put_diagonal(std::size_t body) {
+  const Eigen::Vector4d& im = inverse_mass_[body];
+  BlockSum sum{};
+  for (const int k : sides_.of(body)) {
+    const auto side = static_cast<std::size_t>(k);
+    if (side % 2 == 0)
+      sum.add(columns_[side / 2], first_a, second_a, spin_aa);
+    else
+      sum.add(columns_[side / 2], first_b, second_b, spin_bb);
+  }
+  if (!(im[0] > 0 && im[1] > 0 && im[2] > 0)) hold(im, im, sum);
+  for (int d = 0; d < 3; ++d) {
+    sum.column[d][d] += im[d] > 0 ? 1 / im[d] : 1;
+    store_lanes(sum.column[d], diagonal_[body]->column[d]);
+  }
+}
+
+// Two contacts may couple the same bodies: they are in one part, and add up.
+QUICKSAND_IN_LANES void ContactMatrix::add_coupling(const Coupling& c) {
+  const auto contact = static_cast<std::size_t>(c.contact);
+  BlockSum ab{}, ba{};
+  ab.add(columns_[contact], first_a, second_a, spin_ab);
+  ba.add(columns_[contact], first_b, second_b, spin_ba);
+  if (c.held) {
+    const RowLanes& row = rows_[contact / kLanes];
+    const Eigen::Vector4d& a = inverse_mass_[static_cast<std::size_t>(row.a[contact % kLanes])];
+    const Eigen::Vector4d& b = inverse_mass_[static_cast<std::size_t>(row.b[contact % kLanes])];
+    hold(a, b, ab);
+    hold(b, a, ba);
+  }
+  for (int d = 0; d < 3; ++d) {
+    Lanes x, y;
+    load_lanes(c.ab->column[d], x);
+    load_lanes(c.ba->column[d], y);
+    store_lanes(x - ab.column[d], c.ab->column[d]);
+    store_lanes(y - ba.column[d], c.ba->column[d]);
+  }
+}
+
 void ContactMatrix::factorise(const std::vector<Impedance<Lanes>>& impedance) {
   WorkClock::look_up(clock_);
   const WorkClock::Span span(clock_, Work::factorisation);
-  lu_.clear();
   for_lane_blocks(
       kLanes * rows_.size(), [&](std::size_t k) __attribute__((always_inline)) {
         find_columns(rows_[k], impedance[k], columns_.data() + kLanes * k);
       });
-  share_in_lanes(
-      diagonal_.size(), [&](std::size_t i) __attribute__((always_inline)) {
-        const Eigen::Vector4d& im = inverse_mass_[i];
-        BlockSum sum{};
-        for (const int k : sides_.of(i)) {
-          const auto side = static_cast<std::size_t>(k);
-          if (side % 2 == 0)
-            sum.add(columns_[side / 2], first_a, second_a, spin_aa);
-          else
-            sum.add(columns_[side / 2], first_b, second_b, spin_bb);
-        }
-        if (!(im[0] > 0 && im[1] > 0 && im[2] > 0)) hold(im, im, sum);
-        for (int d = 0; d < 3; ++d) {
-          sum.column[d][d] += im[d] > 0 ? 1 / im[d] : 1;
-          store_lanes(sum.column[d], diagonal_[i]->column[d]);
-        }
-      });
-  // One after the other, as two contacts may couple the same bodies.
-  with_lanes([&]() __attribute__((always_inline)) {
-    for (const Coupling& c : coupling_) {
-      const auto contact = static_cast<std::size_t>(c.contact);
-      BlockSum ab{}, ba{};
-      ab.add(columns_[contact], first_a, second_a, spin_ab);
-      ba.add(columns_[contact], first_b, second_b, spin_ba);
-      if (c.held) {
-        const RowLanes& row = rows_[contact / kLanes];
-        const Eigen::Vector4d& a = inverse_mass_[static_cast<std::size_t>(row.a[contact % kLanes])];
-        const Eigen::Vector4d& b = inverse_mass_[static_cast<std::size_t>(row.b[contact % kLanes])];
-        hold(a, b, ab);
-        hold(b, a, ba);
-      }
-      for (int d = 0; d < 3; ++d) {
-        Lanes x, y;
-        load_lanes(c.ab->column[d], x);
-        load_lanes(c.ba->column[d], y);
-        store_lanes(x - ab.column[d], c.ab->column[d]);
-        store_lanes(y - ba.column[d], c.ba->column[d]);
-      }
-    }
-  });
-  lu_.factorise();
+  const auto fill = [&](int part) {
+    const auto index = static_cast<std::size_t>(part);
+    with_lanes([&]() __attribute__((always_inline)) {
+      for (const int i : bodies_of_part_.of(index)) put_diagonal(static_cast<std::size_t>(i));
+      for (const int k : couplings_of_part_.of(index))
+        add_coupling(coupling_[static_cast<std::size_t>(k)]);
+    });
+  };
+  lu_.factorise(std::ref(fill));  // as a reference it is not allocated
 }
 
 void ContactMatrix::factorise(const std::vector<Mat3>& impedance) {

@@ -58,6 +58,9 @@ class ContactMatrix {
   void order_contacts();
   void place_contacts();
   void list_sides();
+  void list_parts();
+  void put_diagonal(std::size_t body);
+  void add_coupling(const Coupling& coupling);
   template <class Put>
   void sum_momenta(const Put& put) const;  // put(place, inverse mass, sum)
 
@@ -74,6 +77,8 @@ class ContactMatrix {
   ByBody by_first_;                           // contacts by places of the first of their bodies
   std::vector<RowLanes> rows_;
   std::vector<Coupling> coupling_;  // of contacts between two mobile bodies
+  ByBody bodies_of_part_,
+      couplings_of_part_;  // by parts of the factorisation: places of mobile bodies, couplings
   ByBody sides_;          // of lanes by places of their bodies: 2 k is that of a, 2 k + 1 that of b
   BodyVectors momentum_;  // by sides
   std::vector<std::array<double, 32>> columns_;  // (nc, rounded up) see contact_matrix.cpp

@@ -52,6 +52,7 @@ class InteriorPoint {
     void add(const Products& other);
   };
 
+  void start_block(const ContactProblem& problem, std::size_t block, const ContactState& state);
   void start(const ContactProblem& problem, double shift, const ContactState& state);
   double admissible_product(const ContactProblem& problem, const SolverSettings& settings) const;
   void linearise(const ContactProblem& problem);

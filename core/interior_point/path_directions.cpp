@@ -56,6 +56,27 @@ double InteriorPoint::admissible_product(const ContactProblem& problem,
   return admissible * least;
 }
 
+// The cones of four contacts, and the impulses they start from. A lane beyond the last contact has no pairs; what it
+// starts from only has to be finite.
+void InteriorPoint::start_block(const ContactProblem& problem, std::size_t block,
+                                const ContactState& state) {
+  const std::size_t nc = problem.contacts.size();
+  ContactCone<Lanes>& cone = cone_[block];
+  Components<Lanes>&w = softness_[block], &impulse = impulse_[block];
+  cone.components = problem.components;
+  for (std::size_t k = 0; k < kLanes; ++k) {
+    const std::size_t c = kLanes * block + k;
+    const auto from = static_cast<std::size_t>(matrix_.order()[c < nc ? c : 0]);
+    const Vec3 &p = state.impulse[from], &of_contact = delassus_[from];
+    const Vec3 bounds = bounds_of(problem, problem.contacts[from], of_contact);
+    cone.here[k] = c < nc ? 1 : 0;
+    cone.slide.limit[k] = c < nc ? bounds.y() : 0;
+    cone.roll.limit[k] = c < nc ? bounds.z() : 0;
+    w.n[k] = of_contact.x(), w.t[k] = of_contact.y(), w.r[k] = of_contact.z();
+    impulse.n[k] = p.x(), impulse.t[k] = p.y(), impulse.r[k] = p.z();
+  }
+}
+
 void InteriorPoint::start(const ContactProblem& problem, double shift, const ContactState& state) {
   const std::size_t nc = problem.contacts.size(), blocks = lane_blocks(nc);
   proximal_ = T::kProximal;
@@ -65,33 +86,24 @@ void InteriorPoint::start(const ContactProblem& problem, double shift, const Con
   impedance_.resize(blocks);
   impulse_.resize(blocks);
 
-  double worst = 0;
-  for (std::size_t c = 0; c < nc; ++c) {
-    const ContactRow& row = problem.contacts[c];
-    delassus_[c] = delassus_diagonal(row, problem.inverse_mass[row.a], problem.inverse_mass[row.b]);
-    const Vec3 u =
-        row.offset + relative_velocity(row, state.velocity[row.a], state.velocity[row.b]);
-    worst = std::max(worst, violation(row, delassus_[c], problem.components, state.impulse[c], u));
-  }
+  struct Worst {
+    double speed = 0;
+    void add(const Worst& other) { speed = std::max(speed, other.speed); }
+  };
+  const double worst =
+      gather_range<Worst>(nc, [&](std::size_t begin, std::size_t end, Worst& part) {
+        for (std::size_t c = begin; c < end; ++c) {
+          const ContactRow& row = problem.contacts[c];
+          delassus_[c] =
+              delassus_diagonal(row, problem.inverse_mass[row.a], problem.inverse_mass[row.b]);
+          const Vec3 u =
+              row.offset + relative_velocity(row, state.velocity[row.a], state.velocity[row.b]);
+          part.speed = std::max(
+              part.speed, violation(row, delassus_[c], problem.components, state.impulse[c], u));
+        }
+      }).speed;
   const double least_speed = std::max(shift * worst, 1e-12);
-  for (std::size_t c = 0; c < kLanes * blocks; ++c) {
-    // A lane beyond the last contact has no pairs; what it starts from only has to be finite.
-    const auto from = static_cast<std::size_t>(matrix_.order()[c < nc ? c : 0]);
-    const std::size_t k = c % kLanes;
-    const ContactRow& row = problem.contacts[from];
-    const Vec3& p = state.impulse[from];
-    const Vec3 bounds = bounds_of(problem, row, delassus_[from]);
-    ContactCone<Lanes>& cone = cone_[c / kLanes];
-    Components<Lanes>& w = softness_[c / kLanes];
-    cone.components = problem.components;
-    cone.here[k] = c < nc ? 1 : 0;
-    cone.slide.limit[k] = c < nc ? bounds.y() : 0;
-    cone.roll.limit[k] = c < nc ? bounds.z() : 0;
-    w.n[k] = delassus_[from].x(), w.t[k] = delassus_[from].y(), w.r[k] = delassus_[from].z();
-    impulse_[c / kLanes].n[k] = p.x();
-    impulse_[c / kLanes].t[k] = p.y();
-    impulse_[c / kLanes].r[k] = p.z();
-  }
+  for_lane_blocks(nc, [&](std::size_t block) { start_block(problem, block, state); });
   set_momenta(nc);
   matrix_.velocity(velocity_);
   for_lane_blocks(

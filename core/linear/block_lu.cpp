@@ -218,11 +218,17 @@ void BlockLu::analyse(int n, const std::vector<Edge>& edges) {
   ready_ = true;
 }
 
-void BlockLu::clear() {
-  share_range(lower_.size(), [&](std::size_t begin, std::size_t end) {
+// Supernodes that follow each other do so in memory.
+void BlockLu::clear(const std::vector<int>& supernodes) {
+  const std::vector<Supernode>& node = plan_.supernodes();
+  for (std::size_t k = 0; k < supernodes.size();) {
+    const int begin = node[supernodes[k]].offset;
+    int last = supernodes[k];
+    while (++k < supernodes.size() && supernodes[k] == last + 1) ++last;
+    const int end = node[last].offset + (node[last].columns + node[last].rows) * node[last].columns;
     std::fill(lower_.data() + begin, lower_.data() + end, PaddedBlock{});
     std::fill(upper_.data() + begin, upper_.data() + end, PaddedBlock{});
-  });
+  }
 }
 
 double BlockLu::operations() const {
@@ -236,7 +242,7 @@ double BlockLu::operations() const {
   return sum;
 }
 
-void BlockLu::factorise() {
+void BlockLu::factorise(const std::function<void(int)>& fill) {
   const std::vector<Supernode>& node = plan_.supernodes();
   PaddedBlock *lower = lower_.data(), *upper = upper_.data();
   const int threads = usable_threads();
@@ -244,6 +250,8 @@ void BlockLu::factorise() {
   share_in_lanes(
       subtrees_.groups().size(), [&](int group) __attribute__((always_inline)) {
         bool flipped = false;
+        clear(subtrees_.groups()[group]);
+        fill(group);
         for (const int s : subtrees_.groups()[group]) {
           factorise_columns(node[s], lower + node[s].offset, upper + node[s].offset, flipped);
           const int inside = subtrees_.rows_inside(s);
@@ -252,6 +260,8 @@ void BlockLu::factorise() {
         flipped_[group] = flipped ? 1 : 0;
       });
   negative_ = std::ranges::count(flipped_, 1) % 2 == 1;
+  clear(subtrees_.top());
+  fill(subtrees_.part_of_top());
   // A column of the top has one writer.
   const std::size_t writers = subtrees_.border().empty() ? 0 : static_cast<std::size_t>(threads);
   share_in_lanes(

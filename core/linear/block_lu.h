@@ -4,10 +4,12 @@
 // The network of a loose packing is nearly a tree, so there is almost no fill; no pivoting between
 // blocks, which suits M + H^T D H (see contact_matrix.h). Right-looking by supernodes, with the place of
 // every product known beforehand (see elimination.h); this is kept while the graph stays the same. Disjoint
-// subtrees first, at the same time, then what they leave to the top, column by column, then the top.
+// subtrees first, at the same time, each filled and eliminated by one thread, in whose cache it stays; then what
+// they leave to the top, column by column, then the top.
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
 #include "core/base/types.h"
@@ -31,9 +33,7 @@ class BlockLu {
   // the same as before. Throws NotEnoughMemory if there is none for the factors.
   void analyse(int n, const std::vector<Edge>& edges);
 
-  // The matrix, to be filled before factorise(): block (i, i), and for edge e the blocks (i, j) and
-  // (j, i), which add up where edges repeat.
-  void clear();
+  // The matrix: block (i, i), and for edge e the blocks (i, j) and (j, i), which add up where edges repeat.
   Entry diagonal(int i) { return entry(diagonal_block(i)); }
   Entry upper(int e) { return entry(upper_block(e)); }
   Entry lower(int e) { return entry(lower_block(e)); }
@@ -47,8 +47,12 @@ class BlockLu {
   // Place of a block row in the order of elimination.
   int position(int i) const { return plan_.position(i); }
 
-  // Replaces the matrix by its factors.
-  void factorise();
+  // The columns are eliminated in so many parts. Block (i, i) lies in that of its row in the order of elimination, the
+  // two of an edge in that of the first of their rows.
+  int parts() const { return subtrees_.parts(); }
+  int part_of(int position) const { return subtrees_.part_of(plan_.supernode_of(position)); }
+  // Factorises the matrix whose blocks fill(part) writes into zeros, perhaps for several parts at the same time.
+  void factorise(const std::function<void(int)>& fill);
   // x (n) := A^-1 x.
   void solve(std::vector<Vec3>& x);
   // The same for x (n) in the order of elimination; the fourth numbers mean nothing.
@@ -63,6 +67,7 @@ class BlockLu {
   double operations() const;
 
  private:
+  void clear(const std::vector<int>& supernodes);  // ascending
   static PaddedBlock& block(std::vector<PaddedBlock>& blocks, int slot) {
     return blocks[static_cast<std::size_t>(slot)];
   }

@@ -28,6 +28,7 @@ void Subtrees::find(const Elimination& plan) {
   border_.clear();
   inside_.resize(size);
   for (std::size_t s = 0; s < size; ++s) inside_[s] = node[s].rows;
+  part_.assign(size, 0);
   if (plan.size() < kSmall) {
     top_.resize(size);
     std::iota(top_.begin(), top_.end(), 0);
@@ -55,23 +56,25 @@ void Subtrees::find(const Elimination& plan) {
     root[s] = !under_top ? above : work[s] > kShare * sum ? kTop : static_cast<int>(s);
     if (root[s] == static_cast<int>(s)) roots.push_back(root[s]);
   }
-  // The heaviest first, each to the group that has least.
-  std::ranges::sort(roots,
-                    [&](int a, int b) { return std::pair(work[b], a) < std::pair(work[a], b); });
+  // In the order of elimination: who goes through the bodies or contacts in that order and shares them out finds most of
+  // them where their group is.
+  std::ranges::sort(roots);
+  double in_groups = 0;
+  for (const int r : roots) in_groups += work[r];
   std::vector<int> group_of(size, kTop);
-  std::vector<double> load(kGroups, 0);
+  double before = 0;
   for (const int r : roots) {
-    const auto least = std::ranges::min_element(load);
-    *least += work[r];
-    group_of[r] = static_cast<int>(least - load.begin());
+    group_of[r] = static_cast<int>(kGroups * (before + work[r] / 2) / in_groups);
+    before += work[r];
   }
   group_.resize(kGroups);
   for (std::size_t s = 0; s < size; ++s) {
+    part_[s] = root[s] == kTop ? kGroups : group_of[root[s]];
     if (root[s] == kTop) {
       top_.push_back(static_cast<int>(s));
       continue;
     }
-    group_[group_of[root[s]]].push_back(static_cast<int>(s));
+    group_[part_[s]].push_back(static_cast<int>(s));
     // Rows are ancestors, the nearest first.
     const int* row = plan.rows(node[s]);
     const int* end = std::partition_point(

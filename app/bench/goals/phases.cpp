@@ -29,20 +29,6 @@ void add(const Window& window, const Scenario& scene, int repeat, Figure& figure
   }
 }
 
-// The settled packing with a piston on its top; contacts made from now on are plain.
-World under_piston(const Options& options) {
-  constexpr double kPressure = 3e5 / 51, kMassPerWidth = 500.0 / 51;  // [F_g/d], [m/d]
-  World world = settled(options).world;
-  world.walls.push_back({.point = {0, packing_top(world)},
-                         .normal = {0, -1},
-                         .mass = kMassPerWidth * world.box.width,
-                         .force = kPressure * world.box.width,
-                         .role = WallRole::piston});
-  world.bonding = false;
-  world.bonds.mark_initial();
-  return world;
-}
-
 }  // namespace
 
 Outcome deposition(const Options& options) {
@@ -109,11 +95,8 @@ Outcome plough(const Options& options) {
 // Collapse under a piston, the hardest case: a loose packing is crushed to a dense one, bonds break
 // everywhere, and at its end the contacts are more than what their forces can be told from.
 Outcome piston(const Options& options) {
-  constexpr double kStep = 5e-3, kLongest = 20;  // [sqrt(d/g)]
-  constexpr double kCoordination = 3.2;          // at the end
-  Scenario scene = paper_scene(options, options.method);
-  scene.step.max_turn.reset();
-  scene.phases = {watching(kLongest, kStep)};
+  constexpr double kCoordination = 3.2;  // at the end
+  const Scenario scene = piston_scene(options, options.method);
   const World start = under_piston(options);
   const WindowSettings settings{
       .steps = 4000, .patience = options.quick ? 4.0 : 600.0, .reached = [](const World& world) {

@@ -48,6 +48,24 @@ TEST(SharedParts, AreNeverInMoreHandsThanNowGranted) {
   EXPECT_LE(most, 2);
 }
 
+// So that what a part writes stays in one cache. A thread that comes late finds some of its parts taken: once in many
+// tries it must not.
+TEST(SharedParts, BeginWithTheSameOnesOnEachThread) {
+  const std::vector<int> first_half{0, 1, 2, 3};
+  bool met = false;
+  with_threads(2, [&] {
+    for (int again = 0; again < 20 && !met; ++again) {
+      std::vector<int> here;
+      share_parts(8, [&, caller = std::this_thread::get_id()](int part) {
+        if (std::this_thread::get_id() == caller) here.push_back(part);
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      });
+      met = here == first_half;
+    }
+  });
+  EXPECT_TRUE(met);
+}
+
 TEST(SharedRange, VisitsEveryIndexOnce) {
   for (const std::size_t n : {0, 1, 2999, 3000, 12345})
     for (const int threads : {1, 2, 5}) {

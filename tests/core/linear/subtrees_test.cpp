@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "tests/support/core/graphs.h"
@@ -54,19 +55,33 @@ TEST(Subtrees, NoGroupHasRowsInAnother) {
   }
 }
 
-TEST(Subtrees, GroupsHaveAboutEqualShares) {
+// A subtree has at most an eighth of the work, and its middle decides on the group, of eight.
+TEST(Subtrees, GroupsFollowEachOtherWithAtMostTwiceTheirShare) {
   const Found f = found(10000, square_lattice(100));
   ASSERT_GE(f.subtrees.groups().size(), 2U);
-  std::vector<double> blocks;
+  double most = 0, sum = 0;
+  int last = -1;
   for (const auto& group : f.subtrees.groups()) {
-    double sum = 0;
+    double work = 0;
     for (const int s : group) {
       const Supernode& node = f.plan.supernodes()[static_cast<std::size_t>(s)];
-      sum += node.columns * (node.columns + node.rows);
+      work += node.columns * std::pow(node.rows + node.columns / 2.0 + 1, 2);
     }
-    blocks.push_back(sum);
+    most = std::max(most, work);
+    sum += work;
+    if (group.empty()) continue;
+    EXPECT_GT(group.front(), last);
+    last = group.back();
   }
-  EXPECT_LT(std::ranges::max(blocks), 2 * std::ranges::min(blocks));
+  EXPECT_LE(most, 2 * sum / static_cast<double>(f.subtrees.groups().size()));
+}
+
+TEST(Subtrees, EverySupernodeIsInThePartOfItsGroupOrInTheTop) {
+  for (const int side : {20, 50}) {
+    const Found f = found(side * side, square_lattice(side));
+    for (const auto& [s, group] : f.group)
+      EXPECT_EQ(f.subtrees.part_of(s), group == Found::kTop ? f.subtrees.parts() - 1 : group);
+  }
 }
 
 }  // namespace
