@@ -37,7 +37,8 @@ class FieldExperiment : public PaperExperiment {
               .x = {.label = "depth", .unit = "cm", .low = 0},
               .y = {.label = "shear strength", .unit = "kPa", .low = 0}};
     const PaperTargets targets = read_targets(shipped_targets());
-    const double slope = *targets.at("field.perturbed.slope").low;          // [kPa/cm]
+    const Target& fitted = targets.at("field.perturbed.slope");
+    const double slope = (*fitted.low + *fitted.high) / 2;                  // [kPa/cm]
     const double strength = *targets.at("field.unperturbed.strength").low;  // [kPa]
     double deepest = 0;
     for (const PaperStrength* ours : {&loose, &compact}) {

@@ -27,7 +27,10 @@ std::optional<Measured> mean_at(const PaperResults& results, const RunGroup& pus
                                 const char* quantity) {
   std::vector<double> values;
   for (const RunResults* run : results.runs(pushes))
-    if (const auto row = row_at(*run, depth)) values.push_back(run->column(quantity)[*row]);
+    if (const auto row = row_at(*run, depth)) {
+      const double value = run->column(quantity)[*row];
+      if (std::isfinite(value)) values.push_back(value);  // or there is no such region
+    }
   return mean_over(values);
 }
 

@@ -152,9 +152,9 @@ class Samples : public PaperExperiment {
     Table table{
         .caption = "Is a grain every " + number_text(scale_.interval) +
                    " slow enough? Whole specimens from the same random numbers, each slower than "
-                   "the last, until the volume fraction changes by less than 0.1 %, or up to 25 "
-                   "times the interval; the last row has only those that had not settled. When the "
-                   "last grain has come, before they settle.",
+                   "the last, until the volume fraction changes by less than 0.1 %, or up to the "
+                   "longest interval here; the last row has only those that had not settled. When "
+                   "the last grain has come, before they settle.",
         .columns = {{"a grain every [sqrt(d/g)]", true},
                     {"volume fraction", true},
                     {"coordination", true},

@@ -151,6 +151,8 @@ class StructureOfSamples : public PaperExperiment {
       for (std::size_t k = 0; k < slices.size(); ++k)
         if (slices[k].volume_fraction) all.fractions[k].push_back(*slices[k].volume_fraction);
     }
+    // Above its surface a specimen is empty.
+    for (std::vector<double>& slice : all.fractions) slice.resize(all.counts.size(), 0);
     return all;
   }
 

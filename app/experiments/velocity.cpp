@@ -68,21 +68,18 @@ class Velocity : public PaperExperiment {
     const double cohesion = *push_.grain_law.cohesion_force;
     const SiScale si = si_scale(*push_.physical);
     const double area = std::get<PushPhase>(push_.phases[0].kind).diameter * si.length * si.length;
-    std::vector<double> forces = results.critical_forces(thresholds_), pressures;
-    for (double& force : forces) {
-      pressures.push_back(force * si.force / area * kKilopascals);
-      force /= cohesion;
-    }
-    note(findings, "penetration.threshold_force",
-         mean_over(forces,
-                   "searched for: what takes the intruder down to 15 % of the box's height"));
+    const auto force = results.critical_force(
+        thresholds_, cohesion,
+        "searched for: what takes the intruder down to 15 % of the box's height");
+    if (!force) return;
+    note(findings, "penetration.threshold_force", force);
     note(findings, "field.crust_pressure",
-         mean_over(pressures, "that force over the intruder's diameter times a grain's"));
-    if (forces.empty()) return;
+         results.critical_force(thresholds_, area / (si.force * kKilopascals),
+                                "that force over the intruder's diameter times a grain's"));
     section.add(
         Paragraph{"Each specimen was searched for the smallest force with which the intruder sinks "
                   "by 15 % of the box's height, from where it lies on the surface: " +
-                  cell_of(mean_over(forces), all_).text + " F_c."});
+                  cell_of(force, all_).text + " F_c."});
   }
 
   static Curve law(double slope, double threshold, double largest) {
@@ -98,23 +95,45 @@ class Velocity : public PaperExperiment {
     return curve;
   }
 
-  // With the force that was searched for, so that it does not depend on the law.
-  static void note_exponent(Findings& findings, const Curve& curve) {
-    const auto found = findings.find("penetration.threshold_force");
-    if (found == findings.end()) return;
-    const double threshold = found->second.value;
+  // Of v against F - threshold [F_c], on logarithmic axes; of the forces above it.
+  static std::optional<Line> power_law(const Curve& curve, double threshold) {
     std::vector<double> x, y;
     for (std::size_t k = 0; k < curve.x.size(); ++k) {
-      if (curve.x[k] <= threshold) continue;
+      if (curve.x[k] <= threshold || curve.y[k] <= 0) continue;
       x.push_back(std::log(curve.x[k] - threshold));
       y.push_back(std::log(curve.y[k]));
     }
-    const auto fit = fit_line(x, y);
-    if (!fit || x.size() < 3) return;
+    return x.size() < 3 ? std::nullopt : fit_line(x, y);
+  }
+
+  // With the force that was searched for, so that it does not depend on the law. Its error is that of the line or, if
+  // larger, what the errors of the velocities make of it, and what that of the threshold does, both by repeating the
+  // fit with one value a standard error off.
+  static void note_exponent(Findings& findings, const Curve& curve) {
+    const auto found = findings.find("penetration.threshold_force");
+    if (found == findings.end()) return;
+    const Measured& threshold = found->second;
+    const auto fit = power_law(curve, threshold.value);
+    if (!fit) return;
+    const auto change = [&](const Curve& other, double at) {
+      const auto moved = power_law(other, at);
+      return moved ? moved->slope - fit->slope : 0;
+    };
+    double by_velocities = 0;
+    for (std::size_t k = 0; k < curve.y_error.size(); ++k) {
+      Curve other = curve;
+      other.y[k] += curve.y_error[k];
+      by_velocities = std::hypot(by_velocities, change(other, threshold.value));
+    }
+    const double off = threshold.standard_error.value_or(0);
+    const double by_threshold = std::max(std::abs(change(curve, threshold.value - off)),
+                                         std::abs(change(curve, threshold.value + off)));
     findings["drag_law.exponent"] = {
         .value = fit->slope,
-        .standard_error = fit->slope_error,
-        .n = static_cast<int>(x.size()),
+        .standard_error =
+            std::hypot(std::max(fit->slope_error.value_or(0), by_velocities), by_threshold),
+        .n = static_cast<int>(
+            std::ranges::count_if(curve.x, [&](double force) { return force > threshold.value; })),
         .note = "with the threshold that was searched for, of the forces above it"};
   }
 

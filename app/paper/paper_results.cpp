@@ -52,14 +52,22 @@ std::optional<Measured> PaperResults::change(const RunGroup& from, const RunGrou
   return mean_over(changes);
 }
 
-std::vector<double> PaperResults::critical_forces(const RunGroup& group) const {
-  std::vector<double> forces;
+std::optional<Measured> PaperResults::critical_force(const RunGroup& group, double unit,
+                                                     const std::string& note) const {
+  std::vector<double> middles;
+  double variance = 0;  // of a force that is anywhere in an interval of width w: w²/12
   for (const RunResults* run : runs(group))
-    for (const Json& found : run->summary().value("critical_forces", Json::array()))
-      if (!found["force_high"].is_null())
-        forces.push_back((found["force_low"].get<double>() + found["force_high"].get<double>()) /
-                         2);
-  return forces;
+    for (const Json& found : run->summary().value("critical_forces", Json::array())) {
+      if (found["force_high"].is_null()) continue;
+      const double low = found["force_low"].get<double>() / unit;
+      const double high = found["force_high"].get<double>() / unit;
+      middles.push_back((low + high) / 2);
+      variance += (high - low) * (high - low) / 12;
+    }
+  std::optional<Measured> mean = mean_over(middles, note);
+  if (mean && mean->standard_error)
+    mean->standard_error = std::hypot(*mean->standard_error, std::sqrt(variance) / mean->n);
+  return mean;
 }
 
 int PaperResults::unbracketed(const RunGroup& group) const {
@@ -68,12 +76,6 @@ int PaperResults::unbracketed(const RunGroup& group) const {
     for (const Json& found : run->summary().value("critical_forces", Json::array()))
       if (!found["force_high"].is_null() && !is_bracketed(found)) ++count;
   return count;
-}
-
-std::optional<Measured> PaperResults::critical_force(const RunGroup& group, double unit) const {
-  std::vector<double> forces = critical_forces(group);
-  for (double& force : forces) force /= unit;
-  return mean_over(forces);
 }
 
 void note(Findings& findings, const std::string& id, const std::optional<Measured>& found) {

@@ -28,10 +28,10 @@ class PaperResults {
 
   // Final values of a quantity, those that are there.
   std::vector<double> values(const RunGroup& group, const std::string& quantity) const;
-  // The middles of the intervals in which searches found critical forces, without those that no force moved. [F_g]
-  std::vector<double> critical_forces(const RunGroup& group) const;
-  // Their mean in another unit. [F_g]
-  std::optional<Measured> critical_force(const RunGroup& group, double unit) const;
+  // Mean of the middles of the intervals in which searches found critical forces, without those that no force moved,
+  // over `unit` [F_g]. Its error is that of the scatter and of the intervals, in each of which any force is as likely.
+  std::optional<Measured> critical_force(const RunGroup& group, double unit,
+                                         const std::string& note = {}) const;
   // How many of these have a lower end that only ran out of time (is_bracketed).
   int unbracketed(const RunGroup& group) const;
   // Mean of final values; absent if there are none.

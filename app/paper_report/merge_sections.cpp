@@ -11,6 +11,7 @@ namespace {
 
 // Puts the method in front of what is its alone, and draws its curves in its colour: markers and dashes tell apart
 // what a plot of one method tells apart by colours.
+constexpr const char* kNamed = ": ";
 struct Named {
   const std::string& method;
 
@@ -33,11 +34,26 @@ struct Named {
     }
     for (Reference& reference : block.plot.references)
       if (reference.role == Reference::Role::guide && !reference.name.empty())
-        reference.name = method + ": " + reference.name;
+        reference.name = method + kNamed + reference.name;
   }
 };
 
-void add_to(Plot& plot, Plot&& other) {
+// A guide that is of both methods, at the same place, is named as that of neither.
+void add_reference(Plot& plot, const std::string& method, Reference&& added) {
+  const bool guide = added.role == Reference::Role::guide && !added.name.empty();
+  const std::string own = guide ? added.name.substr((method + kNamed).size()) : added.name;
+  for (Reference& known : plot.references) {
+    if (known.name == added.name) return;
+    if (guide && known.role == Reference::Role::guide && known.of_x == added.of_x &&
+        known.low == added.low && known.high == added.high && known.name.ends_with(kNamed + own)) {
+      known.name = own;
+      return;
+    }
+  }
+  plot.references.push_back(std::move(added));
+}
+
+void add_to(Plot& plot, const std::string& method, Plot&& other) {
   const auto has_curve = [&](const Curve& curve) {
     return std::ranges::any_of(plot.curves, [&](const Curve& c) {
       return c.role == Curve::Role::paper && c.name == curve.name;
@@ -46,10 +62,7 @@ void add_to(Plot& plot, Plot&& other) {
   for (Curve& curve : other.curves)
     if (curve.role != Curve::Role::paper || !has_curve(curve))
       plot.curves.push_back(std::move(curve));
-  for (Reference& reference : other.references)
-    if (std::ranges::find(plot.references, reference.name, &Reference::name) ==
-        plot.references.end())
-      plot.references.push_back(std::move(reference));
+  for (Reference& reference : other.references) add_reference(plot, method, std::move(reference));
   std::ranges::move(other.annotations, std::back_inserter(plot.annotations));
   plot.legend = LegendPlace::below;  // there is more in it
 }
@@ -75,7 +88,8 @@ Section merge_sections(std::vector<std::pair<std::string, Section>> parts) {
       if (auto* figure = std::get_if<Figure>(&block)) {
         const auto [known, is_new] = plots.emplace(figure->plot.name, merged.blocks.size());
         if (!is_new) {
-          add_to(std::get<Figure>(merged.blocks[known->second]).plot, std::move(figure->plot));
+          add_to(std::get<Figure>(merged.blocks[known->second]).plot, method,
+                 std::move(figure->plot));
           continue;
         }
       }

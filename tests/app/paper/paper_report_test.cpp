@@ -41,6 +41,21 @@ TEST(MergedSections, DrawTheSamePlotOfTwoMethodsAsOneWithThePaperOnce) {
   EXPECT_EQ(std::get<Figure>(alone.blocks[0]).plot.curves[0].name, "active");
 }
 
+TEST(MergedSections, NameAGuideOnceWhereBothMethodsHaveIt) {
+  const auto with_guides = [](double own) {
+    Figure drawn = figure("depth", "depth");
+    drawn.plot.references = {{.name = "height", .low = 199, .role = Reference::Role::guide},
+                             {.name = "threshold", .low = own, .role = Reference::Role::guide}};
+    return drawn;
+  };
+  const Section nscd{"t", {with_guides(0.1)}}, exact{"t", {with_guides(0.04)}};
+  const Section merged = merge_sections({{"NSCD", nscd}, {"exact", exact}});
+  std::vector<std::string> names;
+  for (const Reference& guide : std::get<Figure>(merged.blocks.at(0)).plot.references)
+    names.push_back(guide.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"height", "NSCD: threshold", "exact: threshold"}));
+}
+
 TEST(EmptyBlocks, AreLeftOut) {
   Figure of_paper = figure("bonds", "active");
   of_paper.plot.curves.erase(of_paper.plot.curves.begin());
@@ -211,6 +226,13 @@ TEST_F(PaperReportTest, OfOtherReportsTakesEachNumberFromTheFirstThatHasIt) {
   const std::string counts = std::get<Paragraph>(report.lead[0]).text;
   EXPECT_NE(counts.find("NSCD: 2 inside, 0 outside, "), std::string::npos) << counts;
   EXPECT_THROW(collected_report({ten}, {24, 50}, folder_.path(), ""), InputError);
+  // Of a report of both methods.
+  const auto of_both = write("both/exact", "exact", {{density, {.value = 0.38}}});
+  std::filesystem::rename(folder_.path() / "both/exact/report.md",
+                          folder_.path() / "both/report.md");
+  const Report both = collected_report({of_both}, {51, 199}, folder_.path(), "command");
+  EXPECT_EQ(row(first_page(both), "unperturbed specimen: volume fraction")[2].links.at(0).address,
+            "both/report.md");
 }
 
 }  // namespace

@@ -6,8 +6,11 @@
 
 #include "app/paper/paper_strength.h"
 #include "app/paper/push_speed.h"
+#include "app/scene_json/scenario_json.h"
 #include "app/studies/figures.h"
 #include "core/base/errors.h"
+#include "core/checkpoint/checkpoint.h"
+#include "core/measures/linear_fit.h"
 #include "tests/support/files.h"
 #include "tests/support/paper_fixture.h"
 
@@ -93,7 +96,8 @@ TEST_F(Reproduce, BondsAreCountedOnTheIntrudersWayAndAtRest) {
   leave(0, 0.3,
         "0,0,push,0,20,1,1,1,2\n1,1,push,10,20,0.9,0.8,1,2\n"
         "2,2,push,19,20,0.7,0.6,0.9,2.1\n9,9,push,19,20,0.3,0.5,0.5,2.5\n");
-  leave(1, 0.5, "0,0,push,0,20,1,1,1,2\n1,1,push,11,20,0.7,0.8,1,2\n");
+  // At last it has no intact region.
+  leave(1, 0.5, "0,0,push,0,20,1,1,1,2\n1,1,push,11,20,0.7,0.8,,\n");
   Section section;
   Findings findings;
   penetration->report(PaperResults(jobs.jobs()), section, findings);
@@ -105,6 +109,7 @@ TEST_F(Reproduce, BondsAreCountedOnTheIntrudersWayAndAtRest) {
   const Table& table = std::get<Table>(*found);
   ASSERT_EQ(table.rows.size(), 3U);
   EXPECT_EQ(table.rows[0][2].text, "0.80 ± 0.10") << "half-way down";
+  EXPECT_EQ(table.rows[0][4].text, "1 (1)") << "one of two has an intact region";
   EXPECT_EQ(table.rows[1][2].text, "0.7 (1)") << "one of two came to the floor";
   EXPECT_EQ(table.rows[2][2].text, "0.40 ± 0.10") << "at rest";
 }
@@ -215,6 +220,33 @@ TEST_F(Reproduce, StrengthsOfTwoCohesionForcesAreComparedAtTheSameDepth) {
       << said;
 }
 
+// The paper's field line is given as 0.75 ± 0.03 kPa/cm.
+TEST_F(Reproduce, TheFieldsLineHasTheMiddleOfItsInterval) {
+  PaperScale scale = small();
+  scale.realizations = 1;
+  PaperJobs jobs(scale, folder_.path());
+  const auto field = make_field_experiment();
+  field->plan(jobs);
+  const StrengthRuns runs = plan_strength(jobs);
+  Json forces = Json::array();
+  for (const double depth : {4, 8, 12})
+    forces.push_back({{"depth", depth},
+                      {"force_low", 10 * depth},
+                      {"force_high", 10 * depth},
+                      {"weight_above", depth}});
+  for (const RunGroup* group : {&runs.loose, &runs.compact})
+    leave_results(jobs.jobs()[group->runs[0]], {{"critical_forces", forces}});
+  Section section;
+  Findings findings;
+  field->report(PaperResults(jobs.jobs()), section, findings);
+  std::vector<std::string> names;
+  for (const Block& block : section.blocks)
+    if (const auto* figure = std::get_if<Figure>(&block))
+      for (const Curve& curve : figure->plot.curves) names.push_back(curve.name);
+  EXPECT_NE(std::ranges::find(names, "field, perturbed: 0.75 kPa/cm"), names.end())
+      << testing::PrintToString(names);
+}
+
 TEST(PaperStrength, IsConstantDownToWhereAStrengthLeavesTheMean) {
   PaperStrength strength{
       .depth = {1, 2, 3, 4}, .strength = {5, 5.1, 4.9, 7}, .error = {0.1, 0.1, 0.1, 0.1}};
@@ -225,6 +257,38 @@ TEST(PaperStrength, IsConstantDownToWhereAStrengthLeavesTheMean) {
   EXPECT_EQ(strength.constant_down_to(), 1.0);
   strength.error[2] = 0;
   EXPECT_EQ(strength.constant_down_to(), std::nullopt);
+}
+
+// One specimen is twice as high as the other: above that one's surface the mean is half of the slice's density.
+TEST_F(Reproduce, TheProfileHasNothingAboveTheSurfaceOfASpecimen) {
+  PaperScale scale = small();
+  PaperJobs jobs(scale, folder_.path());
+  const auto structure = make_structure_experiment();
+  structure->plan(jobs);
+  const RunGroup specimens = jobs.samples();
+  for (std::size_t run = 0; run < 2; ++run) {
+    World world;
+    world.box = {.width = scale.width};
+    for (int row = 0; row < (run == 0 ? 8 : 4); ++row)
+      for (int k = 0; k < static_cast<int>(scale.width); ++k)
+        world.disks.add({.position = {k + 0.5, row + 0.5}});
+    const Job& job = jobs.jobs()[specimens.runs[run]];
+    leave_results(job, {{"volume_fraction", 0.785}});
+    write_checkpoint(job.folder.state(), {world, {}, to_text(job.scenario), {}});
+  }
+  Section section;
+  Findings findings;
+  structure->report(PaperResults(jobs.jobs()), section, findings);
+  const auto found = std::ranges::find_if(section.blocks, [](const Block& block) {
+    const auto* figure = std::get_if<Figure>(&block);
+    return figure && figure->plot.name == "structure_profile";
+  });
+  ASSERT_NE(found, section.blocks.end());
+  const Curve& curve = std::get<Figure>(*found).plot.curves.at(0);
+  const auto highest = std::ranges::max_element(curve.y) - curve.y.begin();
+  EXPECT_GT(curve.y[highest], 4);
+  EXPECT_GT(curve.x_error[highest], 0.3 * curve.x[highest])
+      << "half of the specimens are empty there";
 }
 
 // Depths are given every 0.1; the box is 10 high, and speeds are taken from 1.5 to 6.
@@ -270,6 +334,17 @@ TEST_F(Reproduce, TheExponentOfTheVelocityTakesTheThresholdThatWasSearchedFor) {
   EXPECT_NEAR(findings.at("penetration.threshold_force").value, 0.04, 1e-12);
   EXPECT_EQ(findings.at("penetration.threshold_force").n, 2);
   EXPECT_NEAR(findings.at("drag_law.exponent").value, 0.6, 1e-3);
+  // Both searches ended in the same interval, 0.01 F_c wide, in which each is anywhere.
+  const double off = 0.01 / std::sqrt(12.0) / std::sqrt(2.0);
+  EXPECT_NEAR(*findings.at("penetration.threshold_force").standard_error, off, 1e-12);
+  std::vector<double> x, y;
+  for (const double force : small().push_forces)
+    if (force > 0.04 + off) {
+      x.push_back(std::log(force - 0.04 - off));
+      y.push_back(std::log(30 * std::pow(force - 0.04, 0.6)));
+    }
+  EXPECT_NEAR(*findings.at("drag_law.exponent").standard_error, 0.6 - fit_line(x, y)->slope, 2e-4)
+      << "a threshold that is known so well";
 }
 
 // The paper has 0.93 and 0.97 with a third of the cohesion force, 0.68 and 0.78 with all of it.
