@@ -25,6 +25,12 @@ Vec2 place_on_surface(const World& world, double x, std::span<const ConvexPart> 
     return std::abs(trial.separation(pair.a, body).x()) > reach + trial.disks.radius[pair.a];
   });
   if (pairs.empty()) return place;
+  // Above all disks it may still be in a floor, which has no highest point.
+  for (const Wall& wall : trial.walls) {
+    if (!is_floor(wall)) continue;
+    const double along = wall.normal.x() * (x - wall.point.x());
+    place.y() = std::max(place.y(), wall.point.y() + (reach - along) / wall.normal.y());
+  }
   for (int k = 0; k < kMostLooks; ++k) {
     // Convex bodies that a line separates touch only when the one has fallen to the line of the other: each pair lets it
     // fall at least by its gap over the slope of the normal, and any way where the normal points down.

@@ -34,6 +34,22 @@ TEST(PlaceOnSurface, LaysAPlateOnTwoGrains) {
             tolerance::scaled(1e-8));
 }
 
+TEST(PlaceOnSurface, OfAFloorAboveTheGrainsIsOnThatFloor) {
+  const std::vector<ConvexPart> disk{{{{0, 0}}, 0.7}};
+  for (const Vec2& normal : {Vec2(0, 1), Vec2(0.6, 0.8), Vec2(-0.6, 0.8)}) {
+    World world = two_grains();
+    world.box.sides = Sides::open;
+    world.walls.push_back({.point = {10, 9}, .normal = normal});
+    for (const double x : {2.0, 10.0, 14.0}) {
+      const double on_grains = LandingSite(two_grains()).land(x, 0.7)->centre.y();
+      const double on_floor = 9 + (0.7 - normal.x() * (x - 10)) / normal.y();
+      EXPECT_NEAR(place_on_surface(world, x, disk).y(), std::max(on_grains, on_floor),
+                  tolerance::scaled(1e-8))
+          << normal.x() << " at " << x;
+    }
+  }
+}
+
 TEST(RemoveDisks, LeavesTheOthersWithTheirBonds) {
   World world = two_grains();
   world.disks.add({.position = {12.5, 0.5}});
