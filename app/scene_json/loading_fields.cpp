@@ -87,7 +87,7 @@ void describe_fields(Fields& f, BallOnRodIntruder& s) {
 }
 
 void describe_fields(Fields& f, VaneIntruder& s) {
-  f.integer({"blades", "of equal length about the axis"}, 1, 100, s.blades);
+  f.integer({"blades", "of equal length about the axis"}, 2, 100, s.blades);
   f.number({"radius", "from the axis to the tips"}, kLength, s.radius);
   f.number({"thickness", "of a blade, whose end is a half circle"}, kLength, s.thickness);
 }

@@ -43,7 +43,7 @@ struct BallOnRodIntruder {
   bool operator==(const BallOnRodIntruder&) const = default;
 };
 
-// Blades of equal length about an axis.
+// Blades of equal length about an axis, at least two: the axis is their centre of mass, about which a body turns.
 struct VaneIntruder {
   static constexpr std::string_view kName = "vane";
   std::int64_t blades = 4;

@@ -127,6 +127,17 @@ TEST(SceneFormat, ThresholdsOfDrivesReadBackTheSameAndNeedADriveThatCanFail) {
       "phases[0].ramp_time");
 }
 
+// One blade would turn about its middle.
+TEST(SceneFormat, AVaneHasAtLeastTwoBlades) {
+  const auto with = [](const char* blades) {
+    return scenario(R"({"box": {"width": 9}, "phases": [
+      {"type": "vane", "angular_velocity": 1, "shape": {"blades": )" +
+                    std::string(blades) + "}}]}");
+  };
+  EXPECT_NO_THROW(with("2"));
+  EXPECT_THROW(with("1"), InputError);
+}
+
 // A grain in water: Stokes' velocity rho d^2 g/(18 eta) where gamma v = F_g.
 TEST(SceneFormat, DragMayBeGivenByTheFluid) {
   const std::string start = R"({"box": {"width": 9},
