@@ -48,7 +48,7 @@ std::vector<double> contact_pressure(const World& world);
 double volume_fraction(const World& world, double y_low, double y_high);
 
 // Grains above the intruder, as a share of the weight of all grains [1]: straight above it, no farther
-// to a side than its radius, and all that are higher. Zero where there is no intruder.
+// to a side than its half width, and all that are higher. Zero where there is no intruder.
 struct WeightAbove {
   double column = 0, level = 0;
 };

@@ -16,7 +16,7 @@ namespace quicksand {
 
 // What the model leaves open when regions and the weight above an intruder are measured.
 struct MeasureChoices {
-  // The channel: grains whose centres are nearer to the trajectory of the intruder's centre than its radius
+  // The channel: grains whose centres are nearer to the trajectory of the intruder's centre than its half width
   // and this. At half a grain: those that stand, fell or were pushed where the intruder passed. [d]
   double channel_margin = 0.5;
   // The intact region: grains farther from the trajectory than this. Where it lies, not what became of its
@@ -24,7 +24,7 @@ struct MeasureChoices {
   // by the bonds, is kept_all_bonds(). In the paper's box at F_c (one sample, a straight trajectory assumed)
   // at least 0.99 of the initial bonds remain from 6 diameters on and 0.63 at 3 while the intruder is
   // half-way down; with it at the bottom and debris still falling no distance in that box is whole.
-  // [diameters of the intruder]
+  // [widths of the intruder, of a disk its diameter]
   double intact_distance = 6;
   // What is above the intruder has its centre higher than this over the intruder's: 0 its centre, 1 its
   // top, -1 its lowest point. [radii of the intruder]

@@ -192,10 +192,9 @@ void add_shaped_pairs(const World& world, double distance, std::vector<Pair>& pa
 
 namespace {
 
-// The farthest point of the body along a direction, from its centre.
-double extent(const World& world, int body, const Vec2& direction) {
+double extent_at(const World& world, int body, double angle, const Vec2& direction) {
   if (!world.shapes.find(body)) return world.disks.radius[body];
-  const double cosine = std::cos(world.disks.angle[body]), sine = std::sin(world.disks.angle[body]);
+  const double cosine = std::cos(angle), sine = std::sin(angle);
   double most = 0;
   for (const Corner& corner : world.shapes.corners)
     if (corner.body == body)
@@ -204,6 +203,14 @@ double extent(const World& world, int body, const Vec2& direction) {
 }
 
 }  // namespace
+
+double extent(const World& world, int body, const Vec2& direction) {
+  return extent_at(world, body, world.disks.angle[body], direction);
+}
+
+double extent_as_placed(const World& world, int body, const Vec2& direction) {
+  return extent_at(world, body, 0, direction);
+}
 
 double lowest_point(const World& world, int body) {
   return world.disks.position[body].y() - extent(world, body, {0, -1});
@@ -214,7 +221,7 @@ double highest_point_of(const World& world, int body) {
 }
 
 double half_width(const World& world, int body) {
-  return std::max(extent(world, body, {1, 0}), extent(world, body, {-1, 0}));
+  return std::max(extent_as_placed(world, body, {1, 0}), extent_as_placed(world, body, {-1, 0}));
 }
 
 double reach_of(const World& world, int body) {

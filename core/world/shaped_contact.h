@@ -45,9 +45,14 @@ int add_shape(World& world, const Disk& disk, std::span<const ConvexPart> parts)
 // Pairs of the shaped bodies with gaps up to `distance`, in no order.
 void add_shaped_pairs(const World& world, double distance, std::vector<Pair>& pairs);
 
-// Lowest and highest point, and half the widest extent along x about the centre, of any body of Disks [d].
+// How far any body of Disks reaches from its centre along a direction, as it is turned now and as it was placed [d].
+double extent(const World& world, int body, const Vec2& direction);
+double extent_as_placed(const World& world, int body, const Vec2& direction);
+// Lowest and highest point [d].
 double lowest_point(const World& world, int body);
 double highest_point_of(const World& world, int body);
+// How far it reached to a side of its centre as it was placed, on the wider side: a width that stays while it turns,
+// of a disk and of a vane the radius [d].
 double half_width(const World& world, int body);
 // Of the circle about its centre that holds it [d].
 double reach_of(const World& world, int body);

@@ -13,6 +13,7 @@
 #include "app/scene/scene_file.h"
 #include "app/view/history_view.h"
 #include "core/base/errors.h"
+#include "core/world/shaped_contact.h"
 
 namespace quicksand {
 
@@ -34,7 +35,7 @@ struct MeasureArguments {
 void check_regions(const MeasureArguments& options, const World& world) {
   const int intruder = world.intruder();
   if (intruder < 0) return;
-  const double radius = world.disks.radius[intruder];
+  const double radius = half_width(world, intruder);
   const double channel = radius + options.choices.channel_margin;
   if (2 * radius * options.choices.intact_distance >= channel) return;
   throw InputError("--intact-distance " + number_text(options.choices.intact_distance),
@@ -127,14 +128,14 @@ Command add_measure(CLI::App& program) {
   command
       ->add_option("--channel-margin", options->choices.channel_margin,
                    "the channel: centres nearer to the trajectory of the intruder's centre than "
-                   "its radius and this [d]")
+                   "its half width (the radius of a disk or vane) and this [d]")
       ->type_name("LENGTH")
       ->check(in_range(between(0, kFar, "d")))
       ->capture_default_str();
   command
       ->add_option("--intact-distance", options->choices.intact_distance,
                    "the intact region: centres farther from that trajectory than this [diameters "
-                   "of the intruder]")
+                   "of the intruder, or widths as it was placed]")
       ->type_name("NUMBER")
       ->check(in_range(between(0, kFar, "diameters of the intruder")))
       ->capture_default_str();

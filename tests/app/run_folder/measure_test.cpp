@@ -159,6 +159,21 @@ TEST_F(MeasureTest, RefusesWhatItCannotMeasure) {
   }
 }
 
+// A plate is far wider than the disk of its area.
+TEST_F(MeasureTest, OfAPlateTheRegionsBeginByItsWidth) {
+  run_scene({"--set", R"(phases[1]={"type": "penetrate", "speed": 1, "depth": 0.1,
+                         "shape": {"type": "plate", "width": 3, "thickness": 0.5}})"});
+  const std::vector<std::string> measure{"measure", "out/pierced/state.cbor", "--intact-distance"};
+  const auto at_distance = [&](const char* diameters) {
+    std::vector<std::string> arguments = measure;
+    arguments.emplace_back(diameters);
+    return quicksand(arguments);
+  };
+  EXPECT_EQ(at_distance("0.75").exit_code, 0) << at_distance("0.75").err;
+  EXPECT_NE(at_distance("0.6").err.find("reaches to 0.666667"), std::string::npos)
+      << at_distance("0.6").err;
+}
+
 TEST_F(MeasureTest, OfARunIsThatOfItsLastState) {
   run_scene();
   const Outcome of_run = quicksand({"measure", "out/pierced", "--json"});

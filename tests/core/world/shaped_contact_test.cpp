@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/base/random.h"
+#include "core/shapes/intruder_shapes.h"
 #include "core/world/neighbors.h"
 #include "tests/support/core/tolerance.h"
 
@@ -118,6 +119,15 @@ TEST(ShapedBody, KnowsItsExtent) {
   EXPECT_NEAR(lowest_point(world, 0), 3.5, tolerance::rounding(10));
   EXPECT_NEAR(highest_point_of(world, 0), 6.5, tolerance::rounding(10));
   EXPECT_NEAR(half_width(world, 0), 0.5, tolerance::rounding(10));
+}
+
+TEST(ShapedBody, OfAVaneTheHalfWidthIsItsRadiusAtEachAngle) {
+  World world{.box = kOpen};
+  add_shape(world, {}, parts_of(VaneIntruder{.blades = 4, .radius = 3, .thickness = 0.3}));
+  for (const double angle : {0.0, 0.3, std::numbers::pi / 4, 2.0}) {
+    world.disks.angle[0] = angle;
+    EXPECT_NEAR(half_width(world, 0), 3, tolerance::rounding(10)) << angle;
+  }
 }
 
 }  // namespace
