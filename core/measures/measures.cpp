@@ -142,7 +142,8 @@ WeightAbove weight_above_intruder(const World& world, const MeasureChoices& choi
   const int intruder = world.intruder();
   if (intruder < 0) return {};
   const double radius = half_width(world, intruder);
-  const double begins = world.disks.position[intruder].y() + choices.above_begins * radius;
+  const double reach = extent(world, intruder, {0, choices.above_begins < 0 ? -1.0 : 1.0});
+  const double begins = world.disks.position[intruder].y() + choices.above_begins * reach;
   double all = 0;
   WeightAbove above;
   for (int i = 0; i < world.disks.size(); ++i) {

@@ -16,8 +16,8 @@ namespace quicksand {
 
 // What the model leaves open when regions and the weight above an intruder are measured.
 struct MeasureChoices {
-  // The channel: grains whose centres are nearer to the trajectory of the intruder's centre than its half width
-  // and this. At half a grain: those that stand, fell or were pushed where the intruder passed. [d]
+  // The channel: grains whose centres are nearer to where the intruder has passed (its centre, or the axis of a tall
+  // body: distances_from_trajectory()) than its half width and this. At half a grain: those that stand, fell or were pushed where the intruder passed. [d]
   double channel_margin = 0.5;
   // The intact region: grains farther from the trajectory than this. Where it lies, not what became of its
   // bonds, decides, so that a share of active bonds below one can show there; the other definition,
@@ -27,7 +27,7 @@ struct MeasureChoices {
   // [widths of the intruder, of a disk its diameter]
   double intact_distance = 6;
   // What is above the intruder has its centre higher than this over the intruder's: 0 its centre, 1 its
-  // top, -1 its lowest point. [radii of the intruder]
+  // top, -1 its lowest point. [ways from its centre to its top or, below 0, to its lowest point; radii of a disk]
   double above_begins = 0;
 };
 

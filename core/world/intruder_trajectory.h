@@ -24,8 +24,10 @@ void record_trajectory(World& world);
 // it is. No places where there is no intruder.
 IntruderTrajectory trajectory_so_far(const World& world);
 
-// Distance of each disk's centre from the trajectory, through the nearest periodic image (nd) [d]; where it is
-// not below `at_most`, or there is no trajectory, `at_most`.
+// Distance of each disk's centre from where the intruder has passed, through the nearest periodic image (nd) [d]; where
+// it is not below `at_most`, or there is no trajectory, `at_most`. A disk has passed along the trajectory. A taller
+// body has passed with its upright axis, as it was placed: disks of its half_width() along that reach from its highest
+// to its lowest point.
 std::vector<double> distances_from_trajectory(const World& world, double at_most);
 
 }  // namespace quicksand

@@ -127,14 +127,15 @@ Command add_measure(CLI::App& program) {
       ->capture_default_str();
   command
       ->add_option("--channel-margin", options->choices.channel_margin,
-                   "the channel: centres nearer to the trajectory of the intruder's centre than "
+                   "the channel: centres nearer to where the intruder's centre (of a tall one, its "
+                   "axis) has passed than "
                    "its half width (the radius of a disk or vane) and this [d]")
       ->type_name("LENGTH")
       ->check(in_range(between(0, kFar, "d")))
       ->capture_default_str();
   command
       ->add_option("--intact-distance", options->choices.intact_distance,
-                   "the intact region: centres farther from that trajectory than this [diameters "
+                   "the intact region: centres farther from there than this [diameters "
                    "of the intruder, or widths as it was placed]")
       ->type_name("NUMBER")
       ->check(in_range(between(0, kFar, "diameters of the intruder")))
@@ -142,9 +143,9 @@ Command add_measure(CLI::App& program) {
   command
       ->add_option("--above-begins", options->choices.above_begins,
                    "where above the intruder begins, over its centre: 1 its top, -1 its lowest "
-                   "point [radii of the intruder]")
+                   "point [radii of a disk]")
       ->type_name("NUMBER")
-      ->check(in_range(between(-kFar, kFar, "radii of the intruder")))
+      ->check(in_range(between(-kFar, kFar, "radii")))
       ->capture_default_str();
   command->footer(
       "Regions: the whole specimen; the channel that the intruder swept; what is intact because it "

@@ -6,7 +6,9 @@
 #include "core/protocol/protocol.h"
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
+#include "core/shapes/intruder_shapes.h"
 #include "core/world/intruder_trajectory.h"
+#include "core/world/shaped_contact.h"
 #include "tests/support/core/methods.h"
 #include "tests/support/core/scenes.h"
 #include "tests/support/core/tolerance.h"
@@ -145,6 +147,22 @@ TEST(WeightAbove, IsThatOfTheColumnAndOfTheLevelOverAll) {
       << "above its top only";
   EXPECT_EQ(weight_above_intruder(world, {.above_begins = -3}).level, 1);
   EXPECT_EQ(weight_above_intruder(make_world(column(Method::automatic, 2)), {}).level, 0);
+}
+
+// A plate stands upright: its top and lowest point are farther from its centre than its sides.
+TEST(WeightAbove, ATallIntruderBeginsAtItsOwnTopAndLowestPoint) {
+  Scenario scene = empty_scene(Method::automatic);
+  scene.gravity = Vec2(0, -1);
+  for (const double y : {2.0, 4.0, 6.0, 8.0}) scene.disks.push_back({.position = {9, y}});
+  World world = make_world(scene);
+  add_shape(world, {.position = {5, 5}},
+            parts_of(PlateIntruder{.width = 5, .thickness = 0.5, .tilt = 90}));
+  const auto level = [&](double begins) {
+    return weight_above_intruder(world, {.above_begins = begins}).level;
+  };
+  EXPECT_EQ(level(0), 2 / 4.0);
+  EXPECT_EQ(level(1), 1 / 4.0) << "6 is below its top at 7.5";
+  EXPECT_EQ(level(-1), 3 / 4.0) << "4 is above its lowest point at 2.5";
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include "core/measures/measures.h"
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
+#include "core/shapes/intruder_shapes.h"
+#include "core/world/shaped_contact.h"
 #include "tests/support/core/scenes.h"
 #include "tests/support/core/tolerance.h"
 #include "tests/support/temporary_folder.h"
@@ -105,6 +107,63 @@ TEST(DistanceFromTrajectory, IsThatOfTheNearestPointOfTheNearestImage) {
     const double found = distances_from_trajectory(world, 1e9)[0];
     EXPECT_LE(found, nearest + tolerance::rounding());
     EXPECT_GE(found, nearest - 0.03) << "half a step between the points of the search";
+  }
+}
+
+// A cone with a long shaft: its centre is far above its tip.
+World cone_and_grain() {
+  World world;
+  world.box = {.width = 10, .height = 20, .sides = Sides::periodic, .floor = false};
+  world.disks.add({.position = {5, 0.5}});
+  add_shape(world, {.position = {5, 10}},
+            parts_of(ConeIntruder{.width = 2, .angle = 60, .length = 6, .rounding = 0.1}));
+  return world;
+}
+
+TEST(DistanceFromTrajectory, OfATallIntruderIsTakenFromItsAxis) {
+  World world = cone_and_grain();
+  const double low = lowest_point(world, 1) + 1, high = highest_point_of(world, 1) - 1;
+  ASSERT_LT(low, 9);
+  ASSERT_GT(high, 11);
+  world.trajectory.places = {{5, 14}};  // it has come down by 4 d
+  const auto of = [&](const Vec2& p) {
+    world.disks.position[0] = p;
+    return distances_from_trajectory(world, 100)[0];
+  };
+  EXPECT_NEAR(of({5.5, low}), 0.5, tolerance::rounding());
+  EXPECT_NEAR(of({5, low - 1}), 1, tolerance::rounding()) << "at its tip";
+  EXPECT_NEAR(of({15.5, 12}), 0.5, tolerance::rounding()) << "where its centre was";
+  EXPECT_NEAR(of({4, high + 4}), 1, tolerance::rounding()) << "at its top when it was placed";
+  EXPECT_NEAR(of({5, high + 6}), 2, tolerance::rounding());
+}
+
+// Against all places of the axis and all images, while the cone is moved to the sides, too.
+TEST(DistanceFromTrajectory, OfATallIntruderIsThatOfTheNearestPointOfItsAxis) {
+  Random random{5};
+  World world = cone_and_grain();
+  const double low = lowest_point(world, 1) - 10 + 1, high = highest_point_of(world, 1) - 10 - 1;
+  Vec2 place(5, 10);
+  for (int k = 0; k < 12; ++k) {
+    world.trajectory.places.push_back(place);
+    place += Vec2(6 * random.uniform() - 2, 1 - 4 * random.uniform());
+  }
+  world.disks.position[1] = place;
+  std::vector<Vec2> places = world.trajectory.places;
+  places.push_back(place);
+  for (int k = 0; k < 40; ++k) {
+    const Vec2 p(40 * random.uniform() - 20, 60 * random.uniform() - 40);
+    world.disks.position[0] = p;
+    double nearest = 1e9;
+    for (std::size_t s = 0; s + 1 < places.size(); ++s)
+      for (double t = 0; t <= 1; t += 0.01) {
+        Vec2 away = p - places[s] - t * (places[s + 1] - places[s]);
+        away.x() -= 10 * std::round(away.x() / 10);
+        away.y() -= std::clamp(away.y(), low, high);
+        nearest = std::min(nearest, away.norm());
+      }
+    const double found = distances_from_trajectory(world, 1e9)[0];
+    EXPECT_LE(found, nearest + tolerance::rounding());
+    EXPECT_GE(found, nearest - 0.04) << "half a step between the places of the search";
   }
 }
 
