@@ -33,7 +33,7 @@ double widest_touching_gap(const World& world) {
 }
 
 bool touches(const World& world, Pair pair) {
-  return world.gap(pair) <= touching_gap(world.law(pair));
+  return world.movable(pair) && world.gap(pair) <= touching_gap(world.law(pair));
 }
 
 }  // namespace
@@ -209,10 +209,8 @@ Sample measure(const World& world, const MeasureChoices& choices) {
   }
   for (std::size_t k = 0; k < s.within.size(); ++k)
     s.within[k] = within_gap(world, near, kContactMargins[k], s.grains, s.bonds_active);
-  for (const Pair& pair : touching) {
-    ++s.contacts;
-    s.max_overlap = std::max(s.max_overlap, -world.gap(pair));
-  }
+  s.contacts = std::ssize(touching);
+  for (const Pair& pair : near) s.max_overlap = std::max(s.max_overlap, -world.gap(pair));
   if (s.contacts > 0)
     s.active_bond_fraction = static_cast<double>(s.bonds_active) / static_cast<double>(s.contacts);
   if (world.bonds.initial > 0)

@@ -20,7 +20,7 @@ struct Energies {
 Energies energies(const World& world);
 
 // Pairs whose gap is at most the cohesion range of their law, or 5e-5 d without cohesion, at the present
-// positions, whether a step was made or not; sorted.
+// positions, whether a step was made or not; sorted. Not those of two immovable bodies, which neither bond nor carry.
 std::vector<Pair> touching_pairs(const World& world);
 
 // Counts for each disk (nd): active bonds, broken bonds, initial bonds, touching contacts, loaded
@@ -80,7 +80,7 @@ struct Sample {
   std::int64_t bonds_formed = 0;
   std::int64_t bonds_broken = 0;
   std::int64_t bonds_healed = 0;
-  double max_overlap = 0;  // [d]
+  double max_overlap = 0;  // of any pair, two immovable bodies included [d]
   bool has_intruder = false;
   Vec2 intruder_position{0, 0};  // [d]
   Vec2 intruder_velocity{0, 0};  // [sqrt(g d)]

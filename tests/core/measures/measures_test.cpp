@@ -110,6 +110,26 @@ TEST(Coordination, OfTheTwoLattices) {
   EXPECT_NEAR(triangular.coordination, (6 * 6 + 2 * 4) / 8.0, tolerance::rounding());
 }
 
+// Two fixed grains on the floor and one on both: of five pairs that touch, two can bond and carry.
+TEST(Coordination, LeavesOutPairsOfImmovableBodies) {
+  Scenario scene = empty_scene(Method::automatic);
+  scene.box = {.width = 10, .height = 5, .sides = Sides::open, .floor = true};
+  scene.grain_law = paper_law(10);
+  scene.initial_bonds = InitialBonds::touching;
+  scene.disks = {{.position = {4, 0.5}, .fixed = true},
+                 {.position = {5, 0.5}, .fixed = true},
+                 {.position = {4.5, 0.5 + kTriangularRise}}};
+  const World world = make_world(scene);
+  EXPECT_EQ(touching_pairs(world), (std::vector<Pair>{{0, 2}, {1, 2}}));
+  const Sample sample = measure(world);
+  EXPECT_EQ(sample.contacts, 2);
+  EXPECT_DOUBLE_EQ(sample.coordination, 4 / 3.0);
+  EXPECT_DOUBLE_EQ(sample.active_bond_fraction.value(), 1);
+  World overlapping = world;
+  overlapping.disks.position[1].x() -= 0.1;
+  EXPECT_NEAR(measure(overlapping).max_overlap, 0.1, tolerance::rounding());
+}
+
 TEST(Coordination, CountsWallsAsNeighboursAndIntrudersNotAsGrains) {
   Scenario scene = column(Method::automatic, 2);
   scene.disks.push_back({.position = {0, 3.5}, .radius = 1.5, .role = DiskRole::intruder});
