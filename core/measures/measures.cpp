@@ -75,15 +75,15 @@ NeighbourCounts count_neighbours(const World& world, std::span<const Pair> touch
   for (const Bond& bond : world.bonds.list) {
     const bool active = bond.state == BondState::active;
     count(active ? n.active : n.broken, bond.pair);
+    if (active) count(n.loaded, bond.pair);
     if (bond.initial) count(n.initial, bond.pair);
     if (bond.initial && active) count(n.initial_active, bond.pair);
   }
   for (const Pair& pair : touching) count(n.touching, pair);
   for (const Contact& contact : world.contacts) {
-    // A bond may have broken, or been formed, at the end of the step that the contacts are of.
+    if (contact.impulse.x() <= 0) continue;
     const Bond* bond = world.bonds.find(contact.pair);
-    const bool bonded = bond && bond->state == BondState::active;
-    if (bonded || contact.impulse.x() > 0) count(n.loaded, contact.pair);
+    if (!bond || bond->state != BondState::active) count(n.loaded, contact.pair);
   }
   return n;
 }

@@ -201,6 +201,14 @@ TEST(ContactPressure, IsZeroUnderTension) {
   EXPECT_EQ(count_neighbours(run.world).loaded, (std::vector<int>{1, 2, 2, 1})) << "bonds count";
 }
 
+TEST(LoadedNeighbours, CountActiveBondsBeforeAnyStep) {
+  Scenario scene = column(Method::automatic, 3, paper_law(10));
+  scene.initial_bonds = InitialBonds::touching;
+  const World world = make_world(scene);
+  ASSERT_TRUE(world.contacts.empty());
+  EXPECT_EQ(count_neighbours(world).loaded, (std::vector<int>{2, 2, 1}));
+}
+
 // The contacts are of the last step, but a bond that broke in it holds no more.
 TEST(LoadedNeighbours, DoNotCountABondThatJustBroke) {
   Simulation run(pulled_pair(Method::automatic, 20, 10));
