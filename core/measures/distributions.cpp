@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -150,11 +149,7 @@ Histogram bond_tensions(const World& world) {
 
 std::vector<Slice> height_profile(const World& world, std::span<const Pair> touching,
                                   double thickness) {
-  const double highest = packing_top(world);
-  double bottom = world.box.floor ? 0 : std::numeric_limits<double>::infinity();
-  for (int i = 0; i < world.disks.size() && !world.box.floor; ++i)
-    if (world.disks.role[i] == DiskRole::grain)
-      bottom = std::min(bottom, world.disks.position[i].y() - world.disks.radius[i]);
+  const double highest = packing_top(world), bottom = packing_bottom(world);
   if (highest <= bottom || !std::isfinite(highest)) return {};
   const double first = std::floor(bottom / thickness), last = std::ceil(highest / thickness);
   constexpr double kMostSlices = 10000;
@@ -174,7 +169,8 @@ std::vector<Slice> height_profile(const World& world, std::span<const Pair> touc
                 (first + k + 1) * thickness,
                 {},
                 grains[static_cast<std::size_t>(k)]};
-    if (world.box.width > 0) slice.volume_fraction = volume_fraction(world, slice.low, slice.high);
+    if (world.box.sides != Sides::open)
+      slice.volume_fraction = volume_fraction(world, slice.low, slice.high);
     slices.push_back(slice);
   }
   return slices;

@@ -50,12 +50,11 @@ Histogram bond_tensions(const World& world);
 // One horizontal slice of the sample.
 struct Slice {
   double low = 0, high = 0;               // [d]
-  std::optional<double> volume_fraction;  // of everything in it; empty in a box without a width
+  std::optional<double> volume_fraction;  // of everything in it; empty where the sides are open
   Region grains;                          // those with their centre in it
 };
 
-// Slices of equal thickness [d] from the floor, or without one from a multiple of the thickness below
-// the lowest grain, to above the highest grain; none without grains. Throws InputError if that makes
+// Slices of equal thickness [d] from a multiple of it, at packing_bottom() or below, to above the highest grain; none without grains. Throws InputError if that makes
 // more than 10 000 slices.
 std::vector<Slice> height_profile(const World& world, std::span<const Pair> touching,
                                   double thickness);

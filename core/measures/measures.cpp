@@ -189,7 +189,10 @@ Sample measure(const World& world, const MeasureChoices& choices) {
   for (const Vec3& v : world.disks.velocity)
     s.max_speed = std::max(s.max_speed, v.head<2>().norm());
   s.packing_top = packing_top(world);
-  s.volume_fraction = volume_fraction(world, 0, 0.7 * s.packing_top);
+  if (world.box.sides != Sides::open) {
+    const double bottom = packing_bottom(world);
+    s.volume_fraction = volume_fraction(world, bottom, bottom + 0.7 * (s.packing_top - bottom));
+  }
 
   // One search serves all margins of what counts as a contact.
   const std::vector<Pair> near =

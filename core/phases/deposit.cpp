@@ -131,7 +131,7 @@ class Deposit final : public RunningPhaseOf<DepositPhase> {
     const Sample sample = measure(stage.world);
     AdiabaticDeposit now{.phase = stage.state.phase,
                          .interval = search.interval,
-                         .volume_fraction = sample.volume_fraction,
+                         .volume_fraction = sample.volume_fraction.value_or(0),
                          .coordination = sample.coordination,
                          .grains = sample.grains};
     std::vector<AdiabaticDeposit>& deposits = stage.state.adiabatic_deposits;

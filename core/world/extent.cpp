@@ -26,6 +26,21 @@ double packing_top(const World& world) { return top_of(world, false); }
 
 double highest_point(const World& world) { return top_of(world, true); }
 
+double packing_bottom(const World& world) {
+  std::optional<double> bottom;
+  if (world.box.floor) bottom = 0;
+  for (const Wall& wall : world.walls)
+    if (is_floor(wall) && wall.normal.x() == 0)
+      bottom = std::max(bottom.value_or(wall.point.y()), wall.point.y());
+  if (bottom) return *bottom;
+  for (int i = 0; i < world.disks.size(); ++i) {
+    if (world.disks.role[i] != DiskRole::grain) continue;
+    const double of_grain = lowest_point(world, i);
+    bottom = std::min(bottom.value_or(of_grain), of_grain);
+  }
+  return bottom.value_or(0);
+}
+
 double weight_above(const World& world, double height) {
   if (!world.gravity) return 0;
   double mass = 0;

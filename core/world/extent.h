@@ -9,6 +9,9 @@ namespace quicksand {
 double packing_top(const World& world);
 // The same with intruders [d].
 double highest_point(const World& world);
+// Where the packing begins: at the highest level floor or, without one, at the lowest point of the grains [d]; 0 if there
+// are none.
+double packing_bottom(const World& world);
 
 // Weight of all grains whose centres are above this height [F_g]; 0 without gravity.
 double weight_above(const World& world, double height);

@@ -38,9 +38,9 @@ std::vector<Reading> readings(const World& world, const View& view) {
   all.push_back({italic("N") + " = " + std::to_string(sample.grains), italic("N") + " = 00000"});
   all.push_back(
       {italic("Z") + " = " + fixed_number(sample.coordination, 2), italic("Z") + " = 0.00"});
-  if (world.box.width > 0) {
+  if (sample.volume_fraction) {
     all.push_back(
-        {italic("φ") + " = " + fixed_number(sample.volume_fraction, 3), italic("φ") + " = 0.000"});
+        {italic("φ") + " = " + fixed_number(*sample.volume_fraction, 3), italic("φ") + " = 0.000"});
   }
   if (!world.bonds.list.empty() || world.grain_law.cohesion_force) {
     const std::optional<double>& active = sample.active_bond_fraction;

@@ -33,7 +33,7 @@ Packing deposited(Method method, std::uint64_t seed, double tolerance) {
   EXPECT_EQ(protocol.phase(), nullptr) << protocol.failure();
   EXPECT_EQ(protocol.state().unconverged_steps, 0);
   const Sample sample = measure(protocol.world());
-  return {sample.coordination, sample.volume_fraction};
+  return {sample.coordination, sample.volume_fraction.value_or(0)};
 }
 
 // The default tolerance against one of 1e-9. One contact more or less of a grain is 0.0025 to 0.005 in the

@@ -57,7 +57,7 @@ struct Observable {
 constexpr std::array kObservables{
     Observable{"broken bonds", [](const Sample& s) { return static_cast<double>(s.bonds_broken); }},
     Observable{"depth", [](const Sample& s) { return s.depth; }},
-    Observable{"volume fraction", [](const Sample& s) { return s.volume_fraction; }},
+    Observable{"volume fraction", [](const Sample& s) { return s.volume_fraction.value_or(0); }},
     Observable{"coordination", [](const Sample& s) { return s.coordination; }},
     Observable{"active share", [](const Sample& s) { return s.active_bond_fraction.value_or(0); }}};
 

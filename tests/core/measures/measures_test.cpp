@@ -86,6 +86,16 @@ TEST(VolumeFraction, CutsDisksExactly) {
   EXPECT_EQ(volume_fraction(world, 1, 1), 0) << "an empty slice";
 }
 
+TEST(VolumeFraction, OfAPackingDoesNotDependOnWhereItsFloorIs) {
+  for (const bool on_floor : {true, false}) {
+    Scenario scene = lattice(6, 10, 0, 1);
+    for (Disk& disk : scene.disks) disk.position.y() += 20;
+    if (on_floor) scene.walls = {{.point = {0, 20}}};
+    EXPECT_NEAR(measure(make_world(scene)).volume_fraction.value(), std::numbers::pi / 4,
+                tolerance::rounding(10));
+  }
+}
+
 TEST(VolumeFraction, OfSlicesAddsUpToTheTotal) {
   const World world = make_world(falling_cluster(Method::automatic, 30, 3, {}));
   World boxed = world;
@@ -228,7 +238,7 @@ TEST(Measures, OfAnEmptyWorldAreZeroOrAbsent) {
   const Sample sample = measure(make_world(empty_scene(Method::automatic)));
   EXPECT_EQ(sample.grains, 0);
   EXPECT_EQ(sample.coordination, 0);
-  EXPECT_EQ(sample.volume_fraction, 0);
+  EXPECT_FALSE(sample.volume_fraction.has_value()) << "its sides are open";
   EXPECT_FALSE(sample.active_bond_fraction.has_value()) << "there are no contacts";
   EXPECT_FALSE(sample.remaining_bond_fraction.has_value()) << "there are no bonds";
 }

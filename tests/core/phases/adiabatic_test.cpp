@@ -70,7 +70,7 @@ TEST_P(AdiabaticDeposition, LeavesTheSampleThatItsLastIntervalGivesAlone) {
   }
   ASSERT_EQ(protocol.state().adiabatic_deposits.size(), 2U);
   EXPECT_NEAR(protocol.state().adiabatic_deposits[1].volume_fraction,
-              measure(alone.world()).volume_fraction, tolerance::solved());
+              measure(alone.world()).volume_fraction.value(), tolerance::solved());
   ASSERT_EQ(protocol.world().disks.size(), 30);
   for (int i = 0; i < 30; ++i)
     EXPECT_LT(distance(protocol.world().disks.position[i], alone.world().disks.position[i]),

@@ -209,7 +209,7 @@ TEST(SlowPistonCollapse, MakesALoosePackingDenser) {
   const Sample after = measure(run.to_end_of_phase().world());
   EXPECT_LT(after.time, 20) << "it comes to rest";
   EXPECT_LT(after.packing_top, 0.7 * before.packing_top);
-  EXPECT_GT(after.volume_fraction, 1.5 * before.volume_fraction);
+  EXPECT_GT(after.volume_fraction.value(), 1.5 * before.volume_fraction.value());
   EXPECT_LT(after.remaining_bond_fraction, 0.5);
 }
 
