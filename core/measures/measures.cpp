@@ -22,7 +22,7 @@ double touching_gap(const ContactLaw& law) {
 }
 
 // Area of the part of a disk below the height y above its centre.
-double area_below(double radius, double y) {
+double disk_area_below(double radius, double y) {
   const double h = std::clamp(y / radius, -1.0, 1.0);
   return radius * radius * (std::numbers::pi / 2 + std::asin(h) + h * std::sqrt(1 - h * h));
 }
@@ -133,7 +133,12 @@ double volume_fraction(const World& world, double y_low, double y_high) {
   for (int i = 0; i < world.disks.size(); ++i) {
     const double y = world.disks.position[i].y();
     const double r = world.disks.radius[i];
-    area += area_below(r, y_high - y) - area_below(r, y_low - y);
+    if (!world.shapes.find(i))
+      area += disk_area_below(r, y_high - y) - disk_area_below(r, y_low - y);
+  }
+  for (const ShapedBody& shaped : world.shapes.bodies) {
+    const std::vector<ConvexPart> parts = parts_in_place(world, shaped.body);
+    area += area_below(parts, y_high) - area_below(parts, y_low);
   }
   return area / (world.box.width * (y_high - y_low));
 }

@@ -44,7 +44,7 @@ ContactCounts contact_counts(const World& world, const NeighbourCounts& neighbou
 // circumference [F_g/d].
 std::vector<double> contact_pressure(const World& world);
 
-// Area of the disks between two heights over the area of the box there, clipped exactly.
+// Area of the disks and shaped bodies between two heights over the area of the box there, clipped exactly.
 double volume_fraction(const World& world, double y_low, double y_high);
 
 // Grains above the intruder, as a share of the weight of all grains [1]: straight above it, no farther

@@ -143,9 +143,36 @@ struct Integrals {
   }
 };
 
+// The whole outline of the union, in stretches that see(piece, from, to) gets; `cut` adds the parameters of a piece at
+// which a stretch has to end besides.
+template <class Cut, class See>
+void for_each_stretch(std::span<const ConvexPart> parts, Cut cut, See see) {
+  std::vector<std::vector<Piece>> outlines;
+  for (const ConvexPart& part : parts) outlines.push_back(outline_of(part));
+  std::vector<double> cuts;
+  for (std::size_t own = 0; own < parts.size(); ++own)
+    for (const Piece& piece : outlines[own]) {
+      cuts.assign({0, piece.length});
+      for (std::size_t other = 0; other < parts.size(); ++other)
+        if (other != own)
+          for (const Piece& of_other : outlines[other]) add_cuts(piece, of_other, cuts);
+      cut(piece, cuts);
+      std::ranges::sort(cuts);
+      for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+        const double from = cuts[k], to = cuts[k + 1], middle = (from + to) / 2;
+        if (to <= from || hidden(parts, own, piece.at(middle), piece.outward(middle))) continue;
+        const int stretches =
+            piece.arc ? static_cast<int>(std::ceil((to - from) / (kTurn / 16))) : 1;
+        for (int s = 0; s < stretches; ++s)
+          see(piece, from + (to - from) * s / stretches, from + (to - from) * (s + 1) / stretches);
+      }
+    }
+}
+
 // Gauss and Legendre with eight points: exact to rounding for cubic polynomials and for arcs of up to a
 // sixteenth of a turn.
-void add_stretch(const Piece& piece, double from, double to, Integrals& sum) {
+template <class Add>
+void add_stretch(const Piece& piece, double from, double to, Add add) {
   constexpr double kNode[] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
                               0.9602898564975363};
   constexpr double kWeight[] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
@@ -155,32 +182,17 @@ void add_stretch(const Piece& piece, double from, double to, Integrals& sum) {
     for (const double side : {-1.0, 1.0}) {
       const double s = middle + side * half * kNode[k];
       const double scale = half * kWeight[k] * (piece.arc ? piece.radius : 1);
-      sum.add(piece.at(s), scale * perpendicular(piece.outward(s)));
+      add(piece.at(s), scale * perpendicular(piece.outward(s)));
     }
 }
 
 Integrals integrals_of(std::span<const ConvexPart> parts) {
-  std::vector<std::vector<Piece>> outlines;
-  for (const ConvexPart& part : parts) outlines.push_back(outline_of(part));
   Integrals sum;
-  std::vector<double> cuts;
-  for (std::size_t own = 0; own < parts.size(); ++own)
-    for (const Piece& piece : outlines[own]) {
-      cuts.assign({0, piece.length});
-      for (std::size_t other = 0; other < parts.size(); ++other)
-        if (other != own)
-          for (const Piece& of_other : outlines[other]) add_cuts(piece, of_other, cuts);
-      std::ranges::sort(cuts);
-      for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
-        const double from = cuts[k], to = cuts[k + 1], middle = (from + to) / 2;
-        if (to <= from || hidden(parts, own, piece.at(middle), piece.outward(middle))) continue;
-        const int stretches =
-            piece.arc ? static_cast<int>(std::ceil((to - from) / (kTurn / 16))) : 1;
-        for (int s = 0; s < stretches; ++s)
-          add_stretch(piece, from + (to - from) * s / stretches,
-                      from + (to - from) * (s + 1) / stretches, sum);
-      }
-    }
+  for_each_stretch(
+      parts, [](const Piece&, std::vector<double>&) {},
+      [&](const Piece& piece, double from, double to) {
+        add_stretch(piece, from, to, [&](const Vec2& p, const Vec2& step) { sum.add(p, step); });
+      });
   return sum;
 }
 
@@ -206,6 +218,27 @@ MassProperties mass_properties(std::span<const ConvexPart> parts) {
   return {.area = sum.area,
           .centre = centre + rest,
           .second_moment = sum.second - sum.area * rest.squaredNorm()};
+}
+
+double area_below(std::span<const ConvexPart> parts, double y) {
+  // 1 = div (0, y' - y), which is zero along the cut.
+  double area = 0;
+  for_each_stretch(
+      parts,
+      [&](const Piece& piece, std::vector<double>& cuts) {
+        if (piece.arc) {
+          const Piece line{.from = {piece.centre.x(), y}, .along = {1, 0}};
+          return add_line_and_circle(line, piece, piece, cuts);
+        }
+        if (piece.along.y() != 0)
+          add_at(piece, piece.from + (y - piece.from.y()) / piece.along.y() * piece.along, cuts);
+      },
+      [&](const Piece& piece, double from, double to) {
+        if (piece.at((from + to) / 2).y() >= y) return;
+        add_stretch(piece, from, to,
+                    [&](const Vec2& p, const Vec2& step) { area += (y - p.y()) * step.x(); });
+      });
+  return area;
 }
 
 }  // namespace quicksand

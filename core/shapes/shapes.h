@@ -31,6 +31,9 @@ struct MassProperties {
 // Of the union of the parts, exact but for rounding.
 MassProperties mass_properties(std::span<const ConvexPart> parts);
 
+// Of what of the union is lower than y, exact but for rounding [d^2].
+double area_below(std::span<const ConvexPart> parts, double y);
+
 // Where a part is nearest to the origin.
 struct NearestPoint {
   Vec2 foot{0, 0};  // of the hull of the corners [d]

@@ -239,6 +239,21 @@ double speed_of_body(const World& world, int body) {
                                  : world.disks.velocity[body].head<2>().norm();
 }
 
+std::vector<ConvexPart> parts_in_place(const World& world, int body) {
+  const Vec2& centre = world.disks.position[body];
+  const double cosine = std::cos(world.disks.angle[body]), sine = std::sin(world.disks.angle[body]);
+  std::vector<ConvexPart> parts;
+  world.shapes.for_each_part([&](std::span<const Corner> corners, std::size_t) {
+    const Corner& first = corners.front();
+    if (first.body != body) return;
+    ConvexPart& part =
+        parts.emplace_back(ConvexPart{.corners = {}, .radius = first.radius, .shaft = first.shaft});
+    for (const Corner& corner : corners)
+      part.corners.emplace_back(centre + turned(corner.place, cosine, sine));
+  });
+  return parts;
+}
+
 bool holds(const World& world, int body, const Vec2& place) {
   Vec2 away = place - world.disks.position[body];
   away.x() -= world.box.image_shift(away.x());

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "core/world/world.h"
 
@@ -60,6 +61,8 @@ double reach_of(const World& world, int body);
 double fastest_point(const World& world, int body);
 // The same, but of a disk the speed of its centre: where it turns in its place, nothing moves.
 double speed_of_body(const World& world, int body);
+// The parts of a shaped body where they are, none of a disk.
+std::vector<ConvexPart> parts_in_place(const World& world, int body);
 // Whether a place is in the body, seen through periodic sides.
 bool holds(const World& world, int body, const Vec2& place);
 

@@ -7,7 +7,9 @@
 
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
+#include "core/shapes/intruder_shapes.h"
 #include "core/world/extent.h"
+#include "core/world/shaped_contact.h"
 #include "tests/support/core/methods.h"
 #include "tests/support/core/scenes.h"
 #include "tests/support/core/simulation.h"
@@ -84,6 +86,33 @@ TEST(VolumeFraction, CutsDisksExactly) {
   EXPECT_NEAR(volume_fraction(world, 0, 0.5), std::numbers::pi / 4, tolerance::rounding());
   EXPECT_EQ(volume_fraction(world, 2, 3), 0);
   EXPECT_EQ(volume_fraction(world, 1, 1), 0) << "an empty slice";
+}
+
+TEST(VolumeFraction, CutsShapedBodiesExactly) {
+  World world;
+  world.box = {.width = 20, .height = 20, .sides = Sides::periodic, .floor = true};
+  const int body = add_shape(world, {.position = {10, 10}},
+                             parts_of(PlateIntruder{.width = 6, .thickness = 2, .tilt = 0}));
+  // Upright: between its round ends it is 2 d wide.
+  world.disks.angle[body] = std::numbers::pi / 2;
+  EXPECT_NEAR(volume_fraction(world, 8, 12), 2 / 20.0, tolerance::rounding());
+  EXPECT_NEAR(volume_fraction(world, 12, 13) * 20, std::numbers::pi / 2, tolerance::rounding(10));
+  EXPECT_NEAR(volume_fraction(world, 10, 14) * 80, 4 + std::numbers::pi / 2,
+              tolerance::rounding(10));
+  EXPECT_NEAR(volume_fraction(world, 13.5, 20), 0, tolerance::rounding());
+}
+
+TEST(VolumeFraction, OfSlicesThroughAShapedBodyAddsUpToItsArea) {
+  const std::vector<ConvexPart> vane =
+      parts_of(VaneIntruder{.blades = 5, .radius = 3, .thickness = 0.4});
+  World world;
+  world.box = {.width = 20, .height = 20, .sides = Sides::periodic, .floor = true};
+  const int body = add_shape(world, {.position = {10, 10}}, vane);
+  world.disks.angle[body] = 0.37;
+  double area = 0;
+  for (int k = 0; k < 37; ++k)
+    area += volume_fraction(world, 20.0 * k / 37, 20.0 * (k + 1) / 37) * 20 * 20 / 37;
+  EXPECT_NEAR(area, mass_properties(vane).area, tolerance::rounding(100));
 }
 
 TEST(VolumeFraction, OfAPackingDoesNotDependOnWhereItsFloorIs) {
