@@ -60,6 +60,52 @@ void drive_on(Stage& stage, const DriveSetup& setup, int body, double ramp_time)
   stage.world.disks.applied[body] = share * setup.load * setup.direction;
 }
 
+namespace {
+
+// Pairs of the body in which it overlaps by more than rounding.
+std::vector<Pair> overlaps_of(const World& world, int body) {
+  constexpr double kOverlap = 1e-9;  // [d]
+  std::vector<Pair> pairs;
+  if (world.shapes.find(body)) {
+    add_shaped_pairs(world, -kOverlap, pairs);
+    return pairs;
+  }
+  const auto offer = [&](Pair pair) {
+    if (world.gap(pair) < -kOverlap) pairs.push_back(pair);
+  };
+  for (int i = 0; i < world.disks.size(); ++i)
+    if (i != body) offer({std::min(i, body), std::max(i, body)});
+  for (int w = 0; w < static_cast<int>(world.walls.size()); ++w) offer({body, kWallBase + w});
+  return pairs;
+}
+
+// How fast the gap of a pair closes. [sqrt(g d)]
+double closing_rate(const World& world, Pair pair) {
+  const auto velocity_of = [&](int body) -> Vec2 {
+    if (is_wall(body)) return world.wall(body).velocity;
+    const Vec3& v = world.disks.velocity[world.row(body)];
+    if (is_disk(body)) return v.head<2>();
+    return v.head<2>() + v.z() * perpendicular(shaped_contact(world, pair).arm);
+  };
+  Vec2 normal;
+  world.gap(pair, &normal);
+  return normal.dot(velocity_of(pair.a) - velocity_of(pair.b));
+}
+
+}  // namespace
+
+void require_free_way(const Stage& stage) {
+  const World& world = stage.world;
+  const int body = world.intruder();
+  for (const Pair& pair : overlaps_of(world, body)) {
+    if (world.movable(pair) || closing_rate(world, pair) <= 0) continue;
+    const int other = world.row(pair.a) == body ? pair.b : pair.a;
+    throw InputError("phases[" + std::to_string(stage.state.phase) + "]",
+                     "drives the intruder at a rate into " + message_name(world, other) +
+                         ", which no force moves; let its way end before, or drive it by a load");
+  }
+}
+
 double take_unrecorded_time(Stage& stage) {
   double& recorded = stage.state.memory["recorded"];
   const double time = stage.world.time - std::max(recorded, stage.state.phase_start);

@@ -31,6 +31,9 @@ void set_free(World& world, int body);
 void begin_way(Stage& stage, double way);
 // A step of the drive begins: rate or load, which rise from 0 in `ramp_time`, act on the body.
 void drive_on(Stage& stage, const DriveSetup& setup, int body, double ramp_time);
+// Throws InputError where the intruder, driven at a rate, is in a wall or a fixed grain and goes farther into it: neither
+// gives way to a force, so no contact is computed between them.
+void require_free_way(const Stage& stage);
 // Time of the phase of which no load is recorded yet; from now on it is. [sqrt(d/g)]
 double take_unrecorded_time(Stage& stage);
 // Records a resistance that has acted for this time, with `way` behind now.
@@ -50,6 +53,7 @@ class DrivePhaseOf : public RunningPhaseOf<Settings> {
 
   void before_step(Stage& stage) override {
     if (settings().threshold) return begin_force_trial(stage, setup_.direction);
+    if (setup_.rate && way(stage) < setup_.whole) require_free_way(stage);
     drive_on(stage, setup_, stage.world.intruder(), settings().ramp_time);
   }
 

@@ -26,7 +26,7 @@ class Protocol {
   // entered anew, from the base of the old search.
   Protocol(const Scenario& scenario, World world, const ProtocolState& state = {});
 
-  // At most one time step.
+  // At most one time step. Throws InputError where a phase cannot begin, or go on, in the world as it is, which stays.
   Progress advance();
 
   // What a person does to a run under way.

@@ -16,6 +16,7 @@ class RunningPhase {
 
   virtual SearchKind searches_for() const { return SearchKind::none; }
   virtual void begin(Stage& stage) = 0;
+  // Throws InputError where the phase cannot go on from the world as it is.
   virtual void before_step(Stage&) {}
   virtual bool finished(Stage& stage) = 0;
   virtual void end(Stage&) {}

@@ -63,6 +63,19 @@ std::vector<Pair> bondable_pairs(const World& world) {
   return pairs;
 }
 
+std::string message_name(const World& world, int body) {
+  if (!is_wall(body)) return "body " + std::to_string(world.row(body));
+  int k = body - kWallBase;
+  if (world.box.floor && k-- == 0) return "the floor";
+  if (world.box.sides == Sides::walls) {
+    if (k == 0) return "the left side";
+    if (k == 1) return "the right side";
+    k -= 2;
+  }
+  const std::string listed = "walls[" + std::to_string(k) + "]";
+  return world.wall(body).role == WallRole::piston ? listed + " (a piston)" : listed;
+}
+
 void remove_last_wall(World& world) {
   world.walls.pop_back();
   const int body = kWallBase + static_cast<int>(world.walls.size());

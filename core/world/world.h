@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/base/random.h"
@@ -69,6 +70,9 @@ struct World {
 // The pairs that a bond could hold: they touch within the cohesion range of their law, which has a
 // cohesion, and not both are immovable. Sorted.
 std::vector<Pair> bondable_pairs(const World& world);
+
+// What messages call a body of a pair, by the scene: body 3, the floor, the left side, walls[0].
+std::string message_name(const World& world, int body);
 
 // Takes away the last wall, of which there must be one, with its bonds and contacts. Its bonds do not
 // count as broken.

@@ -320,6 +320,49 @@ TEST(RestOfADrive, IsThatOfTheTips) {
   EXPECT_TRUE(run.missed_rest());
 }
 
+// Why the first phase does not get to its end; empty where it does.
+std::string refusal_of(const Scenario& scene) {
+  Protocol run(scene, make_world(scene));
+  try {
+    EXPECT_EQ(finish_phase(run), Progress::phase_ended);
+  } catch (const InputError& error) {
+    return error.where() + " " + error.what();
+  }
+  return {};
+}
+
+// Nothing that is immovable stops what is driven at a rate: no contact is computed between the two.
+TEST(DriveAtARate, IntoAnImmovableBodyIsRefusedWhereItMeetsIt) {
+  Scenario scene = empty_scene(Method::automatic);
+  scene.box = {.width = 20, .height = 10, .sides = Sides::walls, .floor = true};
+  scene.step.dt = 0.01;
+  scene.disks = {{.position = {18, 5.5}, .fixed = true}};
+  const auto penetrating = [&](const IntruderShape& shape, double x, double depth) {
+    scene.phases = {{PenetratePhase{.shape = shape, .x = x, .speed = 1, .depth = depth}}};
+    return refusal_of(scene);
+  };
+  const DiskIntruder disk{.diameter = 2};
+  const ConeIntruder cone{.width = 2, .length = 1};
+  EXPECT_EQ(penetrating(disk, 5, 6), "") << "its way ends on the floor";
+  EXPECT_NE(penetrating(disk, 5, 6.5).find("into the floor"), std::string::npos);
+  EXPECT_NE(penetrating(cone, 5, 6.5).find("into the floor"), std::string::npos);
+  EXPECT_NE(penetrating(disk, 18, 1).find("into body 0"), std::string::npos);
+  EXPECT_NE(penetrating(cone, 18.2, 1).find("into body 0"), std::string::npos);
+  scene.walls = {{.point = {0, 3}, .normal = {0, 1}}};
+  EXPECT_NE(penetrating(cone, 5, 6.5).find("into walls[0]"), std::string::npos);
+  scene.walls.clear();
+  const auto turning = [&](double x) {
+    scene.phases = {{VanePhase{.shape = VaneIntruder{.blades = 3, .radius = 2, .thickness = 0.4},
+                               .x = x,
+                               .depth = 3,
+                               .angular_velocity = 1.0,
+                               .angle = 1.5}}};
+    return refusal_of(scene);
+  };
+  EXPECT_EQ(turning(5), "");
+  EXPECT_NE(turning(1.5).find("into the left side"), std::string::npos);
+}
+
 TEST(Sensitivity, IsThatOfARealResidual) {
   EXPECT_EQ(sensitivity({.peak = 6, .residual = 4}), 1.5);
   EXPECT_EQ(sensitivity({.peak = 9, .residual = 7e-15}), 0);
