@@ -132,10 +132,9 @@ bool Protocol::try_step(const StepSettings& step, int halvings_left) {
   state_.factorisations += report_.solve.factorisations;
   if (!report_.finite) {
     const int wall = report_.bad_body - world_.disks.size();
-    failure_ =
-        "the velocity of " +
-        (wall < 0 ? "body " + std::to_string(report_.bad_body) : "wall " + std::to_string(wall)) +
-        " is not a finite number in step " + std::to_string(world_.step + 1);
+    failure_ = "the velocity of " +
+               message_name(world_, wall < 0 ? report_.bad_body : kWallBase + wall) +
+               " is not a finite number in step " + std::to_string(world_.step + 1);
     return false;
   }
   if (!report_.taken) {

@@ -35,8 +35,7 @@ void check_overlaps(const Scenario& scenario) {
   // One is enough: of bodies that all lie in one place there are too many pairs to list.
   for (const Pair& pair : pairs_within(world, -kOverlapTolerance, 1)) {
     const double gap = world.gap(pair);
-    const std::string other =
-        is_wall(pair.b) ? "wall " + std::to_string(pair.b - kWallBase) : place(pair.b);
+    const std::string other = is_wall(pair.b) ? message_name(world, pair.b) : place(pair.b);
     throw InputError(place(pair.a), "overlaps " + other + " by " + message_number(-gap) +
                                         " d; bodies must not overlap by more than 1e-9 d");
   }

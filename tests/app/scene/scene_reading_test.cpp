@@ -131,7 +131,7 @@ const Mistake kMistakes[] = {
     {"OverlappingBodies",
      "bodies[1].position=[5, 1.2]",
      {"bodies[0]", "overlaps bodies[1]", "0.3"}},
-    {"BodyInFloor", "bodies[0].position=[5, 0.2]", {"bodies[0]", "overlaps wall"}},
+    {"BodyInFloor", "bodies[0].position=[5, 0.2]", {"bodies[0]", "overlaps the floor"}},
     {"ShortVector", "bodies[0].position=[5]", {"bodies[0].position", "two numbers [x, y]"}},
     {"TextInVector", "bodies[0].position=[5, \"a\"]", {"bodies[0].position[1]", "the text \"a\""}},
     {"NegativeFriction", "contact.friction=-0.1", {"contact.friction", "from 0"}},
