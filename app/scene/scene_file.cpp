@@ -84,15 +84,28 @@ void refuse_second_intruder(const Scenario& scenario, const World& state) {
   }
 }
 
+// Of a state that has the scene's box: the floor and sides of the box are in nobody's way, nor are other floors.
+std::string wall_in_the_way(const World& state) {
+  const int of_box = (state.box.floor ? 1 : 0) + (state.box.sides == Sides::walls ? 2 : 0);
+  for (int k = of_box; k < static_cast<int>(state.walls.size()); ++k) {
+    const Wall& wall = state.walls[static_cast<std::size_t>(k)];
+    if (wall.role == WallRole::piston) return "a piston";
+    if (!is_floor(wall)) return "a wall (" + message_name(state, kWallBase + k) + " of its scene)";
+  }
+  return {};
+}
+
 void require_way_down(const Scenario& scenario, const World& state) {
-  if (std::ranges::find(state.walls, WallRole::piston, &Wall::role) == state.walls.end()) return;
+  const std::string wall = wall_in_the_way(state);
+  if (wall.empty()) return;
   for (std::size_t k = 0; k < scenario.phases.size(); ++k) {
     const Phase& phase = scenario.phases[k];
     if (!std::holds_alternative<PushPhase>(phase.kind) &&
         !std::holds_alternative<PenetratePhase>(phase.kind) &&
         !std::holds_alternative<DepositPhase>(phase.kind))
       continue;
-    throw InputError(scenario.start_from, "has a piston in the way of phases[" + std::to_string(k) +
+    throw InputError(scenario.start_from, "has " + wall + " in the way of phases[" +
+                                              std::to_string(k) +
                                               "], which places bodies from above");
   }
 }

@@ -69,6 +69,21 @@ TEST_F(RefusedInput, CheckLooksAtTheStateThatASceneStartsFrom) {
   }
 }
 
+// The scene that starts from the state does not list the lid.
+TEST_F(RefusedInput, BodiesAreNotDroppedOnALidOfTheStartState) {
+  folder_.write("lid.json", R"({"gravity": {}, "box": {"width": 10, "height": 8},
+    "walls": [{"point": [0, 0], "normal": [0, 1]}, {"point": [0, 1.6], "normal": [0, -1]}],
+    "bodies": [{"position": [5, 0.5]}], "phases": [{"type": "settle", "max_time": 0.02}]})");
+  ASSERT_EQ(quicksand({"run", "lid.json", "--no-frames"}).exit_code, 0);
+  folder_.write("next.json", R"({"gravity": {}, "box": {"width": 10, "height": 8},
+    "start_from": "out/lid/state.cbor", "phases": [{"type": "deposit", "grains": 5}]})");
+  const Outcome dropped = quicksand({"run", "next.json", "--no-frames"});
+  EXPECT_EQ(dropped.exit_code, 2);
+  EXPECT_NE(dropped.err.find("has a wall (walls[1] of its scene) in the way of phases[0]"),
+            std::string::npos)
+      << dropped.err;
+}
+
 TEST_F(RefusedInput, SaysOnceWhatIsWrongAndWithWhichFile) {
   run();
   folder_.write("f.txt", "text");
