@@ -22,16 +22,16 @@ bool moves(const Vec3& velocity, const Vec3& inverse_mass, double momentum) {
 }  // namespace
 
 bool bring_to_rest(const ContactProblem& problem, const SolverSettings& settings,
-                   std::vector<Vec3>& velocity) {
+                   ContactState& state) {
   const double momentum = least_momentum(problem, settings);
-  bool all = true;
-  for (std::size_t i = 0; i < velocity.size(); ++i) {
-    if (moves(velocity[i], problem.inverse_mass[i], momentum))
-      all = false;
-    else
-      velocity[i].setZero();
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+    if (state.impulse[c].x() <= 0) continue;
+    for (const int body : {problem.contacts[c].a, problem.contacts[c].b}) {
+      Vec3& velocity = state.velocity[body];
+      if (!moves(velocity, problem.inverse_mass[body], momentum)) velocity.setZero();
+    }
   }
-  return all;
+  return std::ranges::all_of(state.velocity, [](const Vec3& v) { return v.isZero(0); });
 }
 
 bool taken_as_it_is(const ContactProblem& problem, const SolverSettings& settings,

@@ -6,10 +6,11 @@
 
 namespace quicksand {
 
-// Takes the velocity (nb) of each body whose momentum is no more than the impulse by which a start that is taken as it is
-// may be off at a contact, or than rounding: it is at rest. Returns whether all are.
+// Takes the velocity of each body at a loaded contact whose momentum is no more than the impulse by which a start that is
+// taken as it is may be off there, or than rounding: it is at rest. Where no contact is loaded nothing is off: a body in
+// the air falls, however slowly. Returns whether all bodies are at rest.
 bool bring_to_rest(const ContactProblem& problem, const SolverSettings& settings,
-                   std::vector<Vec3>& velocity);
+                   ContactState& state);
 
 // Whether a start with this residual is taken as it is: where it is exact, or nearly so and no body at a loaded contact
 // moves. What is wrong at the contacts of a branch adds up in the velocity of its end, and would be handed on from step to

@@ -7,6 +7,7 @@
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
 #include "tests/support/core/scenes.h"
+#include "tests/support/core/tolerance.h"
 
 namespace quicksand {
 namespace {
@@ -30,6 +31,23 @@ TEST(StartTakenAsItIs, OfAChainBesideAGrainThatFalls) { EXPECT_EQ(solved({}), 0)
 
 TEST(StartTakenAsItIs, OfAChainBesideAGrainThatIsMoved) {
   EXPECT_EQ(solved({.velocity = {1, 0}, .fixed = true}), 0);
+}
+
+// Forces are solved to a share of the strongest bond, here far more than the weight of a grain: what that hides at the
+// contacts of a bonded grain is no reason to hold one in the air.
+TEST(Rest, IsNotThatOfAGrainInTheAir) {
+  Scenario scene = column(Method::automatic, 1, paper_law(1e11));
+  scene.initial_bonds = InitialBonds::touching;
+  scene.solver.tolerance = 1e-5;
+  scene.step.dt = 1e-2;
+  scene.disks.push_back({.position = {5, 8}});
+  scene.phases = {{SettlePhase{.max_time = 1, .until_rest = false}}};
+  Protocol protocol(scene, make_world(scene));
+  while (protocol.advance() == Progress::running) {
+  }
+  const World& world = protocol.world();
+  EXPECT_NEAR(world.disks.velocity[1].y(), -world.time, tolerance::rounding(10));
+  EXPECT_TRUE(world.disks.velocity[0].isZero(0)) << "bonded to the floor";
 }
 
 }  // namespace
