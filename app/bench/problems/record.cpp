@@ -7,6 +7,7 @@
 
 #include "app/base/interrupt.h"
 #include "app/bench/problems/recorded_problem.h"
+#include "app/run_folder/run_folder.h"
 #include "core/base/errors.h"
 #include "core/base/format.h"
 #include "core/protocol/protocol.h"
@@ -88,6 +89,7 @@ Recording record_problems(const RecordRequest& request) {
   if (!problems_in(request.out).empty())
     throw InputError(request.out.string(),
                      "holds recorded problems already; choose another folder with --out");
+  make_writable({.path = request.out});
   const InterruptWatch watch;
   const Scenario scene = read_scene(request.scene);
   Protocol protocol(scene, start_world(scene));

@@ -28,7 +28,8 @@ struct Recording {
 std::vector<std::filesystem::path> problems_in(const std::filesystem::path& folder);
 
 // Runs the scene and writes its problems, each with a reference solution, as out/*.problem. Ctrl-C ends the run, and
-// what the phase under way has posed is written. Throws InputError where the folder holds problems already.
+// what the phase under way has posed is written. Makes the folder. Throws InputError where it holds problems already, or
+// cannot be written.
 Recording record_problems(const RecordRequest& request);
 
 }  // namespace quicksand::bench

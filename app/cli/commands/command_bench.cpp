@@ -17,6 +17,7 @@
 #include "app/options/scene_options.h"
 #include "app/report/provenance.h"
 #include "app/run_folder/run_folder.h"
+#include "core/base/errors.h"
 #include "core/base/format.h"
 #include "core/base/parallel.h"
 
@@ -114,7 +115,10 @@ void run_task(const Planned& planned, std::vector<Row>& rows) {
     planned.task.run(own);
   } catch (const Interrupted&) {
     throw;
-  } catch (const std::exception& failure) {  // the other tasks are worth something without it
+  } catch (const InputError& failure) {  // the other tasks are worth something without it
+    own.push_back(
+        {.what = "failed", .found = failure.where() + ": " + failure.what(), .passed = false});
+  } catch (const std::exception& failure) {
     own.push_back({.what = "failed", .found = failure.what(), .passed = false});
   }
   for (Row& row : own) {
@@ -195,7 +199,6 @@ int bench_command(Request& request) {
 }
 
 int record_command(RecordRequest& request, bool quiet) {
-  make_writable({.path = request.out});
   request.progress = StatusLine::style_of_stderr(quiet);
   const Recording recording = record_problems(request);
   std::printf(

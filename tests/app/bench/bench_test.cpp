@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "app/bench/against.h"
+#include "app/bench/problems/record.h"
 #include "render/base/external_program.h"
 #include "tests/support/files.h"
 #include "tests/support/program.h"
@@ -183,6 +184,26 @@ TEST(Benchmark, RecordedProblemsAreSolvedAgain) {
     EXPECT_LT(row["error"].get<double>(), 1e-2);
   }
   EXPECT_GT(rows, 0);
+}
+
+TEST(Benchmark, ProblemsAreRecordedIntoAFolderThatWasNotThere) {
+  const TemporaryFolder folder;
+  bench::RecordRequest request{.out = folder.path() / "results/problems", .count = 3};
+  request.scene.file = kSource / "assets/scenes/chain.json";
+  const bench::Recording recording = bench::record_problems(request);
+  EXPECT_EQ(recording.failure, "");
+  EXPECT_GT(recording.problems, 0);
+  EXPECT_EQ(bench::problems_in(request.out).size(), static_cast<std::size_t>(recording.problems));
+}
+
+TEST(Benchmark, WhatCannotBeWrittenIsToldByItsName) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "results");
+  std::ofstream(folder.path() / "results/problems") << "a file";
+  const Outcome outcome = run_bench({"problems", "--quick", "--out", "results"}, folder.path());
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.out.find("recorded problems: results/problems: is a file"), std::string::npos)
+      << outcome.out;
 }
 
 TEST(Benchmark, DamagedProblemsAreRefusedByName) {
