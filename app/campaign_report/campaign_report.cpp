@@ -173,8 +173,14 @@ class Writer {
     return k < known->names.size() ? known->names[k].get<std::string>() : value_text(value);
   }
 
+  // Whether this is not over all realizations that have finished.
+  static bool lacks_runs(const CampaignPoint& point, const std::optional<Measured>& found) {
+    return point.finished.size() != static_cast<std::size_t>(found ? found->n : 0);
+  }
+
   Table table() {
     Table table{.caption = "A row for each choice of the parameters."};
+    bool some_lack = false;
     for (const std::string& path : paths_)
       table.columns.push_back({.title = title(label_of_parameter(path), unit_of_parameter(path))});
     table.columns.push_back({.title = "realizations", .number = true});
@@ -191,10 +197,14 @@ class Writer {
       for (const ReportPlot& plot : campaign_.report.plots)
         for (const ReportedValue& value : plot.values) {
           const std::optional<Measured> found = measured_at(point, records_, value);
-          row.push_back({found ? typeset_with_error(found->value, found->standard_error) : "-"});
+          row.push_back(cell_of(found, static_cast<int>(point.finished.size())));
+          some_lack = some_lack || (found && lacks_runs(point, found));
         }
       table.rows.push_back(std::move(row));
     }
+    if (some_lack)
+      table.caption +=
+          " (n): the mean is over n runs, as the others that have finished have no such number.";
     return table;
   }
 
@@ -253,6 +263,7 @@ class Writer {
     Plot plot{.name = "plot_" + std::to_string(k + 1),
               .x = {.label = x().label, .unit = x().unit, .logarithmic = x().logarithmic},
               .y = {.label = shown.label, .unit = shown.unit, .logarithmic = shown.logarithmic}};
+    bool some_lack = false;
     for (const ReportedValue& value : shown.values) {
       std::map<std::string, Curve> curves;  // by what else varies
       std::vector<std::string> order;
@@ -260,6 +271,7 @@ class Writer {
       for (const CampaignPoint& point : points_) {
         const Json place = value_of(point, x().path);
         const std::optional<Measured> found = measured_at(point, records_, value);
+        some_lack = some_lack || lacks_runs(point, found);
         if (!place.is_number() || !found) continue;
         const std::string others = name_by(point, curve_paths_);
         const auto [curve, is_new] = curves.try_emplace(others);
@@ -288,7 +300,10 @@ class Writer {
                              .x = reference.x,
                              .y = reference.y});
     section.add(Figure{std::move(plot), capitalised(shown.label) + " against " + x().label +
-                                            ": means with bars of one standard error."});
+                                            ": means with bars of one standard error." +
+                                            (some_lack ? " Runs without such a number are left "
+                                                         "out; the table has their numbers."
+                                                       : "")});
   }
 
   Section histories() {

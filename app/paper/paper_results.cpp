@@ -1,7 +1,6 @@
 #include "app/paper/paper_results.h"
 
 #include "app/jobs/run_record.h"
-#include "app/plot/typeset_number.h"
 #include "app/run_folder/search_results.h"
 
 namespace quicksand {
@@ -80,12 +79,6 @@ int PaperResults::unbracketed(const RunGroup& group) const {
 
 void note(Findings& findings, const std::string& id, const std::optional<Measured>& found) {
   if (found) findings[id] = *found;
-}
-
-Cell cell_of(const std::optional<Measured>& measured, int all) {
-  if (!measured) return {.text = "-"};
-  const std::string runs = measured->n == all ? "" : " (" + std::to_string(measured->n) + ")";
-  return {.text = typeset_with_error(measured->value, measured->standard_error) + runs};
 }
 
 Curve curve_over(const PaperResults& results, const std::string& name, std::span<const double> x,

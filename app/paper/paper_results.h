@@ -48,9 +48,6 @@ class PaperResults {
 // Notes a finding if there is one.
 void note(Findings& findings, const std::string& id, const std::optional<Measured>& found);
 
-// "0.372 ± 0.004 (10)", "-" if absent; the number of runs is left out where it is `all`.
-Cell cell_of(const std::optional<Measured>& measured, int all);
-
 // Points with error bars: one x a group, y a final quantity. Groups without a value are left out.
 Curve curve_over(const PaperResults& results, const std::string& name, std::span<const double> x,
                  std::span<const RunGroup> groups, const std::string& quantity);

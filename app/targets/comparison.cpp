@@ -120,6 +120,12 @@ void add_point(Curve& curve, double x, const std::optional<Measured>& y) {
   curve.y_error.push_back(y->standard_error.value_or(0));
 }
 
+Cell cell_of(const std::optional<Measured>& measured, int all) {
+  if (!measured) return {.text = "-"};
+  const std::string runs = measured->n == all ? "" : " (" + std::to_string(measured->n) + ")";
+  return {.text = typeset_with_error(measured->value, measured->standard_error) + runs};
+}
+
 std::string method_title(const std::string& method) { return method == "nscd" ? "NSCD" : method; }
 
 Colour method_colour(const std::string& title) { return kCurveColours[title == "NSCD" ? 0 : 1]; }

@@ -37,6 +37,9 @@ void add_point(Curve& curve, double x, const std::optional<Measured>& y);
 // By id of the target in assets/paper/targets.json.
 using Findings = std::map<std::string, Measured>;
 
+// "0.372 ± 0.004 (10)", "-" if absent; the number of runs is left out where it is `all`.
+Cell cell_of(const std::optional<Measured>& measured, int all);
+
 struct MethodFindings {
   std::string method;  // "nscd", "exact"
   Findings findings;

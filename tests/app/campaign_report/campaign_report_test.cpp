@@ -75,6 +75,25 @@ TEST_F(CampaignReportTest, HasTheMeansOfItsRealizationsWithTheirErrors) {
   EXPECT_EQ(std::get<Table>(report.sections[0].blocks[0]).columns[1].title, "specimen");
 }
 
+TEST_F(CampaignReportTest, SaysOfHowManyRunsAMeanIsThatSomeLack) {
+  compute();
+  const std::string name = "out/runs/00000_1/summary.json";
+  Json summary = parse_json(contents(at(name)));
+  summary["drives"][0]["mean"] = nullptr;
+  folder_.write(name, summary.dump());
+  double seconds = 0;
+  const Report report = campaign_report(at("out"), seconds);
+  const auto& table = std::get<Table>(report.sections[0].blocks[0]);
+  ASSERT_EQ(table.rows.size(), 4U);
+  for (const auto& row : table.rows) {
+    EXPECT_EQ(row[2].text, "3");
+    EXPECT_EQ(row[3].text.ends_with(" (2)"), &row == &table.rows.front()) << row[3].text;
+  }
+  EXPECT_NE(table.caption.find("(n): the mean is over n runs"), std::string::npos);
+  const std::string& caption = std::get<Figure>(report.sections[0].blocks.at(1)).caption;
+  EXPECT_NE(caption.find("Runs without such a number are left out"), std::string::npos) << caption;
+}
+
 // As many as tell how a curve looks: each has the colour of its value.
 TEST_F(CampaignReportTest, ColoursCurvesByTheNumberThatTellsThem) {
   std::string text = kDroppedCampaign;
