@@ -320,11 +320,16 @@ class Writer {
       Plot plot = empty_plot(history, k);
       std::vector<Curve> means;
       std::vector<double> numbers;
+      bool some_lack = false;
       for (std::size_t p = 0; p < points_.size(); ++p) {
-        Curve mean = mean_history(runs[p], history);
+        auto [mean, n] = mean_history(runs[p], history);
         if (mean.x.empty()) continue;
         mean.kind = Curve::Kind::line;
         mean.name = name_by(points_[p], told);
+        if (n != runs[p].size()) {
+          mean.name += (mean.name.empty() ? "(" : " (") + std::to_string(n) + ")";
+          some_lack = true;
+        }
         add_number(numbers, points_[p], told);
         means.push_back(std::move(mean));
       }
@@ -333,7 +338,10 @@ class Writer {
       section.add(Figure{std::move(plot), capitalised(label_of(history)) + " against " +
                                               place_of(history) + " in the phase " + history.phase +
                                               ": means over the realizations, in bands of one "
-                                              "standard error."});
+                                              "standard error." +
+                                              (some_lack ? " (n): over n of them, as the others "
+                                                           "have no such samples."
+                                                         : "")});
     }
     return section;
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 
 #include "app/plot/typeset_number.h"
 #include "app/scene/scene_override.h"
@@ -10,7 +12,7 @@ namespace quicksand {
 
 namespace {
 
-// Of a run: x, and y times the factor, of the samples of the phase. Times count from its first sample, as phases of
+// Of a run: x, and y times the factor, of the samples of the phase. Times count from its beginning, as phases of
 // different seeds begin at different moments.
 struct Samples {
   std::vector<double> x, y;
@@ -22,13 +24,46 @@ Samples samples_of(const RunResults& run, const ReportHistory& history) {
   std::optional<double> begin;
   for (std::size_t i = 0; i < all_x.size(); ++i) {
     if (run.phases()[i] != history.phase) continue;
-    if (!begin) begin = is_over_time(history) ? all_x[i] : 0;
+    // Each sample names the phase that it ends in: a phase begins at the sample before its first.
+    if (!begin) begin = is_over_time(history) ? all_x[i > 0 ? i - 1 : 0] : 0;
     if (!std::isfinite(all_x[i]) || !std::isfinite(all_y[i])) continue;
     samples.x.push_back(all_x[i] - *begin);
     samples.y.push_back(history.factor * all_y[i]);
   }
   return samples;
 }
+
+// The course of a realization: through the means of its samples in bins of one width, from the least x to the largest.
+struct Course {
+  std::vector<double> x, y;
+
+  Course(const Samples& samples, double low, double width) {
+    struct Sum {
+      double x = 0, y = 0, n = 0;
+    };
+    std::map<double, Sum> bins;
+    for (std::size_t i = 0; i < samples.x.size(); ++i) {
+      Sum& bin = bins[std::floor((samples.x[i] - low) / width)];
+      bin.x += samples.x[i];
+      bin.y += samples.y[i];
+      ++bin.n;
+    }
+    for (const auto& [number, bin] : bins) {
+      x.push_back(bin.x / bin.n);
+      y.push_back(bin.y / bin.n);
+    }
+  }
+
+  // Nothing where it has not been.
+  std::optional<double> at(double place) const {
+    const auto after = std::ranges::lower_bound(x, place);
+    if (after == x.end()) return std::nullopt;
+    const auto k = static_cast<std::size_t>(after - x.begin());
+    if (x[k] == place) return y[k];
+    if (k == 0) return std::nullopt;
+    return std::lerp(y[k - 1], y[k], (place - x[k - 1]) / (x[k] - x[k - 1]));
+  }
+};
 
 }  // namespace
 
@@ -53,7 +88,7 @@ std::optional<Measured> measured_at(const CampaignPoint& point, std::span<const 
   return mean_over(values);
 }
 
-Curve mean_history(std::span<const RunResults> runs, const ReportHistory& history) {
+MeanHistory mean_history(std::span<const RunResults> runs, const ReportHistory& history) {
   std::vector<Samples> all;
   // What all realizations cover: a mean over those that are left would jump where one ends.
   double high = std::numeric_limits<double>::infinity(), low = -high;
@@ -65,7 +100,7 @@ Curve mean_history(std::span<const RunResults> runs, const ReportHistory& histor
     high = std::min(high, most);
     all.push_back(std::move(samples));
   }
-  Curve mean;
+  MeanHistory mean{.n = all.size()};
   if (all.empty() || !(high > low)) return mean;
   const auto is_inside = [&](double x) { return low <= x && x <= high; };
   // No more bins than the sparsest of them has samples there.
@@ -74,21 +109,15 @@ Curve mean_history(std::span<const RunResults> runs, const ReportHistory& histor
     bins = std::clamp<std::size_t>(
         static_cast<std::size_t>(std::ranges::count_if(samples.x, is_inside)), 1, bins);
   const double width = (high - low) / static_cast<double>(bins);
-  std::vector<std::vector<double>> values(bins);  // a bin, a realization
-  for (const Samples& samples : all) {
-    std::vector<double> sum(bins, 0);
-    std::vector<int> count(bins, 0);
-    for (std::size_t i = 0; i < samples.x.size(); ++i) {
-      if (!is_inside(samples.x[i])) continue;
-      const auto bin = std::min(bins - 1, static_cast<std::size_t>((samples.x[i] - low) / width));
-      sum[bin] += samples.y[i];
-      ++count[bin];
-    }
-    for (std::size_t k = 0; k < bins; ++k)
-      if (count[k] > 0) values[k].push_back(sum[k] / count[k]);
+  std::vector<Course> courses;
+  for (const Samples& samples : all) courses.emplace_back(samples, low, width);
+  for (std::size_t k = 0; k < bins; ++k) {
+    const double place = low + (static_cast<double>(k) + 0.5) * width;
+    std::vector<double> values;
+    for (const Course& course : courses)
+      if (const std::optional<double> value = course.at(place)) values.push_back(*value);
+    if (values.size() == courses.size()) add_point(mean.curve, place, mean_over(values));
   }
-  for (std::size_t k = 0; k < bins; ++k)
-    add_point(mean, low + (static_cast<double>(k) + 0.5) * width, mean_over(values[k]));
   return mean;
 }
 

@@ -29,9 +29,14 @@ std::optional<Measured> measured_at(const CampaignPoint& point, std::span<const 
 
 // Whether x is the time since the phase began.
 inline bool is_over_time(const ReportHistory& history) { return history.x == "time"; }
-// y over x in bins of equal width, where all realizations have been: over their centres the means over the realizations
-// of their means in a bin.
-Curve mean_history(std::span<const RunResults> runs, const ReportHistory& history);
+struct MeanHistory {
+  Curve curve{};
+  std::size_t n =
+      0;  // realizations that have samples of it, all of which are in each of its points
+};
+// y over x, where all realizations have been. Each is a line through the means of x and y in bins of equal width, so that
+// noise is smoothed and slopes are kept; over the centres of the bins stands the mean of these lines.
+MeanHistory mean_history(std::span<const RunResults> runs, const ReportHistory& history);
 
 // "cone, angle 30": a parameter's value as a reader wants it.
 std::string value_text(const Json& value);

@@ -127,27 +127,69 @@ TEST_F(CampaignReportTest, HasOneCurveWhereTheOthersFollowFromTheAxis) {
   EXPECT_EQ(plot.curves[0].x.size(), 2U);
 }
 
-// Two phases of different beginnings and lengths, in each of which y is twice the time since it began.
-TEST(MeanHistory, IsOverTheTimeOfThePhaseAsFarAsAllRealizationsCome) {
-  const TemporaryFolder folder;
-  std::vector<RunResults> runs;
-  for (const auto& [begin, length] : {std::pair{10, 80}, std::pair{50, 40}}) {
-    std::string series = "time,phase,depth\n0,settle,0\n";
-    for (int t = 0; t <= length; ++t)
-      series += std::to_string(begin + t) + ",push," + std::to_string(2 * t) + "\n";
-    const std::string name = std::to_string(begin);
-    std::filesystem::create_directories(folder.path() / name);
-    folder.write(name + "/series.csv", series);
-    runs.emplace_back(folder.path() / name);
+class MeanHistoryTest : public testing::Test {
+ protected:
+  // A run whose series has these rows of time, phase and depth.
+  void add_run(const std::string& rows) {
+    const std::string name = std::to_string(runs_.size());
+    std::filesystem::create_directories(folder_.path() / name);
+    folder_.write(name + "/series.csv", "time,phase,depth\n0,settle,0\n" + rows);
+    runs_.emplace_back(folder_.path() / name);
   }
-  const Curve mean = mean_history(runs, {.x = "time", .y = "depth", .phase = "push"});
-  ASSERT_EQ(mean.x.size(), 40U);
-  EXPECT_EQ(mean.x.front(), 0.5);
-  EXPECT_EQ(mean.x.back(), 39.5) << "where the shorter one ends";
-  for (std::size_t k = 0; k + 1 < mean.x.size(); ++k) {
-    EXPECT_EQ(mean.y[k], 2.0 * static_cast<double>(k));
-    EXPECT_EQ(mean.y_error[k], 0);
+  MeanHistory mean() const {
+    return mean_history(runs_, {.x = "time", .y = "depth", .phase = "push"});
   }
+
+  TemporaryFolder folder_;
+  std::vector<RunResults> runs_;
+};
+
+std::string series_row(double time, const char* phase, double depth) {
+  return std::to_string(time) + "," + phase + "," + std::to_string(depth) + "\n";
+}
+
+// Phases of different beginnings, lengths and distances of their samples, in each of which y is twice the time since it
+// began. The sample of that moment names the phase before.
+TEST_F(MeanHistoryTest, IsOverTheTimeOfThePhaseAsFarAsAllRealizationsCome) {
+  for (const auto& [begin, length, every] :
+       {std::tuple{10, 120, 1.0}, std::tuple{50, 90, 0.75}, std::tuple{20, 240, 0.25}}) {
+    std::string rows = series_row(begin, "settle", 0);
+    for (double t = every; t <= length; t += every) rows += series_row(begin + t, "push", 2 * t);
+    add_run(rows);
+  }
+  const auto [curve, n] = mean();
+  EXPECT_EQ(n, 3U);
+  ASSERT_EQ(curve.x.size(), 40U);
+  EXPECT_GT(curve.x.front(), 1) << "where the last of them has its first sample";
+  EXPECT_LT(curve.x.back(), 90) << "where the shortest ends";
+  for (std::size_t k = 0; k < curve.x.size(); ++k) {
+    EXPECT_NEAR(curve.y[k], 2 * curve.x[k], 1e-9);
+    EXPECT_NEAR(curve.y_error[k], 0, 1e-9);
+  }
+}
+
+// One of them has no samples for a while, in which the mean does not jump to the other.
+TEST_F(MeanHistoryTest, IsOverTheSameRealizationsEverywhere) {
+  for (const int offset : {0, 10}) {
+    std::string rows = series_row(5, "settle", 0);
+    for (int t = 1; t <= 60; ++t)
+      if (offset == 0 || t < 20 || t > 40) rows += series_row(5 + t, "push", t + offset);
+    add_run(rows);
+  }
+  const auto [curve, n] = mean();
+  EXPECT_EQ(n, 2U);
+  ASSERT_GT(curve.x.size(), 30U);
+  for (std::size_t k = 0; k < curve.x.size(); ++k) {
+    EXPECT_NEAR(curve.y[k], curve.x[k] + 5, 1e-9);
+    EXPECT_NEAR(curve.y_error[k], 5, 1e-9);
+  }
+}
+
+TEST_F(MeanHistoryTest, CountsTheRealizationsThatHaveSamples) {
+  add_run(series_row(1, "settle", 0) + series_row(2, "push", 1) + series_row(3, "push", 2));
+  add_run(series_row(1, "settle", 0));
+  EXPECT_EQ(mean().n, 1U);
+  EXPECT_FALSE(mean().curve.x.empty());
 }
 
 TEST_F(CampaignReportTest, SaysWhatHasNotFinished) {
