@@ -25,16 +25,37 @@ bool shown(double value, const Axis& axis) {
   return std::isfinite(value) && (!axis.logarithmic || value > 0);
 }
 
-// Of what is drawn along an axis for y, bands' lower ends included.
-double lowest_shown(const Plot& plot, bool second_axis, const Axis& axis) {
+const Axis& y_axis_of(const Plot& plot, const Curve& curve) {
+  return curve.second_axis && plot.y2 ? *plot.y2 : plot.y;
+}
+
+// Of what is drawn along one of the plot's axes, lower ends of bars and bands included.
+double lowest_shown(const Plot& plot, const Axis& axis) {
   double lowest = HUGE_VAL;
+  const auto look_at = [&](double value) {
+    if (shown(value, axis)) lowest = std::min(lowest, value);
+  };
+  const bool of_x = &axis == &plot.x;
   for (const Curve& curve : plot.curves) {
-    if ((curve.second_axis && plot.y2) != second_axis) continue;
-    for (const std::vector<double>* values : {&curve.y, &curve.y_low, &curve.y_high})
-      for (const double value : *values)
-        if (shown(value, axis)) lowest = std::min(lowest, value);
+    if (!of_x && &axis != &y_axis_of(plot, curve)) continue;
+    const std::vector<double>& values = of_x ? curve.x : curve.y;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      look_at(values[i]);
+      look_at(values[i] - at(of_x ? curve.x_error : curve.y_error, i));
+    }
+    std::ranges::for_each(of_x ? curve.x_low : curve.y_low, look_at);
+    std::ranges::for_each(of_x ? curve.x_high : curve.y_high, look_at);
   }
   return lowest;
+}
+
+// The lower end of a bar or a band that reaches down to zero goes down as far as anything, that of a bar so far beneath
+// its point that one sees it.
+double shown_end(double low, double value, const Plot& plot, const Axis& axis) {
+  if (!std::isfinite(low) || shown(low, axis)) return low;
+  constexpr double kSeen = 0.5;  // of the value
+  const double lowest = lowest_shown(plot, axis);
+  return shown(value, axis) ? std::min(lowest, kSeen * value) : lowest;
 }
 
 std::string cell(double value) { return std::isfinite(value) ? number_text(value) : ""; }
@@ -54,7 +75,7 @@ std::string csv_row(int id, const PlotRow& row, const std::string& name) {
 std::vector<PlotRow> rows_of(const Plot& plot, const Curve& curve) {
   const bool band = curve.kind == Curve::Kind::band;
   assert(band || curve.y.size() == curve.x.size());
-  const Axis& y_axis = curve.second_axis && plot.y2 ? *plot.y2 : plot.y;
+  const Axis& y_axis = y_axis_of(plot, curve);
   std::vector<PlotRow> rows;
   for (std::size_t i = 0; i < curve.x.size(); ++i) {
     if (!rows.empty() && std::ranges::binary_search(curve.begins, i)) rows.emplace_back();
@@ -73,12 +94,12 @@ std::vector<PlotRow> rows_of(const Plot& plot, const Curve& curve) {
       row.x_low = row.x - dx;
       row.x_high = row.x + dx;
     }
-    // A band that reaches down to zero goes down as far as anything.
-    if (band && shown(row.y_high, y_axis) && std::isfinite(row.y_low) && !shown(row.y_low, y_axis))
-      row.y_low = lowest_shown(plot, curve.second_axis && plot.y2, y_axis);
     const bool has_y =
-        band ? shown(row.y_low, y_axis) && shown(row.y_high, y_axis) : shown(row.y, y_axis);
-    if (shown(row.x, plot.x) && has_y) rows.push_back(row);
+        band ? std::isfinite(row.y_low) && shown(row.y_high, y_axis) : shown(row.y, y_axis);
+    if (!shown(row.x, plot.x) || !has_y) continue;
+    row.x_low = shown_end(row.x_low, row.x, plot, plot.x);
+    row.y_low = shown_end(row.y_low, band ? PlotRow::kNone : row.y, plot, y_axis);
+    rows.push_back(row);
   }
   return rows;
 }
@@ -107,6 +128,19 @@ bool has_values(const Plot& plot) {
   return std::ranges::any_of(plot.curves, [&](const Curve& curve) {
     return curve.role != Curve::Role::paper && !rows_of(plot, curve).empty();
   });
+}
+
+std::size_t left_out(const Plot& plot) {
+  std::size_t count = 0;
+  for (const Curve& curve : plot.curves) {
+    if (curve.kind == Curve::Kind::band) continue;
+    const Axis& y_axis = y_axis_of(plot, curve);
+    for (std::size_t i = 0; i < curve.x.size(); ++i)
+      if (std::isfinite(curve.x[i]) && std::isfinite(curve.y[i]) &&
+          !(shown(curve.x[i], plot.x) && shown(curve.y[i], y_axis)))
+        ++count;
+  }
+  return count;
 }
 
 std::string description_of(const Plot& plot) {

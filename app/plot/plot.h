@@ -91,6 +91,9 @@ struct Plot {
 // Whether there is anything to draw but what the paper has. A report leaves out a plot without.
 bool has_values(const Plot& plot);
 
+// Points that a logarithmic axis cannot show. Those of bands, which lie around a line, are not counted.
+std::size_t left_out(const Plot& plot);
+
 // What there is to see, for who does not see it: the kind of plot, its axes, its curves.
 std::string description_of(const Plot& plot);
 

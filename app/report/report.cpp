@@ -51,11 +51,27 @@ struct FileWriter {
   }
 };
 
+std::string left_out_text(std::size_t count) {
+  return count == 1 ? "1 point that is not positive is left out."
+                    : std::to_string(count) + " points that are not positive are left out.";
+}
+
 }  // namespace
 
 void Section::add(Block block) {
-  const auto* figure = std::get_if<Figure>(&block);
-  if (!figure || has_values(figure->plot)) blocks.push_back(std::move(block));
+  if (auto* figure = std::get_if<Figure>(&block)) {
+    const std::size_t count = left_out(figure->plot);
+    const bool drawn = has_values(figure->plot);
+    if (!drawn && count == 0) return;
+    if (!drawn)
+      block =
+          Remark{Remark::Kind::note, "There is no plot of " + figure->plot.y.label + " against " +
+                                         figure->plot.x.label +
+                                         ": no point is positive, as a logarithmic axis needs."};
+    else if (count > 0)
+      figure->caption += (figure->caption.empty() ? "" : " ") + left_out_text(count);
+  }
+  blocks.push_back(std::move(block));
 }
 
 std::string symbol_of(Cell::Mark mark) {

@@ -89,7 +89,7 @@ struct Section {
   std::string title{};
   std::vector<Block> blocks{};
 
-  // Leaves out a plot without values.
+  // Leaves out a plot without values. What a logarithmic axis cannot show is told, under the plot or in lieu of it.
   void add(Block block);
 };
 

@@ -61,33 +61,6 @@ TEST(PlotData, AreOneRowAPointWithEndsOfBars) {
             "102,,0.43,,,,,\"interval\"\n");
 }
 
-TEST(PlotData, HaveAnEmptyRowWhereALineIsInterrupted) {
-  const Plot plot{
-      .name = "trials",
-      .curves = {{.kind = Curve::Kind::line, .x = {1, 2, 3}, .y = {4, 5, 6}, .begins = {0, 2}}}};
-  EXPECT_EQ(plot_csv(plot),
-            "id,x,y,x_low,x_high,y_low,y_high,name\n1,1,4,,,,,\"\"\n1,2,5,,,,,\"\"\n1,nan,nan,,,,,"
-            "\"\"\n1,3,6,,,,,\"\"\n");
-}
-
-TEST(PlotData, LeaveOutWhatTheAxisCannotShow) {
-  Plot plot{.name = "log", .y = {.label = "residual", .logarithmic = true}};
-  plot.curves.push_back({.name = "r", .x = {0, 1, 2, 3}, .y = {0, 1e-7, std::nan(""), -1}});
-  const std::string csv = plot_csv(plot);
-  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 2) << csv;
-  EXPECT_NE(csv.find("1,1,1e-07"), std::string::npos) << csv;
-}
-
-TEST(PlotData, OfABandThatReachesDownToZeroGoDownAsFarAsAnything) {
-  Plot plot{.name = "log", .y = {.label = "force", .logarithmic = true}};
-  plot.curves.push_back({.kind = Curve::Kind::line, .x = {1, 2}, .y = {4, 0.5}});
-  plot.curves.push_back(
-      {.kind = Curve::Kind::band, .x = {1, 2}, .y_low = {3, -1}, .y_high = {5, 2}});
-  const std::string csv = plot_csv(plot);
-  EXPECT_NE(csv.find("2,1,,,,3,5,"), std::string::npos) << csv;
-  EXPECT_NE(csv.find("2,2,,,,0.5,2,"), std::string::npos) << csv;
-}
-
 TEST_F(PlotTest, LeavesDataScriptAndBothPicturesWithTheSameBytesEachTime) {
   const Plot plot = small_plot();
   const PlotFiles files = write_plot(plot, folder_.path());

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/base/errors.h"
 #include "render/image/png.h"
 #include "tests/support/files.h"
@@ -119,6 +121,26 @@ TEST_F(ReportTest, PicturesHaveTheirCommandAndCellsTheirLinks) {
   EXPECT_NE(html.find("<a href=\"../other/page.md\">a page</a>"), std::string::npos);
   EXPECT_NE(html.find("<code>draw a|b --plot</code>"), std::string::npos);
   EXPECT_NE(html.find("<code>draw --picture</code>"), std::string::npos);
+}
+
+TEST(ReportSection, SaysWhatALogarithmicAxisCannotShow) {
+  Section section;
+  Figure figure{line_plot("line"), "A line."};
+  figure.plot.y.logarithmic = true;
+  figure.plot.curves[0].y = {1, 2};
+  section.add(figure);
+  figure.plot.curves[0].y = {0, 2};
+  section.add(figure);
+  figure.plot.curves[0].y = {0, -2};
+  section.add(figure);
+  figure.plot.curves[0].y = {std::nan(""), std::nan("")};
+  section.add(figure);
+  ASSERT_EQ(section.blocks.size(), 3U) << "of no values there is nothing to tell";
+  EXPECT_EQ(std::get<Figure>(section.blocks[0]).caption, "A line.");
+  EXPECT_EQ(std::get<Figure>(section.blocks[1]).caption,
+            "A line. 1 point that is not positive is left out.");
+  EXPECT_EQ(std::get<Remark>(section.blocks[2]).text,
+            "There is no plot of y against x: no point is positive, as a logarithmic axis needs.");
 }
 
 TEST_F(ReportTest, IsTheSameEachTime) {
