@@ -265,7 +265,7 @@ class Writer {
               .y = {.label = shown.label, .unit = shown.unit, .logarithmic = shown.logarithmic}};
     bool some_lack = false;
     for (const ReportedValue& value : shown.values) {
-      std::map<std::string, Curve> curves;  // by what else varies
+      std::map<std::string, std::multimap<double, Measured>> curves;  // by what else varies
       std::vector<std::string> order;
       std::vector<double> numbers;
       for (const CampaignPoint& point : points_) {
@@ -279,12 +279,12 @@ class Writer {
           order.push_back(others);
           add_number(numbers, point, curve_paths_);
         }
-        add_point(curve->second, place.get<double>(), found);
+        curve->second.emplace(place.get<double>(), *found);
       }
       std::vector<Curve> named;
       for (const std::string& others : order) {
-        Curve curve = std::move(curves[others]);
-        curve.kind = Curve::Kind::line_points;
+        Curve curve{.kind = Curve::Kind::line_points};
+        for (const auto& [place, found] : curves[others]) add_point(curve, place, found);
         const bool alone = shown.values.size() == 1 && !others.empty();
         curve.name = alone ? others : label_of(value) + (others.empty() ? "" : ", " + others);
         named.push_back(std::move(curve));

@@ -83,6 +83,10 @@ PaperScale scale_of(const ReproduceArguments& options, std::string_view method) 
     scale.push_step =
         checked("--push-step", *options.push_step, kLeastStep, kMostStep, " sqrt(d/g)");
   replace("--push-forces", options.push_forces, 1e-3, 1e3, " F_c", scale.push_forces);
+  // Curves over the forces join them in this order, and each has runs of its own.
+  std::ranges::sort(scale.push_forces);
+  const auto again = std::ranges::unique(scale.push_forces);
+  scale.push_forces.erase(again.begin(), again.end());
   replace("--time-steps", options.time_steps, kLeastStep, kMostStep, " sqrt(d/g)",
           scale.time_steps);
   return scale;

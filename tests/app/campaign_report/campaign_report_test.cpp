@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/campaign_report/points.h"
+#include "app/plot/typeset_number.h"
 #include "core/base/errors.h"
 #include "tests/support/files.h"
 #include "tests/support/program_fixture.h"
@@ -108,6 +109,29 @@ TEST_F(CampaignReportTest, ColoursCurvesByTheNumberThatTellsThem) {
     if (!curve.name.empty()) colours.push_back(curve.colour);
   const std::vector<Colour> ordered = ordered_colours(3);
   EXPECT_EQ(colours, (std::vector<std::optional<Colour>>{ordered[1], ordered[0], ordered[2]}));
+}
+
+// A line between points that are in no order would go to and fro.
+TEST_F(CampaignReportTest, JoinsPointsInTheOrderOfTheAxis) {
+  std::string text = kDroppedCampaign;
+  const std::string values = R"("phases[1].speed": [1, 2])";
+  text.replace(text.find(values), values.size(), R"("phases[1].speed": [2, 1, 3])");
+  folder_.write("dropping.json", text);
+  compute();
+  double seconds = 0;
+  const Report report = campaign_report(at("out"), seconds);
+  const auto& table = std::get<Table>(report.sections[0].blocks[0]);
+  EXPECT_EQ(table.rows[0][0].text, "2") << "as in the file";
+  const auto& plot = std::get<Figure>(report.sections[0].blocks.at(1)).plot;
+  ASSERT_EQ(plot.curves.size(), 3U);
+  const auto mean_of = [&](std::size_t row) { return table.rows[row][3].text; };
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Curve& curve = plot.curves[k];
+    EXPECT_EQ(curve.x, (std::vector<double>{1, 2, 3}));
+    const std::size_t rows[] = {2 + k, k, 4 + k};  // of speed 1, 2, 3
+    for (std::size_t i = 0; i < 3; ++i)
+      EXPECT_EQ(typeset_with_error(curve.y[i], curve.y_error[i]), mean_of(rows[i]));
+  }
 }
 
 // A time step that is chosen by the speed does not make a curve for each.

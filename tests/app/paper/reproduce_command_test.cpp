@@ -22,6 +22,9 @@ TEST_F(ReproduceCommand, PartOfTheProgrammeCanBeChosen) {
   EXPECT_NE(all.out.find("7 runs would go"), std::string::npos) << all.out;
   EXPECT_NE(part.out.find("sample.push_0.5/00\nsample.push_0.7/00\n3 runs"), std::string::npos)
       << part.out;
+  const Outcome unordered = reproduce(
+      {"--push-forces", "0.7,0.5,0.7", "penetration", "--dry-run", "--realizations", "1"});
+  EXPECT_EQ(unordered.out, part.out) << "in the order of the forces, and each once";
   const Outcome coarse = reproduce({"--time-steps", "0.01,2", "break_rule"});
   EXPECT_EQ(coarse.exit_code, 2);
   EXPECT_NE(coarse.err.find("--time-steps 2: must be from"), std::string::npos) << coarse.err;
