@@ -64,6 +64,9 @@ void describe_history(Fields& f, ReportHistory& h) {
   known_in_field(f, "x", h.x, quantities(), &Quantity::name, "column of series.csv");
   known_in_field(f, "y", h.y, quantities(), &Quantity::name, "column of series.csv");
   f.text({"label", "of the vertical axis; the words of y if absent"}, h.label);
+  f.text({"unit",
+          "of the vertical axis, after the factor; that of y if absent and the factor is 1 or -1"},
+         h.unit);
   f.text({"phase", "whose samples count", Presence::required}, h.phase);
   known_in_field(f, "phase", h.phase, phase_kinds(), &PhaseKind::name, "phase");
   f.number({"factor", "that y is multiplied by"}, kFactor, h.factor);

@@ -34,6 +34,7 @@ struct ReportPlot {
 struct ReportHistory {
   std::string x, y;
   std::string label;         // of the vertical axis; the words of y if empty
+  std::string unit;          // after the factor; that of y if empty and the factor is 1 or -1
   std::string phase;         // whose samples count
   double factor = 1;         // that y is multiplied by
   bool logarithmic = false;  // the axis of y

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -63,11 +64,17 @@ std::string place_of(const ReportHistory& history) {
   return is_over_time(history) ? "time since the phase began" : words(history.x);
 }
 
+// Of a column that is multiplied by something nobody has said.
+std::string unit_of(const ReportHistory& history) {
+  if (!history.unit.empty()) return history.unit;
+  return std::abs(history.factor) == 1 ? unit_of(history.y) : "1";
+}
+
 Plot empty_plot(const ReportHistory& history, std::size_t k) {
   return {.name = "history_" + std::to_string(k + 1),
           .x = {.label = place_of(history), .unit = unit_of(history.x)},
           .y = {.label = label_of(history),
-                .unit = unit_of(history.y),
+                .unit = unit_of(history),
                 .logarithmic = history.logarithmic}};
 }
 
@@ -308,7 +315,8 @@ class Writer {
 
   Section histories() {
     Section section{.title = "On the way"};
-    std::vector<std::string> told{x().path};
+    std::vector<std::string> told;
+    if (!x().path.empty()) told.push_back(x().path);
     told.insert(told.end(), curve_paths_.begin(), curve_paths_.end());
     std::vector<std::vector<RunResults>> runs;
     for (const CampaignPoint& point : points_) {

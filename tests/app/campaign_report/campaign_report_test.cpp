@@ -111,6 +111,35 @@ TEST_F(CampaignReportTest, ColoursCurvesByTheNumberThatTellsThem) {
   EXPECT_EQ(colours, (std::vector<std::optional<Colour>>{ordered[1], ordered[0], ordered[2]}));
 }
 
+TEST_F(CampaignReportTest, AHistoryTimesAFactorHasTheUnitThatIsGiven) {
+  compute();
+  const Json whole = parse_json(contents(at("out/campaign.json")));
+  const auto unit_with = [&](const std::string& keys) {
+    Json campaign = whole;
+    campaign["report"]["histories"][0].update(parse_json(keys));
+    folder_.write("out/campaign.json", campaign.dump());
+    double seconds = 0;
+    const Report report = campaign_report(at("out"), seconds);
+    return std::get<Figure>(report.sections[1].blocks.at(0)).plot.y.unit;
+  };
+  EXPECT_EQ(unit_with("{}"), "F_g");
+  EXPECT_EQ(unit_with(R"({"factor": -1})"), "F_g");
+  EXPECT_EQ(unit_with(R"({"factor": 1.767e-3})"), "1");
+  EXPECT_EQ(unit_with(R"({"factor": 1.767e-3, "unit": "kPa"})"), "kPa");
+}
+
+TEST_F(CampaignReportTest, ACurveThatNothingTellsFromOthersHasNoName) {
+  Json campaign = parse_json(kDroppedCampaign);
+  campaign.erase("grid");
+  for (const char* key : {"x", "parameters"}) campaign["report"].erase(key);
+  folder_.write("dropping.json", campaign.dump());
+  compute();
+  double seconds = 0;
+  const Report report = campaign_report(at("out"), seconds);
+  for (const Curve& curve : std::get<Figure>(report.sections[1].blocks.at(0)).plot.curves)
+    EXPECT_EQ(curve.name, "");
+}
+
 // A line between points that are in no order would go to and fro.
 TEST_F(CampaignReportTest, JoinsPointsInTheOrderOfTheAxis) {
   std::string text = kDroppedCampaign;
