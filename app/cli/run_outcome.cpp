@@ -88,7 +88,7 @@ int tell_outcome(const RunResult& result, const RunOptions& options) {
     for (const std::string& note : result.notes) std::fprintf(stderr, "%s\n", note.c_str());
   switch (result.end.how) {
     case RunEnd::How::finished:
-      std::printf("%lld steps in %.1f s; results are in %s\n", steps, result.end.wall_seconds,
+      std::printf("%lld steps in %.1f s; results are in %s\n", steps, result.end.last_wall_seconds,
                   folder.c_str());
       if (!options.quiet) tell_next(result.folder);
       return tell_validation(result.invalid);

@@ -12,6 +12,7 @@
 #include "app/run/progress_line.h"
 #include "app/run/resumption.h"
 #include "app/run/run_position.h"
+#include "app/run_folder/computing_time.h"
 #include "app/run_folder/folder_lock.h"
 #include "app/run_folder/search_results.h"
 #include "app/scene/scene_file.h"
@@ -51,14 +52,15 @@ void fail(RunEnd& end, const InputError& error) {
 // One run: its steps and samples, and the files that record them.
 class Run {
  public:
-  // `earlier`: where the run stands that goes on in its own folder.
+  // `earlier`: where the run stands that goes on in its own folder, for which it has computed so long [s].
   Run(const Scenario& scenario, const RunOptions& options, const RunFolder& folder,
-      Checkpoint start, const std::optional<RunPosition>& earlier)
+      Checkpoint start, const std::optional<RunPosition>& earlier, double earlier_seconds)
       : scenario_(scenario),
         options_(options),
         folder_(folder),
         first_step_(earlier ? earlier->first_step : start.world.step),
         began_at_step_(start.world.step),
+        earlier_seconds_(earlier_seconds),
         series_(folder.series(), earlier ? earlier->rows : 0),
         sampled_run_(scenario, std::move(start), options.every,
                      [this](const Row& row, const World& world) { record(row, world); }) {
@@ -82,6 +84,7 @@ class Run {
       const WorkClock::Span until_there(&clock(), Work::waiting);
       film_->secure();
     }
+    keep_computing_time(folder_, earlier_seconds_ + seconds_since(began_));
     write_checkpoint(folder_.state(),
                      {sampled_run_.world(), protocol().state(), to_text(scenario_),
                       to_bytes({series_.rows(), first_step_, sampled_run_.samples()})});
@@ -128,7 +131,8 @@ class Run {
     const std::int64_t step = sampled_run_.world().step;
     result.end.steps = step - first_step_;
     result.end.computed_steps = step - began_at_step_;
-    result.end.wall_seconds = seconds_since(began_);
+    result.end.last_wall_seconds = seconds_since(began_);
+    result.end.wall_seconds = earlier_seconds_ + result.end.last_wall_seconds;
     result.end.work = clock().seconds();
     result.end.work_counts = clock().counts;
     const Row& last = sampled_run_.last();
@@ -137,6 +141,7 @@ class Run {
       const Json values =
           summary(scenario_, sampled_run_.world(), protocol().state(), last, result.end);
       write_whole(folder_.summary(), values.dump(2) + "\n");
+      forget_computing_time(folder_);
     } catch (const InputError& error) {
       fail(result.end, error);
       result.end.unwritable = true;
@@ -216,6 +221,7 @@ class Run {
   RunFolder folder_;
   std::int64_t first_step_;     // of the run
   std::int64_t began_at_step_;  // of this part of it
+  double earlier_seconds_;      // of the parts before it
   Series series_;
   std::optional<HistoryWriter> history_;
   std::optional<Film> film_;
@@ -284,8 +290,11 @@ RunResult run_scene(const Scenario& scenario, const RunOptions& options) {
   // What can fail, before earlier results are lost by it.
   const std::string scene = to_text(scenario);
   if (options.frames && holds_run(folder)) require_pictures(scenario, options.view);
+  double earlier_seconds = 0;
   if (earlier) {
     require_kept(folder, earlier->rows, options);
+    earlier_seconds = computing_time_of(folder);
+    keep_computing_time(folder, earlier_seconds);
     forget_end(folder);
   } else {
     remove_earlier_results(folder);
@@ -295,7 +304,7 @@ RunResult run_scene(const Scenario& scenario, const RunOptions& options) {
   if (!options.continued_from) write_scene();
   std::optional<Run> run;
   try {
-    run.emplace(scenario, options, folder, std::move(start), earlier);
+    run.emplace(scenario, options, folder, std::move(start), earlier, earlier_seconds);
     if (options.continued_from) {
       // The scene alone would begin anew, if this is killed before its first checkpoint.
       run->write_state();

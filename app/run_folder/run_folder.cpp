@@ -63,9 +63,10 @@ void forget_end(const RunFolder& folder) {
 
 void remove_earlier_results(const RunFolder& folder) {
   std::error_code ignored;
-  for (const fs::path& file : {folder.state(), folder.summary(), folder.film(), folder.animation(),
-                               folder.film_page(), folder.history(), folder.critical_forces(),
-                               folder.adiabatic(), folder.report_page(), folder.report_text()}) {
+  for (const fs::path& file :
+       {folder.state(), folder.summary(), folder.film(), folder.animation(), folder.film_page(),
+        folder.history(), folder.critical_forces(), folder.adiabatic(), folder.computing_time(),
+        folder.report_page(), folder.report_text()}) {
     fs::remove(file, ignored);
   }
   std::vector<fs::path> frames;

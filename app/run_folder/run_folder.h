@@ -20,6 +20,7 @@ struct RunFolder {
   std::filesystem::path critical_forces() const { return path / "critical_forces.csv"; }
   std::filesystem::path adiabatic() const { return path / "adiabatic.csv"; }
   std::filesystem::path summary() const { return path / "summary.json"; }
+  std::filesystem::path computing_time() const { return path / "computing_time.json"; }
   std::filesystem::path state() const { return path / "state.cbor"; }
   std::filesystem::path report_page() const { return path / "report.html"; }
   std::filesystem::path report_text() const { return path / "report.md"; }

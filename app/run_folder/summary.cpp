@@ -39,7 +39,9 @@ Json work_split(const RunEnd& end, const ProtocolState& state) {
                                "relaxation"};
   Json by_stage = Json::object();
   for (std::size_t k = 0; k < kStages.size(); ++k) by_stage[kStages[k]] = counts.by_stage[k];
-  return {{"seconds", std::move(seconds)},
+  return {{"steps", end.computed_steps},
+          {"wall_seconds", end.last_wall_seconds},
+          {"seconds", std::move(seconds)},
           {"solutions", counts.solutions},
           {"solutions_of_failure_criterion", counts.of_criterion},
           {"solved_by", std::move(by_stage)},
@@ -86,8 +88,9 @@ Json summary(const Scenario& scenario, const World& world, const ProtocolState& 
   }
   json["steps"] = end.steps;
   json["wall_seconds"] = end.wall_seconds;
-  json["steps_per_second"] =
-      end.wall_seconds > 0 ? static_cast<double>(end.computed_steps) / end.wall_seconds : 0;
+  json["steps_per_second"] = end.last_wall_seconds > 0
+                                 ? static_cast<double>(end.computed_steps) / end.last_wall_seconds
+                                 : 0;
   json["work"] = work_split(end, state);
   json["total_iterations"] = state.iterations;
   json["total_factorisations"] = state.factorisations;

@@ -22,7 +22,8 @@ struct RunEnd {
   bool refused = false;             // failed because a phase refused what it found
   std::int64_t steps = 0;           // of this run, before it was interrupted too
   std::int64_t computed_steps = 0;  // of its last part, since it was last resumed
-  double wall_seconds = 0;          // of its last part, pictures included
+  double wall_seconds = 0;          // of all its parts, pictures included
+  double last_wall_seconds = 0;     // of its last part
   WorkSeconds work{};               // where these went
   WorkClock::Counts work_counts{};  // of that part
 };

@@ -29,8 +29,8 @@ struct Named {
 };
 constexpr auto kComputing = std::to_array<Named>(
     {{"steps", "time steps of this run", "1"},
-     {"wall_seconds", "computing time, pictures included; of a resumed run, of its last part", "s"},
-     {"steps_per_second", "time steps per second in that time", "1/s"},
+     {"wall_seconds", "computing time, pictures included", "s"},
+     {"steps_per_second", "time steps per second; of a resumed run, in its last part", "1/s"},
      {"total_factorisations", "factorisations", "1"},
      {"total_iterations", "iterations of the solver", "1"},
      {"worst_residual", "worst residual", "1"},

@@ -116,6 +116,31 @@ TEST_F(ResumeTest, SlowKilledAtEightRandomMomentsTheFilesAreThoseOfAnUnbrokenRun
   EXPECT_EQ(differences("broken"), "");
 }
 
+TEST_F(ResumeTest, TheComputingTimeIsThatOfAllParts) {
+  const auto time_in = [&](const std::string& name) {
+    return parse_json(contents(at("broken/" + name)))["wall_seconds"].get<double>();
+  };
+  stop_in_the_middle(SIGKILL);
+  const double first = time_in("computing_time.json");
+  EXPECT_GT(first, 0);
+  {
+    Program program({"resume", "broken"}, folder_.path());
+    wait_for("a later checkpoint", [&] { return time_in("computing_time.json") > first; });
+    program.signal(SIGINT);
+    ASSERT_EQ(program.wait().exit_code, 130);
+  }
+  EXPECT_FALSE(fs::exists(at("broken/computing_time.json"))) << "the summary has it";
+  const auto part = [&] {
+    const Json summary = parse_json(contents(at("broken/summary.json")));
+    return summary["work"]["wall_seconds"].get<double>();
+  };
+  const double second = time_in("summary.json");
+  EXPECT_NEAR(second, first + part(), 1e-9);
+  ASSERT_EQ(quicksand({"resume", "broken"}).exit_code, 0);
+  EXPECT_NEAR(time_in("summary.json"), second + part(), 1e-9);
+  EXPECT_FALSE(fs::exists(at("broken/computing_time.json")));
+}
+
 TEST_F(ResumeTest, AfterCtrlCTheExtraSampleIsDropped) {
   run_unbroken();
   stop_in_the_middle(SIGINT);
