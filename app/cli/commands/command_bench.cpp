@@ -70,7 +70,13 @@ std::string command_of(const Request& request) {
   std::vector<std::string> words{"quicksand", "bench"};
   words.insert(words.end(), request.names.begin(), request.names.end());
   if (request.options.quick) words.emplace_back("--quick");
+  if (request.options.fresh) words.emplace_back("--fresh");
   if (request.with_peers) words.emplace_back("--peers");
+  if (request.options.method != bench::Options{}.method)
+    words.insert(words.end(), {"--method", request.options.method});
+  if (!request.options.problems.empty())
+    words.insert(words.end(), {"--problems", request.options.problems.string()});
+  if (request.options.tuning) words.emplace_back("--tuning");
   if (request.options.repeats > 0)
     words.insert(words.end(), {"--repeats", std::to_string(request.options.repeats)});
   words.insert(words.end(), {"--out", request.options.out.string()});

@@ -173,10 +173,14 @@ TEST(Benchmark, RecordedProblemsAreSolvedAgain) {
   const Outcome again = run_bench(
       {"record", (kSource / "assets/scenes/chain.json").string(), "--out", "kept"}, folder.path());
   EXPECT_EQ(again.exit_code, 2) << "what is there would be mixed with others";
-  const Outcome solved =
-      run_bench({"problems", "--problems", "kept", "--tuning", "--out", "results"}, folder.path());
+  const Outcome solved = run_bench({"problems", "--problems", "kept", "--tuning", "--method",
+                                    "interior_point", "--fresh", "--out", "results"},
+                                   folder.path());
   ASSERT_EQ(solved.exit_code, 0) << solved.err;
   const Json results = results_in(folder);
+  EXPECT_EQ(results["command"],
+            "quicksand bench problems --fresh --method interior_point --problems kept --tuning "
+            "--out results");
   int rows = 0;
   for (const Json& row : results["rows"]) {
     ++rows;
