@@ -12,9 +12,6 @@ namespace quicksand {
 
 namespace {
 
-// Beyond, shorter steps are no answer to what does not converge. [1]
-constexpr int kManyHalvings = 16;
-
 // Goes on with other settings than those that failed, from the beginning where there is no state.
 std::string continue_command(const RunFolder& folder, const RunOptions& options) {
   return program_name() + " run " + shell_text(folder.scene()) +
@@ -52,29 +49,35 @@ void tell_next(const RunFolder& folder) {
 
 int tell_failure(const RunResult& result, const RunOptions& options) {
   const std::string folder = result.folder.path.string();
+  const std::string kind = failure_kind(result.end);
   if (result.end.unwritable)
-    return tell_failed({"disk_full", "the run ended early: " + result.end.failure,
+    return tell_failed({kind, "the run ended early: " + result.end.failure,
                         "what was written is in " + folder +
                             "\nwhen it can be written again, go on with: " + program_name() +
                             " resume " + shell_text(result.folder.path)});
   const std::string command = continue_command(result.folder, options);
   if (result.end.refused)
-    return tell_failed({"scene", "the run failed: " + result.end.failure,
+    return tell_failed({kind, "the run failed: " + result.end.failure,
                         "results so far are in " + folder +
                             "\nchange the scene there, as in: " + command + " --set PATH=VALUE"});
-  const std::string next =
-      result.most_halvings < kManyHalvings
-          ? "continue with: " + command +
-                " --set step.max_halvings=" + std::to_string(kManyHalvings)
-          : "continue with a larger tolerance, here or as solver_tolerance of the phase: " +
-                command + " --set solver.tolerance=1e-4";
-  return tell_failed({"run_failed", "the run failed: " + result.end.failure,
+  const auto [what, setting] = other_steps(result.most_halvings);
+  const std::string next = "continue with" + what + ": " + command + setting;
+  return tell_failed({kind, "the run failed: " + result.end.failure,
                       "results so far are in " + folder + "\n" + next +
                           "\nor, to take such steps as they are, with --set "
                           "step.on_unconverged=continue"});
 }
 
 }  // namespace
+
+OtherSteps other_steps(int most_halvings) {
+  // Beyond, shorter steps are no answer to what does not converge. [1]
+  constexpr int kManyHalvings = 16;
+  if (most_halvings < kManyHalvings)
+    return {"", " --set step.max_halvings=" + std::to_string(kManyHalvings)};
+  return {" a larger tolerance, here or as solver_tolerance of the phase",
+          " --set solver.tolerance=1e-4"};
+}
 
 int tell_validation(const std::string& reasons) {
   if (reasons.empty()) return kFine;

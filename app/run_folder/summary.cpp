@@ -58,6 +58,10 @@ Json si_units(const PhysicalScale& physical) {
 
 }  // namespace
 
+std::string failure_kind(const RunEnd& end) {
+  return end.unwritable ? "disk_full" : end.refused ? "scene" : "run_failed";
+}
+
 Json json_of(const Value& value) {
   struct ToJson {
     Json operator()(std::monostate) const { return nullptr; }
@@ -80,6 +84,7 @@ Json summary(const Scenario& scenario, const World& world, const ProtocolState& 
                {"finished", end.how == RunEnd::How::finished},
                {"interrupted", end.how == RunEnd::How::interrupted},
                {"failure", end.failure.empty() ? Json(nullptr) : Json(end.failure)},
+               {"failure_kind", end.failure.empty() ? Json(nullptr) : Json(failure_kind(end))},
                {"missed_rest", end.missed_rest},
                {"phases_finished", state.phase},
                {"phases", scenario.phases.size()}};

@@ -28,6 +28,9 @@ struct RunEnd {
   WorkClock::Counts work_counts{};  // of that part
 };
 
+// Why a run failed: "disk_full", "scene" (a phase refused what it found) or "run_failed" (a step).
+std::string failure_kind(const RunEnd& end);
+
 // The value as JSON; null if there is none.
 Json json_of(const Value& value);
 

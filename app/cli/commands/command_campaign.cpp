@@ -11,6 +11,7 @@
 #include "app/campaign/results_table.h"
 #include "app/campaign/slurm.h"
 #include "app/cli/commands.h"
+#include "app/cli/run_outcome.h"
 #include "app/jobs/job_pool.h"
 #include "app/options/threads_option.h"
 #include "core/base/errors.h"
@@ -142,6 +143,28 @@ class CampaignRun {
     return static_cast<std::size_t>(std::ranges::count(records_, status, &RunRecord::status));
   }
 
+  // Only of a failure that its summary knows: others were none of a step or a scene.
+  void tell_how_to_go_on(const Job& job, const RunRecord& record) const {
+    const RunFolder& folder = job.folder;
+    const std::string command = "quicksand run " + shell_text(folder.scene()) + " --continue " +
+                                shell_text(folder.state()) + " --out " +
+                                shell_text(out_ / "repeats" / job.id) +
+                                (campaign_.frames ? "" : " --no-frames");
+    const bool known =
+        record.summary.is_object() && record.summary.value("failure", Json()) == record.failure;
+    const Json kind = known ? record.summary.value("failure_kind", Json()) : Json();
+    std::string next;
+    if (kind == "run_failed") {
+      const auto [what, setting] = other_steps(job.scenario.step.max_halvings);
+      next = "repeat its end with" + what + ": " + command + setting;
+    } else if (kind == "scene") {
+      next = "change its scene, as in: " + command + " --set PATH=VALUE";
+    } else if (kind == "disk_full") {
+      next = "when it can be written again, the same command goes on with it";
+    }
+    if (!next.empty()) std::fprintf(stderr, "  %s\n", next.c_str());
+  }
+
   void list_failed() const {
     std::size_t listed = 0;
     for (std::size_t i = 0; i < jobs_.size(); ++i) {
@@ -149,14 +172,7 @@ class CampaignRun {
       if (++listed > kMostListed) continue;
       std::fprintf(stderr, "failed: %s: %s\n", job_name(jobs_[i]).c_str(),
                    records_[i].failure.c_str());
-      const RunFolder& folder = jobs_[i].folder;
-      if (!is_there(folder.state())) continue;
-      std::fprintf(stderr,
-                   "  repeat its end with: quicksand run %s --continue %s --out %s%s --set "
-                   "step.max_halvings=16\n",
-                   shell_text(folder.scene()).c_str(), shell_text(folder.state()).c_str(),
-                   shell_text(out_ / "repeats" / jobs_[i].id).c_str(),
-                   campaign_.frames ? "" : " --no-frames");
+      if (is_there(jobs_[i].folder.state())) tell_how_to_go_on(jobs_[i], records_[i]);
     }
     if (listed > kMostListed) {
       std::fprintf(stderr, "... and %zu more, see %s\n", listed - kMostListed, results().c_str());

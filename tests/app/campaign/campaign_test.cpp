@@ -227,7 +227,8 @@ TEST_F(CampaignTest, AFailedRunIsListedAndTheRestIsComputed) {
   EXPECT_NE(outcome.err.find("failed: 00001 ("), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("did not converge"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("quicksand run out/failing/runs/00001/scene.json --continue "
-                             "out/failing/runs/00001/state.cbor --out out/failing/repeats/00001"),
+                             "out/failing/runs/00001/state.cbor --out out/failing/repeats/00001 "
+                             "--no-frames --set step.max_halvings=16"),
             std::string::npos)
       << outcome.err;
   EXPECT_EQ(quicksand({"campaign", "failing.json", "--status"}).exit_code, 1);
