@@ -12,7 +12,6 @@
 #include "app/run/progress_line.h"
 #include "app/run/resumption.h"
 #include "app/run/run_position.h"
-#include "app/run_folder/computing_time.h"
 #include "app/run_folder/folder_lock.h"
 #include "app/run_folder/search_results.h"
 #include "app/scene/scene_file.h"

@@ -8,6 +8,7 @@
 #include "app/run_folder/validation.h"
 #include "app/scene_json/si_scale.h"
 #include "core/base/format.h"
+#include "core/base/whole_file.h"
 
 namespace quicksand {
 
@@ -56,6 +57,15 @@ Json si_units(const PhysicalScale& physical) {
           {"F_g [N]", si.force},      {"F_g d [J]", si.energy}};
 }
 
+constexpr const char* kWallSeconds = "wall_seconds";  // in both files
+
+// A file that is damaged costs a number in a report, and no run.
+double seconds_in(const Json& json) {
+  if (!json.is_object() || !json.contains(kWallSeconds) || !json[kWallSeconds].is_number())
+    return 0;
+  return std::max(0.0, json[kWallSeconds].get<double>());
+}
+
 }  // namespace
 
 std::string failure_kind(const RunEnd& end) {
@@ -92,7 +102,7 @@ Json summary(const Scenario& scenario, const World& world, const ProtocolState& 
     json[std::string(quantity.name)] = json_of(quantity.get(last));
   }
   json["steps"] = end.steps;
-  json["wall_seconds"] = end.wall_seconds;
+  json[kWallSeconds] = end.wall_seconds;
   json["steps_per_second"] = end.last_wall_seconds > 0
                                  ? static_cast<double>(end.computed_steps) / end.last_wall_seconds
                                  : 0;
@@ -131,6 +141,24 @@ Json summary_in(const RunFolder& folder) {
   } catch (const InputError&) {
     return nullptr;
   }
+}
+
+double computing_time_of(const RunFolder& folder) {
+  if (const Json summary = summary_in(folder); !summary.is_null()) return seconds_in(summary);
+  try {
+    return seconds_in(read_json(folder.computing_time()));
+  } catch (const InputError&) {
+    return 0;
+  }
+}
+
+void keep_computing_time(const RunFolder& folder, double seconds) {
+  write_whole(folder.computing_time(), Json{{kWallSeconds, seconds}}.dump(2) + "\n");
+}
+
+void forget_computing_time(const RunFolder& folder) {
+  std::error_code ignored;
+  std::filesystem::remove(folder.computing_time(), ignored);
 }
 
 }  // namespace quicksand

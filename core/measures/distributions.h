@@ -54,8 +54,8 @@ struct Slice {
   Region grains;                          // those with their centre in it
 };
 
-// Slices of equal thickness [d] from a multiple of it, at packing_bottom() or below, to above the highest grain; none without grains. Throws InputError if that makes
-// more than 10 000 slices.
+// Slices of equal thickness [d] from a multiple of it, at packing_bottom() or below, to above the highest grain; none
+// without grains. Throws InputError if that makes more than 10 000 slices.
 std::vector<Slice> height_profile(const World& world, std::span<const Pair> touching,
                                   double thickness);
 

@@ -17,7 +17,8 @@ namespace quicksand {
 // What the model leaves open when regions and the weight above an intruder are measured.
 struct MeasureChoices {
   // The channel: grains whose centres are nearer to where the intruder has passed (its centre, or the axis of a tall
-  // body: distances_from_trajectory()) than its half width and this. At half a grain: those that stand, fell or were pushed where the intruder passed. [d]
+  // body: distances_from_trajectory()) than its half width and this. At half a grain: those that stand, fell or were
+  // pushed where the intruder passed. [d]
   double channel_margin = 0.5;
   // The intact region: grains farther from the trajectory than this. Where it lies, not what became of its
   // bonds, decides, so that a share of active bonds below one can show there; the other definition,

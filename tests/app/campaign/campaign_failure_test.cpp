@@ -10,10 +10,10 @@ namespace {
 const char* const kVaneCampaign = R"({
   "scene": {
     "name": "full", "gravity": {},
-    "box": {"width": 6, "height": 8},
+    "box": {"width": 8, "height": 10},
     "contact": {"friction": 0.3, "rolling_friction": 0.1, "cohesion_force": 100},
     "phases": [
-      {"type": "deposit", "grains": 20, "interval": 0.02},
+      {"type": "deposit", "grains": 30, "interval": 0.02},
       {"type": "vane", "shape": {"blades": 4, "radius": 1, "thickness": 0.3}, "depth": 2,
        "angular_velocity": 1, "angle": 0.5, "clear": false}]
   }
