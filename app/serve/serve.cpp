@@ -53,15 +53,27 @@ std::string address_of(const ServeOptions& options, int port, const std::string&
   return "http://" + host + ":" + std::to_string(port) + "/?token=" + token;
 }
 
-void write_recording(const ServeOptions& options, ServedSession& live) {
-  live.console().finish_recording();
-  if (options.record.empty() || !live.console().session().loaded()) return;
-  write_whole(options.record, live.recording());
+void write_recording(const std::filesystem::path& file, const ServedSession& live) {
+  if (file.empty() || !live.console().session().loaded()) return;
+  write_whole(file, live.recording());
   std::fprintf(stderr, "what was done is in %s; `quicksand session` plays it again\n",
-               options.record.c_str());
+               file.c_str());
 }
 
 }  // namespace
+
+void serve_until(const std::function<bool()>& ended, ServedSession& live,
+                 const std::filesystem::path& record) {
+  try {
+    while (!ended()) live.take_turn();
+  } catch (...) {
+    write_recording(record, live);
+    throw;
+  }
+  // First, since ending a film may fail.
+  write_recording(record, live);
+  live.console().finish_recording();
+}
 
 int run_serve(const ServeOptions& options) {
   const InterruptWatch watch;
@@ -97,9 +109,8 @@ int run_serve(const ServeOptions& options) {
     if (options.open && !run_external({"xdg-open", address}).fine())
       std::fprintf(stderr,
                    "quicksand: xdg-open could not open a browser; open the address in one\n");
-    while (!watch.interrupted()) live.take_turn();
+    serve_until([&watch] { return watch.interrupted(); }, live, options.record);
   }
-  write_recording(options, live);
   return kInterrupted;
 }
 

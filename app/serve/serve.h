@@ -2,7 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
+
+#include "app/serve/served_session.h"
 
 namespace quicksand {
 
@@ -19,6 +22,11 @@ struct ServeOptions {
   bool open = false;    // in the browser of this machine
   bool pixels = false;  // sends pictures instead of shapes
 };
+
+// Lets the session compute and answer, and writes what was done to `record`, unless that is empty: also where an error
+// ends it, which is thrown on.
+void serve_until(const std::function<bool()>& ended, ServedSession& live,
+                 const std::filesystem::path& record);
 
 // Returns the exit code after Ctrl-C. Throws InputError.
 int run_serve(const ServeOptions& options);

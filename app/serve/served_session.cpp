@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <new>
 #include <utility>
 
 #include "app/commands/command_table.h"
@@ -13,6 +14,7 @@
 #include "app/serve/page_state.h"
 #include "app/session/disk_at.h"
 #include "core/base/errors.h"
+#include "core/base/memory.h"
 #include "core/base/whole_file.h"
 #include "render/base/render_error.h"
 #include "render/image/png.h"
@@ -180,6 +182,25 @@ void ServedSession::tell_if_full() {
   tell(kEveryClient, {{"ok", false}, {"error", text}}, nullptr);
 }
 
+template <class Do>
+bool ServedSession::succeeds(Do what) {
+  std::string problem;
+  try {
+    what();
+    return true;
+  } catch (const InputError& error) {
+    problem = (error.where().empty() ? "" : error.where() + ": ") + error.what();
+  } catch (const RenderError& error) {
+    problem = error.what();
+  } catch (const NotEnoughMemory& error) {
+    problem = error.what();
+  } catch (const std::bad_alloc&) {
+    problem = "there is not enough memory for this";
+  }
+  tell(kEveryClient, {{"ok", false}, {"error", problem}}, nullptr);
+  return false;
+}
+
 // One frame of a session that runs: so many steps, and at least as long as a picture stands.
 void ServedSession::compute() {
   Session& session = console_.session();
@@ -187,7 +208,12 @@ void ServedSession::compute() {
   const std::int64_t first = session.world().step;
   RunUntil frame;
   frame.steps = session.steps_per_frame;
-  const RunStop stop = session.run(frame);
+  RunStop stop = RunStop::failed;
+  // A phase that is refused, or a recording that finds no room.
+  if (!succeeds([&] { stop = session.run(frame); })) {
+    session.running = false;
+    state_is_old_ = true;
+  }
   const std::int64_t steps = session.world().step - first;
   interactions_.add_steps(steps);
   tell_if_full();
@@ -212,12 +238,7 @@ void ServedSession::compute() {
 void ServedSession::play() {
   const auto began = Clock::now();
   Timeline& timeline = *console_.session().timeline();
-  try {
-    timeline.play_frame();
-  } catch (const InputError& error) {
-    timeline.playing = false;
-    tell(kEveryClient, {{"ok", false}, {"error", error.where() + ": " + error.what()}}, nullptr);
-  }
+  if (!succeeds([&] { timeline.play_frame(); })) timeline.playing = false;
   picture_is_old_ = true;
   publish_frame();
   const auto left = kFramePeriod - (Clock::now() - began);
@@ -229,11 +250,9 @@ void ServedSession::look_for_samples() {
   Timeline* timeline = console_.session().timeline();
   if (timeline == nullptr || Clock::now() - looked_ < kLookPeriod) return;
   looked_ = Clock::now();
-  try {
+  succeeds([&] {
     if (timeline->refresh()) picture_is_old_ = plots_are_old_ = true;
-  } catch (const InputError& error) {
-    tell(kEveryClient, {{"ok", false}, {"error", error.where() + ": " + error.what()}}, nullptr);
-  }
+  });
 }
 
 Json ServedSession::answer_question(const Json& question) {
@@ -295,29 +314,23 @@ Json ServedSession::moment() const {
   return head;
 }
 
+// The frame as pixels.
+std::string ServedSession::picture() {
+  const Session& session = console_.session();
+  const Image image = console_.draw_view(session.view.width, session.view.height);
+  Json head = moment();
+  head.update(look_of(session));
+  BinaryMessage binary;
+  binary.add("png", std::span<const std::uint8_t>(encode_png(image)));
+  return binary.finish(std::move(head));
+}
+
 void ServedSession::publish_frame() {
   if (!console_.session().loaded() || !picture_is_old_ || !exchange_.frame_wanted()) return;
   const Session& session = console_.session();
   std::string message;
-  if (options_.pixels) {
-    try {
-      const Image image = console_.draw_view(session.view.width, session.view.height);
-      Json head = moment();
-      head.update(look_of(session));
-      BinaryMessage binary;
-      binary.add("png", std::span<const std::uint8_t>(encode_png(image)));
-      message = binary.finish(std::move(head));
-    } catch (const RenderError& error) {
-      tell(kEveryClient, {{"ok", false}, {"error", error.what()}}, nullptr);
-    }
-  } else {
-    try {
-      message = frame_message(session, moment());
-    } catch (const InputError& error) {
-      // Of a run that is walked through, where a record is damaged.
-      tell(kEveryClient, {{"ok", false}, {"error", error.where() + ": " + error.what()}}, nullptr);
-    }
-  }
+  // Of a run that is walked through, a record may be damaged.
+  succeeds([&] { message = options_.pixels ? picture() : frame_message(session, moment()); });
   picture_is_old_ = false;
   last_frame_ = Clock::now();
   if (!message.empty()) exchange_.publish(Newest::frame, std::move(message));

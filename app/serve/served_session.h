@@ -36,6 +36,7 @@ class ServedSession {
   // What was done so far, as the text of a session that replays to the same world. A scene must be loaded.
   std::string recording() const;
   Console& console() { return console_; }
+  const Console& console() const { return console_; }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -54,11 +55,16 @@ class ServedSession {
   void answer_next();
   void record(const Json& command, const Json& result);
   void tell_if_full();
+  // Whether nothing goes wrong with a scene, a file, a picture or the memory; else every client is told, and the server
+  // goes on.
+  template <class Do>
+  bool succeeds(Do what);
   void compute();
   void play();
   void look_for_samples();
   bool plays() const;
   Json answer_question(const Json& question);
+  std::string picture();
   void publish_frame();
   void publish_slow_parts();
   Json state() const;

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 #include "app/run_folder/summary.h"
+#include "app/serve/serve.h"
 #include "tests/support/files.h"
 #include "tests/support/program.h"
 #include "tests/support/session_server.h"
@@ -243,6 +246,63 @@ TEST(ServedSession, PlaysARunToItsEndAndGoesOnFromThere) {
   do head = page.picture();
   while (head.contains("timeline"));
   EXPECT_EQ(server.stop().console().session().timeline(), nullptr);
+}
+
+// A vane among grains, which the start of its phase refuses; the phase before is of two steps.
+Json load_refused_vane() {
+  return Json::parse(R"({"command": "load", "scene": {
+    "box": {"width": 8, "height": 8, "sides": "periodic", "floor": true},
+    "contact": {"friction": 0.3, "rolling_friction": 0.1, "cohesion_force": 10},
+    "bodies": [{"position": [4, 0.5]}, {"position": [4, 1.5]}, {"position": [4, 2.5]},
+               {"position": [4, 3.5]}], "step": {"dt": 1e-3},
+    "phases": [{"type": "settle", "max_time": 2e-3, "until_rest": false},
+               {"type": "vane", "shape": {"radius": 1.2}, "depth": 2, "torque": 5}]}})");
+}
+
+TEST(ServedSession, ARefusedPhaseStopsComputingAndNotTheServer) {
+  const TemporaryFolder folder;
+  Exchange exchange;
+  ServedSession served({folder.path()}, exchange);
+  served.begin(load_refused_vane());
+  served.begin({{"command", "pace"}, {"steps_per_frame", 50}});
+  served.begin({{"command", "start"}});
+  for (int turn = 0; turn < 3; ++turn) served.take_turn();
+  EXPECT_FALSE(served.console().session().running);
+  bool told = false;
+  for (const ClientText& text : exchange.take_answers())
+    told = told || text.text.find("phases[1].clear") != std::string::npos;
+  EXPECT_TRUE(told);
+  EXPECT_EQ(served.console().session().world().step, 2);
+  folder.write("by_hand.json", served.recording());
+  EXPECT_EQ(run_program({"session", "by_hand.json", "--quiet"}, folder.path()).exit_code, 0);
+}
+
+TEST(ServedSession, APictureThatCannotBeDrawnIsTold) {
+  const TemporaryFolder folder;
+  Exchange exchange;
+  ServedSession served({folder.path(), true}, exchange);
+  served.begin({{"command", "load"}, {"scene", "chain"}});
+  served.console().session().view.width = kLargestPicture + 1;
+  exchange.want_frame_after(exchange.newest(Newest::frame).number);
+  EXPECT_NO_THROW(served.take_turn());
+  const std::vector<ClientText> answers = exchange.take_answers();
+  ASSERT_EQ(answers.size(), 1U);
+  EXPECT_NE(answers[0].text.find("cannot be drawn"), std::string::npos) << answers[0].text;
+}
+
+TEST(ServedSession, AnErrorThatEndsTheServerDoesNotTakeAlongWhatWasDone) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "by_hand.json";
+  Exchange exchange;
+  ServedSession served({folder.path()}, exchange);
+  served.begin({{"command", "load"}, {"scene", "chain"}});
+  served.begin({{"command", "start"}});
+  const auto fails = [&served]() -> bool {
+    if (served.console().session().world().step > 0) throw std::length_error("beyond repair");
+    return false;
+  };
+  EXPECT_THROW(serve_until(fails, served, file), std::length_error);
+  EXPECT_EQ(contents(file), served.recording());
 }
 
 }  // namespace
