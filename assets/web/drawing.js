@@ -113,17 +113,20 @@ class Drawing {
       this.list.line(...corners[k], ...corners[(k + 1) % corners.length], 2 * radius, colour, true);
   }
 
-  // In strips that overlap by half, drawn in from the edges, which the rounding covers.
+  // What can be seen of it, in strips that overlap by half, drawn in from the edges, which the rounding covers.
   fill_polygon(corners, colour) {
-    const heights = corners.map((corner) => corner[1]), high = Math.max(...heights);
-    for (let y = Math.min(...heights) + 0.5; y < high; ++y) {
-      let left = 1e9, right = -1e9;
+    const heights = corners.map((corner) => corner[1]), low = Math.min(...heights), high = Math.max(...heights);
+    const [clip_left, clip_top, clip_width, clip_height] = this.camera.clip;
+    const first = low + 0.5 + Math.max(0, Math.floor(clip_top - 2 - low));
+    for (let y = first, end = Math.min(high, clip_top + clip_height + 2); y < end; ++y) {
+      let left = Infinity, right = -Infinity;
       corners.forEach((p, k) => {
         const q = corners[(k + 1) % corners.length];
         if (p[1] < y === q[1] < y) return;
         const x = p[0] + ((y - p[1]) / (q[1] - p[1])) * (q[0] - p[0]);
         left = Math.min(left, x), right = Math.max(right, x);
       });
+      left = Math.max(left, clip_left - 2), right = Math.min(right, clip_left + clip_width + 2);
       if (right - left > 1) this.list.line(left + 0.5, y, right - 0.5, y, 2, colour);
     }
   }

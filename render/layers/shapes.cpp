@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -14,30 +15,37 @@ namespace {
 // Strips that overlap by half, drawn in from the edges, which the rounding covers. [px]
 constexpr double kStrip = 2, kStripStep = 1, kStripEnd = 0.5;
 
-// The inside of a convex polygon.
-void fill_polygon(DrawList& list, std::span<const Vec2> corners, Colour colour) {
+// What can be seen of the inside of a convex polygon: close up, the rest would be strips without number.
+void fill_polygon(DrawList& list, std::span<const Vec2> corners, const PixelRect& clip,
+                  Colour colour) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double low = corners.front().y(), high = low;
   for (const Vec2& corner : corners)
     low = std::min(low, corner.y()), high = std::max(high, corner.y());
-  const int strips = static_cast<int>(std::floor((high - low) / kStripStep + 0.5));
-  for (int strip = 0; strip < strips; ++strip) {
-    const double y = low + (strip + 0.5) * kStripStep;
-    double left = 1e9, right = -1e9;
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-      const Vec2 &p = corners[k], &q = corners[(k + 1) % corners.size()];
+  const double strips = std::floor((high - low) / kStripStep + 0.5);
+  const double first = std::max(0.0, std::floor((clip.y - kStrip - low) / kStripStep));
+  const double end = std::min(strips, std::ceil((clip.bottom() + kStrip - low) / kStripStep));
+  const int visible = static_cast<int>(std::clamp(end - first, 0.0, 2.0 * kLargestPicture));
+  for (int k = 0; k < visible; ++k) {
+    const double y = low + (first + k + 0.5) * kStripStep;
+    double left = kInfinity, right = -kInfinity;
+    for (std::size_t corner = 0; corner < corners.size(); ++corner) {
+      const Vec2 &p = corners[corner], &q = corners[(corner + 1) % corners.size()];
       if ((p.y() < y) == (q.y() < y)) continue;
       const double x = p.x() + (y - p.y()) / (q.y() - p.y()) * (q.x() - p.x());
       left = std::min(left, x), right = std::max(right, x);
     }
+    left = std::max(left, clip.x - kStrip), right = std::min(right, clip.right() + kStrip);
     if (right - left > 2 * kStripEnd)
       list.line({left + kStripEnd, y}, {right - kStripEnd, y}, kStrip, colour);
   }
 }
 
 // The part whose corners are these pixels, its rounding `radius` wide.
-void draw_part(DrawList& list, std::span<const Vec2> corners, double radius, Colour colour) {
+void draw_part(DrawList& list, std::span<const Vec2> corners, double radius, const PixelRect& clip,
+               Colour colour) {
   if (corners.size() == 1) return list.disk(corners[0], radius, colour);
-  if (corners.size() > 2) fill_polygon(list, corners, colour);
+  if (corners.size() > 2) fill_polygon(list, corners, clip, colour);
   const std::size_t edges = corners.size() == 2 ? 1 : corners.size();
   for (std::size_t k = 0; k < edges; ++k)
     list.line(corners[k], corners[(k + 1) % corners.size()], 2 * radius, colour, true);
@@ -87,7 +95,8 @@ void draw_shapes(DrawList& list, const World& world, const View& view, const Pan
                                                            -sine * at.x() - cosine * at.y()));
               }
               if (first.body == shaped.body)
-                draw_part(list, corners, std::max(0.5, first.radius * scale - inset), colour);
+                draw_part(list, corners, std::max(0.5, first.radius * scale - inset), panel.clip,
+                          colour);
             }
           };
           // The outline of the union: all parts in its colour, then all a little narrower in their own.

@@ -275,6 +275,15 @@ def shows_shapes(browser, server):
             {"colour": "active_bonds", "theme": "light", "bonds": True, "orientation": True, "forces": True},
             {"colour": "pressure", "theme": "dark", "bonds": True, "orientation": False, "forces": False}])
         assert worst >= 0.99, f"only {worst:.4f} of the pixels look alike"
+        # Close up, no more is filled than is seen.
+        for half in (1e-3, 1e-6):
+            drawn = page.run("const frame = quicksand.frame(), [{body, parts}] = frame.shapes;"
+                             " const {corners} = parts.find((part) => part.corners.length > 2);"
+                             " const middle = (i) => frame.disks[3 * body + i] + corners.reduce((sum, c) => sum + c[i], 0) / corners.length;"
+                             " const x = middle(0), y = middle(1), half = arguments[0], from = (name) => import(`${location.origin}/${name}.js`);"
+                             " return Promise.all([from('drawing'), from('camera')]).then(([{draw}, {Camera}]) =>"
+                             " draw(frame, new Camera(frame, [x - half, y - half, x + half, y + half], 400, 300)).segments.count)", half)
+            assert 600 <= drawn < 2000, drawn
         page.resize(1280, 800)
         # Its load over its way, and the cursor of the others at the place that is pointed at.
         page.wait("[...document.querySelectorAll('.plot')].at(-1).textContent.includes('depth [d]')"

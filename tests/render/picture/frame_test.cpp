@@ -7,6 +7,7 @@
 
 #include "core/base/errors.h"
 #include "core/scene/scenario.h"
+#include "core/world/shaped_contact.h"
 #include "render/base/palette.h"
 #include "render/layers/network.h"
 #include "tests/support/render/worlds.h"
@@ -41,6 +42,31 @@ TEST(Frame, GrainFarOutsideAPeriodicBoxIsDrawnInside) {
   world.disks.position[3].x() += 5 * world.box.width;
   const Frame frame = compose(world, View{.legend = false}, font());
   EXPECT_EQ(disks_at(frame, {2, 3.5}), 1);
+}
+
+// As many strips as the panel has rows, however large the body is in pixels.
+TEST(Frame, CloseUpOnlyWhatIsSeenOfAShapedBodyIsFilled) {
+  World world;
+  world.box = {.width = 0, .height = 0, .sides = Sides::open, .floor = false};
+  const ConvexPart square{.corners = {{-5, -5}, {5, -5}, {5, 5}, {-5, 5}}, .radius = 0.1};
+  add_shape(world, {.position = Vec2(0, 0)}, {&square, 1});
+  for (const double half : {0.05, 1e-3, 1e-6}) {
+    View view{.legend = false, .scale_bar = false, .numbers = false};
+    view.window = WorldRect{Vec2(-half, -half), Vec2(half, half)};
+    const Frame frame = compose(world, view, font());
+    const PixelRect& seen = frame.packing.clip;
+    ASSERT_LT(frame.list.segments().size(), 2 * seen.height + 100) << half;
+    // Twice, for the outline and the inside, each pixel of the panel.
+    double covered = 0;
+    for (const SegmentShape& strip : frame.list.segments()) {
+      if (strip.round != 0) continue;
+      EXPECT_LE(strip.x0, seen.x);
+      EXPECT_GE(strip.x1, seen.right());
+      EXPECT_LE(strip.x1 - strip.x0, seen.width + 10);
+      if (strip.y0 > seen.y && strip.y0 < seen.bottom()) covered += 1;
+    }
+    EXPECT_NEAR(covered, 2 * seen.height, 2) << half;
+  }
 }
 
 TEST(Frame, BondAcrossAPeriodicSideIsDrawnAtBothSides) {
