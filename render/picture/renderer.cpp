@@ -42,10 +42,10 @@ Image Renderer::draw_fitting(const World& world, View view, std::span<const std:
   return draw(world, view, caption);
 }
 
-Image Renderer::draw_panels(std::span<const World* const> worlds, View view,
-                            std::span<const std::string> captions) {
+Image Renderer::draw_panels(std::span<const SideBySide> panels) {
+  View view = panels.front().view;
   CommonScales scales(view);
-  for (const World* world : worlds) scales.add(*world);
+  for (const SideBySide& panel : panels) scales.add(panel.world);
   const bool of_run = view.colours_of_run;
   view = scales.fixed(view);
   view.colours_of_run = of_run;
@@ -53,21 +53,28 @@ Image Renderer::draw_panels(std::span<const World* const> worlds, View view,
   const Font& font = font_of(view);
   View of_key = view;
   of_key.numbers = false;
+  of_key.expects_intruder = std::ranges::any_of(panels, [](const SideBySide& panel) {
+    return panel.view.expects_intruder || panel.world.intruder() >= 0;
+  });
+  const World& last = panels.back().world;
   View of_panel = view;
   of_panel.legend = of_panel.scale_bar = of_panel.detail = false;
-  of_panel.width = view.width / static_cast<int>(worlds.size());
-  of_panel.height = view.height - compose_key(*worlds.back(), of_key, font, 1).height();
+  of_panel.expects_intruder = of_key.expects_intruder;
+  of_panel.width = view.width / static_cast<int>(panels.size());
+  of_panel.height = view.height - compose_key(last, of_key, font, 1).height();
+  check(of_panel);
   Image picture(view.width, view.height);
   fill(picture, {0, 0, 1.0 * view.width, 1.0 * view.height}, palette(view.theme).background);
   double scale = 1;
-  for (std::size_t k = 0; k < worlds.size(); ++k) {
-    check(of_panel);
-    const Frame frame = compose(*worlds[k], of_panel, font, captions.subspan(k, 1));
+  for (std::size_t k = 0; k < panels.size(); ++k) {
+    of_panel.fit = panels[k].view.fit;
+    of_panel.physical = panels[k].view.physical;
+    of_panel.method = panels[k].view.method;
+    const Frame frame = compose(panels[k].world, of_panel, font, {&panels[k].caption, 1});
     scale = frame.packing.camera.scale();
     paste(picture, impl_->painter.paint(frame.list), static_cast<int>(k) * of_panel.width, 0);
   }
-  paste(picture, impl_->painter.paint(compose_key(*worlds.back(), of_key, font, scale)), 0,
-        of_panel.height);
+  paste(picture, impl_->painter.paint(compose_key(last, of_key, font, scale)), 0, of_panel.height);
   return picture;
 }
 

@@ -13,6 +13,13 @@ namespace quicksand {
 
 class Font;
 
+// One of several worlds that are drawn side by side.
+struct SideBySide {
+  const World& world;
+  const View& view;  // its units, its method and what it fits; all else is that of the first
+  std::string caption;
+};
+
 // Owns one drawing context. Use it from one thread; several renderers may live side by side.
 class Renderer {
  public:
@@ -29,8 +36,7 @@ class Renderer {
   Image draw_fitting(const World& world, View view, std::span<const std::string> caption = {});
   // Side by side, each with a caption and its own numbers, over one key, with one range of colours and one scale of
   // forces. Worlds with equal boxes have equal scales.
-  Image draw_panels(std::span<const World* const> worlds, View view,
-                    std::span<const std::string> captions);
+  Image draw_panels(std::span<const SideBySide> panels);
 
  private:
   struct Impl;

@@ -40,27 +40,25 @@ struct RenderArguments {
 struct Shown {
   World world;
   std::string scene, phase;
+  View view;  // with what its own scene says of units, method and box
 };
 
 // One picture with the names of scene and phase, or panels a, b, c, each with that of its phase.
-void write_picture(const RenderArguments& options, const View& view,
-                   const std::vector<Shown>& shown) {
+void write_picture(const RenderArguments& options, const std::vector<Shown>& shown) {
   require_png(options.out);
   if (shown.size() == 1) {
     const auto caption = std::to_array<std::string>({shown[0].scene, shown[0].phase});
-    return write_png(options.out, Renderer().draw(shown[0].world, view, caption));
+    return write_png(options.out, Renderer().draw(shown[0].world, shown[0].view, caption));
   }
   constexpr std::size_t kMostPanels = 26;
   if (shown.size() > kMostPanels)
     throw InputError("a picture of " + std::to_string(shown.size()) + " panels",
                      "has more than there are letters; draw a film");
-  std::vector<const World*> worlds;
-  std::vector<std::string> captions;
-  for (const Shown& one : shown) {
-    captions.push_back(std::string(1, static_cast<char>('a' + worlds.size())) + "  " + one.phase);
-    worlds.push_back(&one.world);
-  }
-  write_png(options.out, Renderer().draw_panels(worlds, view, captions));
+  std::vector<SideBySide> panels;
+  for (const Shown& one : shown)
+    panels.push_back({one.world, one.view,
+                      std::string(1, static_cast<char>('a' + panels.size())) + "  " + one.phase});
+  write_png(options.out, Renderer().draw_panels(panels));
 }
 
 void render_states(const RenderArguments& options, const View& view) {
@@ -69,13 +67,12 @@ void render_states(const RenderArguments& options, const View& view) {
                      "is one state; --time, --film, --from, --to and --range need the folder of a "
                      "run");
   std::vector<Shown> shown;
-  View of_scene = view;
   for (const fs::path& source : options.sources) {
     StateFile state = read_state(source);
-    of_scene = view_of(state.scenario, view);
-    shown.push_back({std::move(state.checkpoint.world), state.scenario.name, state.phase});
+    shown.push_back({std::move(state.checkpoint.world), state.scenario.name, state.phase,
+                     view_of(state.scenario, view)});
   }
-  write_picture(options, of_scene, shown);
+  write_picture(options, shown);
 }
 
 // Whether scales are those of the whole history.
@@ -90,8 +87,9 @@ void render_moments(const RenderArguments& options, const History& history,
   std::vector<Shown> shown;
   shown.reserve(moments.size());
   for (const std::size_t k : moments)
-    shown.push_back({history.world(k), scenario.name, history.moments()[k].phase_name});
-  write_picture(options, view_of(scenario, view), shown);
+    shown.push_back({history.world(k), scenario.name, history.moments()[k].phase_name,
+                     view_of(scenario, view)});
+  write_picture(options, shown);
 }
 
 void render_film(const RenderArguments& options, const History& history, const Moments& moments,

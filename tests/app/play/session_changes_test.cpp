@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/checkpoint/checkpoint.h"
+#include "render/image/png_reader.h"
 #include "tests/app/play/session_fixture.h"
 
 namespace quicksand::test {
@@ -23,6 +24,33 @@ TEST_F(SessionTest, TheMethodOfTheStepChangesInARunAndIsReplayed) {
   EXPECT_EQ(first[2]["result"]["holds"], "now");
   ASSERT_EQ(play(commands).exit_code, 0);
   EXPECT_EQ(transcript().back()["hash"], first.back()["hash"]);
+}
+
+// Beside one of the other method, too.
+TEST_F(SessionTest, APanelIsLabelledWithTheMethodOfItsOwnState) {
+  ASSERT_EQ(play({load(), R"({"command": "save", "file": "exact.cbor"})",
+                  R"({"command": "set", "path": "method", "value": "nscd"})",
+                  R"({"command": "save", "file": "nscd.cbor"})"})
+                .exit_code,
+            0);
+  const auto left_half = [&](const char* left, const char* right) {
+    EXPECT_EQ(quicksand({"render", left, right, "--out", "panels.png"}).exit_code, 0);
+    Image picture = read_png(at("panels.png"));
+    picture.width /= 2;
+    std::vector<std::uint8_t> half;
+    for (int y = 0; y < picture.height; ++y) {
+      const auto row = picture.rgb.begin() + std::ptrdiff_t{6} * picture.width * y;
+      half.insert(half.end(), row, row + std::ptrdiff_t{3} * picture.width);
+    }
+    // Above the key, which is one for both.
+    half.resize(half.size() / 2);
+    return half;
+  };
+  const char* const exact = "out/exact.cbor";
+  const char* const nscd = "out/nscd.cbor";
+  EXPECT_EQ(left_half(exact, nscd), left_half(exact, exact));
+  EXPECT_EQ(left_half(nscd, exact), left_half(nscd, nscd));
+  EXPECT_NE(left_half(exact, exact), left_half(nscd, nscd));
 }
 
 TEST_F(SessionTest, AChangedLawHoldsAtOnceAndAChangedBoxAfterAReset) {

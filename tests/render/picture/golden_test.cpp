@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/scene/scenario.h"
 #include "render/picture/renderer.h"
 #include "tests/support/render/worlds.h"
@@ -91,12 +93,34 @@ TEST_F(Golden, LegendAsAColumnWithACloseUp) {
 
 TEST_F(Golden, PanelsUnderOneKey) {
   const World first = worlds::arch(), second = worlds::arch_with_intruder();
-  const World* const panels[] = {&first, &second};
-  const std::string captions[] = {"a  before", "b  pushed"};
-  golden::expect_same(
-      renderer->draw_panels(panels, View{.width = 480, .height = 330, .expects_intruder = true},
-                            captions),
-      "panels");
+  const View view{.width = 480, .height = 330, .expects_intruder = true};
+  const SideBySide panels[] = {{first, view, "a  before"}, {second, view, "b  pushed"}};
+  golden::expect_same(renderer->draw_panels(panels), "panels");
+}
+
+Image part_of(const Image& picture, int x, int y, int width, int height) {
+  Image part(width, height);
+  for (int row = 0; row < height; ++row)
+    std::copy_n(picture.pixel(x, y + row), 3 * width, part.pixel(0, row));
+  return part;
+}
+
+TEST_F(Golden, EachPanelNamesTheMethodAndTheUnitsOfItsOwnScene) {
+  const World world = worlds::arch();
+  const View exact{.width = 480, .height = 330};
+  View swept = exact;
+  swept.method = "NSCD, 50 sweeps";
+  const auto drawn = [&](const View& left, const View& right) {
+    const SideBySide panels[] = {{world, left, "a"}, {world, right, "a"}};
+    return renderer->draw_panels(panels);
+  };
+  const auto left = [](const Image& picture) { return part_of(picture, 0, 0, 240, 200); };
+  const auto right = [](const Image& picture) { return part_of(picture, 240, 0, 240, 200); };
+  const Image both = drawn(exact, swept);
+  EXPECT_EQ(left(both), left(drawn(exact, exact)));
+  EXPECT_EQ(right(both), right(drawn(swept, swept)));
+  EXPECT_NE(left(both), right(both));
+  EXPECT_EQ(left(drawn(swept, exact)), right(both));
 }
 
 TEST_F(Golden, SameWorldAndViewGiveTheSameBytes) {
