@@ -1,7 +1,9 @@
 #include "render/picture/renderer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
+#include <vector>
 
 #include "render/base/palette.h"
 #include "render/draw/font.h"
@@ -42,6 +44,35 @@ Image Renderer::draw_fitting(const World& world, View view, std::span<const std:
   return draw(world, view, caption);
 }
 
+namespace {
+
+std::vector<Frame> panel_frames(std::span<const SideBySide> panels, View view, const Font& font) {
+  std::vector<Frame> frames;
+  for (const SideBySide& panel : panels) {
+    view.fit = panel.view.fit;
+    view.physical = panel.view.physical;
+    view.method = panel.view.method;
+    frames.push_back(compose(panel.world, view, font, {&panel.caption, 1}));
+  }
+  return frames;
+}
+
+// Whether one bar says the length in all panels.
+bool have_one_scale(std::span<const SideBySide> panels, const std::vector<Frame>& frames) {
+  constexpr double kRounding = 1e-9;
+  const double scale = frames.front().packing.camera.scale();
+  return std::ranges::all_of(frames,
+                             [&](const Frame& frame) {
+                               return std::abs(frame.packing.camera.scale() - scale) <=
+                                      kRounding * scale;
+                             }) &&
+         std::ranges::all_of(panels, [&](const SideBySide& panel) {
+           return panel.view.physical == panels.front().view.physical;
+         });
+}
+
+}  // namespace
+
 Image Renderer::draw_panels(std::span<const SideBySide> panels) {
   View view = panels.front().view;
   CommonScales scales(view);
@@ -61,19 +92,23 @@ Image Renderer::draw_panels(std::span<const SideBySide> panels) {
   of_panel.legend = of_panel.scale_bar = of_panel.detail = false;
   of_panel.expects_intruder = of_key.expects_intruder;
   of_panel.width = view.width / static_cast<int>(panels.size());
-  of_panel.height = view.height - compose_key(last, of_key, font, 1).height();
-  check(of_panel);
+  const auto fit_height = [&] {
+    of_panel.height = view.height - compose_key(last, of_key, font, 1).height();
+    check(of_panel);
+  };
+  fit_height();
+  std::vector<Frame> frames = panel_frames(panels, of_panel, font);
+  if (view.scale_bar && !have_one_scale(panels, frames)) {
+    of_panel.scale_bar = true;
+    of_key.scale_bar = false;
+    fit_height();
+    frames = panel_frames(panels, of_panel, font);
+  }
   Image picture(view.width, view.height);
   fill(picture, {0, 0, 1.0 * view.width, 1.0 * view.height}, palette(view.theme).background);
-  double scale = 1;
-  for (std::size_t k = 0; k < panels.size(); ++k) {
-    of_panel.fit = panels[k].view.fit;
-    of_panel.physical = panels[k].view.physical;
-    of_panel.method = panels[k].view.method;
-    const Frame frame = compose(panels[k].world, of_panel, font, {&panels[k].caption, 1});
-    scale = frame.packing.camera.scale();
-    paste(picture, impl_->painter.paint(frame.list), static_cast<int>(k) * of_panel.width, 0);
-  }
+  for (std::size_t k = 0; k < panels.size(); ++k)
+    paste(picture, impl_->painter.paint(frames[k].list), static_cast<int>(k) * of_panel.width, 0);
+  const double scale = frames.back().packing.camera.scale();
   paste(picture, impl_->painter.paint(compose_key(last, of_key, font, scale)), 0, of_panel.height);
   return picture;
 }

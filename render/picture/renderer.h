@@ -35,7 +35,7 @@ class Renderer {
   // As high as the packing needs that fills the whole width, with the key above it.
   Image draw_fitting(const World& world, View view, std::span<const std::string> caption = {});
   // Side by side, each with a caption and its own numbers, over one key, with one range of colours and one scale of
-  // forces. Worlds with equal boxes have equal scales.
+  // forces. Worlds with equal boxes have equal scales; where those differ, each panel has a bar of its own.
   Image draw_panels(std::span<const SideBySide> panels);
 
  private:

@@ -123,6 +123,38 @@ TEST_F(Golden, EachPanelNamesTheMethodAndTheUnitsOfItsOwnScene) {
   EXPECT_EQ(left(drawn(swept, exact)), right(both));
 }
 
+// The bar of a panel is part of it, as long as its own scale says.
+TEST_F(Golden, PanelsOfDifferentScalesHaveABarEach) {
+  const World world = worlds::arch();
+  World wide = world;
+  wide.box.width = 24;
+  const View view{.width = 480, .height = 330};
+  View without = view;
+  without.scale_bar = false;
+  const auto drawn = [&](const World& left, const World& right, const View& like) {
+    const SideBySide panels[] = {{left, like, "a"}, {right, like, "b"}};
+    return renderer->draw_panels(panels);
+  };
+  const auto panel = [](const Image& picture, int x) { return part_of(picture, x, 0, 240, 200); };
+  const auto numbers = [](const Image& picture, int x) { return part_of(picture, x, 0, 240, 60); };
+  const Image bars = drawn(world, wide, view), none = drawn(world, wide, without);
+  EXPECT_NE(panel(bars, 0), panel(none, 0));
+  EXPECT_NE(panel(bars, 240), panel(none, 240));
+  EXPECT_EQ(numbers(drawn(world, world, view), 0), numbers(drawn(world, world, without), 0))
+      << "one bar in the key";
+}
+
+TEST_F(Golden, TheKeyOfPanelsNamesAnIntruderThatOneOfThemHas) {
+  const World with = worlds::arch_with_intruder(), without = worlds::arch();
+  const View view{.width = 480, .height = 330};
+  const auto key = [&](const World& left, const World& right) {
+    const SideBySide panels[] = {{left, view, "a"}, {right, view, "b"}};
+    return part_of(renderer->draw_panels(panels), 0, 270, 480, 60);
+  };
+  EXPECT_EQ(key(with, without), key(without, with));
+  EXPECT_NE(key(without, without), key(without, with));
+}
+
 TEST_F(Golden, SameWorldAndViewGiveTheSameBytes) {
   const World world = worlds::arch_with_intruder();
   const View view{.width = 400, .height = 300, .bonds = true, .forces = true};
