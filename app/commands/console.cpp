@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <exception>
 #include <utility>
 
 #include "app/commands/command_table.h"
@@ -79,11 +80,25 @@ Json Console::finish_recording() {
 }
 
 std::string Console::save_cut_short() {
-  finish_recording();
-  if (!session_.loaded()) return {};
-  const fs::path state = folders_.out / "interrupted.cbor";
-  session_.save(state);
-  return "; the state is in " + state.string();
+  std::string told;
+  const auto try_to = [&told](auto what) {
+    try {
+      what();
+    } catch (const InputError& error) {
+      told += "; " + error.where() + ": " + error.what();
+    } catch (const std::exception& error) {
+      told += std::string("; ") + error.what();
+    }
+  };
+  try_to([&] { finish_recording(); });
+  // What is shown is in its folder.
+  if (!session_.loaded() || session_.timeline()) return told;
+  try_to([&] {
+    const fs::path state = folders_.out / "interrupted.cbor";
+    session_.save(state);
+    told += "; the state is in " + state.string();
+  });
+  return told;
 }
 
 fs::path Console::input(const std::string& name) const {

@@ -43,7 +43,8 @@ class Console {
   // Ends the recording, if there is one, with the present moment as its last sample; what it has made.
   Json finish_recording();
   // Ends what a session that is cut short was recording, and saves its state under a name that no command gives by
-  // itself. What to tell of it: "; the state is in out/x/interrupted.cbor", empty without a scene.
+  // itself. What to tell of it: "; the state is in out/x/interrupted.cbor", or what went wrong; empty where nothing is
+  // computed.
   std::string save_cut_short();
   // A file that this session wrote, or one beside the command file.
   std::filesystem::path input(const std::string& name) const;

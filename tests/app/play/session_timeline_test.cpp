@@ -1,4 +1,5 @@
 // Sessions that walk through a run.
+#include "app/commands/console.h"
 #include "tests/app/play/session_fixture.h"
 #include "tests/support/pierced_scene.h"
 
@@ -49,6 +50,21 @@ TEST_F(SessionTimelineTest, WhatCannotBeIsRefused) {
             std::string::npos);
   EXPECT_NE(play({R"({"command": "open", "run": "out"})"}).err.find("has no history.qsh"),
             std::string::npos);
+}
+
+TEST_F(SessionTimelineTest, CutShortItHasNoStateToBeSaved) {
+  Console console({at("out"), folder_.path()});
+  console.perform(Json::parse(kOpen));
+  EXPECT_EQ(console.save_cut_short(), "");
+}
+
+TEST_F(SessionTest, CutShortWhatCannotBeSavedIsTold) {
+  folder_.write("file", "in the place of the folder");
+  Console console({at("file"), folder_.path()});
+  console.perform(Json::parse(load()));
+  const std::string told = console.save_cut_short();
+  EXPECT_TRUE(told.starts_with("; ")) << told;
+  EXPECT_NE(told.find("interrupted.cbor: "), std::string::npos) << told;
 }
 
 }  // namespace
