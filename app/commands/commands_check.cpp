@@ -45,7 +45,7 @@ struct Measure {
       constexpr double kSlice = 5;  // [d]
       const auto path = console.output(folder, place + ".folder");
       const StateFile state{{session.world(), session.protocol().state(), {}},
-                            session.scenario(),
+                            session.protocol().scenario(),
                             session.phase_name()};
       write_measurements(path, measure_state(state, {}, kSlice));
       result["folder"] = path.string();

@@ -32,6 +32,20 @@ bool holds_at_once(const std::string& path) {
   return std::ranges::find(kHoldAtOnce, part) != kHoldAtOnce.end();
 }
 
+// The scene of the present run with those parts of a changed one.
+Scenario with_parts_that_hold(Scenario run, const Scenario& changed) {
+  run.physical = changed.physical;
+  run.gravity = changed.gravity;
+  run.drag = changed.drag;
+  run.grain_law = changed.grain_law;
+  run.wall_law = changed.wall_law;
+  run.intruder_law = changed.intruder_law;
+  run.step = changed.step;
+  run.solver = changed.solver;
+  run.phases = changed.phases;
+  return run;
+}
+
 // Whether a field differs that the present phase has made use of when it began.
 bool is_too_late(const Scenario& before, const Scenario& after, const Protocol& protocol) {
   const Phase* now = protocol.phase();
@@ -166,7 +180,7 @@ bool Session::take_over(const std::string& path, Scenario changed) {
   scenario_ = std::move(changed);
   take_scene_into_view();
   if (!holds_at_once(path)) return false;
-  Scenario now = scenario_;
+  Scenario now = with_parts_that_hold(protocol().scenario(), scenario_);
   const bool phases_fit =
       !by_hand_ && same_kinds(scenario_.phases, phases(), protocol().state().phase);
   if (!phases_fit) now.phases = phases();

@@ -68,6 +68,28 @@ TEST_F(SessionTest, AChangedLawHoldsAtOnceAndAChangedBoxAfterAReset) {
   EXPECT_EQ(lines[7]["step"], 1);
 }
 
+// A saved state tells the scene that its world was computed by.
+TEST_F(SessionTest, WhatWaitsForAResetIsNotInAStateThatIsSavedBefore) {
+  const Outcome played =
+      play({load(), R"({"command": "set", "path": "box.height", "value": 9})",
+            R"({"command": "set", "path": "seed", "value": 77})",
+            R"({"command": "set", "path": "contact.friction", "value": 0.5})",
+            R"({"command": "run", "steps": 2})", R"({"command": "save", "file": "before.cbor"})",
+            R"({"command": "measure", "folder": "measured"})", R"({"command": "reset"})",
+            R"({"command": "save", "file": "after.cbor"})"});
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  const auto scene_of = [&](const char* state) {
+    return Json::parse(read_checkpoint(at(state)).scene);
+  };
+  const Json before = scene_of("out/before.cbor"), after = scene_of("out/after.cbor");
+  EXPECT_EQ(before["box"]["height"], 6);
+  EXPECT_EQ(before["seed"], 1);
+  EXPECT_EQ(before["contact"]["friction"], 0.5);
+  EXPECT_EQ(Json::parse(contents(at("out/measured/measures.json")))["seed"], 1);
+  EXPECT_EQ(after["box"]["height"], 9);
+  EXPECT_EQ(after["seed"], 77);
+}
+
 // The piston of a phase under way has its mass; its force may change.
 TEST_F(SessionTest, WhatAPhaseHasSetUpChangesWithAReset) {
   Json scene = Json::parse(kHanging);
