@@ -1,6 +1,7 @@
 #include "app/session/recording.h"
 
 #include "app/view/film.h"
+#include "core/base/errors.h"
 
 namespace quicksand {
 
@@ -8,6 +9,9 @@ namespace {
 
 RunFolder fresh(const std::filesystem::path& path) {
   RunFolder folder{path};
+  if (holds_run(folder))
+    throw InputError(path.string(),
+                     "holds a run, which the recording would replace; choose another folder");
   make_writable(folder);
   remove_earlier_results(folder);
   return folder;

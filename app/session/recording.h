@@ -14,7 +14,7 @@ namespace quicksand {
 
 class Recording {
  public:
-  // `draw` makes the picture of the present moment. Throws InputError if the folder cannot be written.
+  // `draw` makes the picture of the present moment. Throws InputError if the folder cannot be written, or holds a run.
   Recording(const std::filesystem::path& folder, std::function<Image()> draw);
 
   // A row of series.csv and a frame.

@@ -52,6 +52,16 @@ TEST_F(SessionTimelineTest, WhatCannotBeIsRefused) {
             std::string::npos);
 }
 
+TEST_F(SessionTimelineTest, ARecordingDoesNotReplaceARun) {
+  std::filesystem::create_directory(at("out"));
+  std::filesystem::rename(at("run"), at("out/run"));
+  const Outcome outcome = play({load(), R"({"command": "record", "on": true, "folder": "run"})"});
+  EXPECT_NE(outcome.exit_code, 0);
+  EXPECT_NE(outcome.err.find("holds a run"), std::string::npos) << outcome.err;
+  for (const char* kept : {"history.qsh", "state.cbor", "summary.json"})
+    EXPECT_TRUE(std::filesystem::exists(at("out/run") / kept)) << kept;
+}
+
 TEST_F(SessionTimelineTest, CutShortItHasNoStateToBeSaved) {
   Console console({at("out"), folder_.path()});
   console.perform(Json::parse(kOpen));
