@@ -102,9 +102,11 @@ void Session::remember(const Row& row) {
   stride_ *= 2;
 }
 
-void Session::load(const Scenario& scenario) {
+void Session::load(const Scenario& scenario) { begin(scenario, start_world(scenario)); }
+
+void Session::begin(const Scenario& scenario, World world) {
   Checkpoint checkpoint;
-  checkpoint.world = start_world(scenario);
+  checkpoint.world = std::move(world);
   scenario_ = scenario;
   changes_.clear();
   view = view_of(scenario, view);
@@ -116,7 +118,8 @@ void Session::load(const Scenario& scenario) {
 void Session::open(const std::filesystem::path& folder) {
   const RunFolder run{folder};
   auto timeline = std::make_unique<Timeline>(run, kMostSamples);
-  load(read_scene({run.scene(), {}, {}}));
+  // Not the state that the run started from, which need not be there any more.
+  begin(read_scene({run.scene(), {}, {}}), timeline->first_world());
   timeline_ = std::move(timeline);
 }
 

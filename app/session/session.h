@@ -118,6 +118,8 @@ class Session {
   std::int64_t steps_per_frame = 1;
 
  private:
+  // Looks at a scene anew, whose world this is.
+  void begin(const Scenario& scenario, World world);
   void start(const Scenario& scenario, Checkpoint checkpoint);
   void remember(const Row& row);
   void require_computing() const;

@@ -26,6 +26,8 @@ class Timeline {
   std::size_t shown() const { return shown_; }
   const Moment& moment() const { return moments()[shown_]; }
   const World& world() const { return world_; }
+  // Of the first moment. Throws as show() does.
+  World first_world() const { return history_.world(0); }
   // Of series.csv, for plots.
   const std::vector<Row>& rows() const { return rows_; }
 

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "app/run/run_scene.h"
+#include "app/scene/scene_file.h"
 #include "app/scene_json/scenario_json.h"
 #include "app/series/read_series.h"
 #include "app/session/session.h"
@@ -58,6 +59,32 @@ TEST_F(TimelineTest, IsNotChangedButComputedOn) {
   EXPECT_EQ(session_.world().step, 0) << "from the beginning";
   session_.run({.steps = 2});
   EXPECT_EQ(session_.world().step, 2);
+}
+
+// Only who starts it again needs the state that a run started from.
+TEST_F(TimelineTest, IsShownWithoutTheStateThatTheRunStartedFrom) {
+  const auto start = folder_.path() / "start.cbor", moved = folder_.path() / "moved.cbor";
+  std::filesystem::copy(run_ / "state.cbor", start);
+  folder_.write("second.json", R"({"gravity": {}, "box": {"width": 12, "height": 14},
+    "contact": {"friction": 0.3}, "start_from": "start.cbor",
+    "phases": [{"type": "settle", "max_time": 0.02, "until_rest": false}]})");
+  Scenario second = read_scene({folder_.path() / "second.json", {}, {}});
+  RunOptions options;
+  options.out = folder_.path() / "second";
+  options.frames = false;
+  options.quiet = true;
+  run_scene(second, options);
+  std::filesystem::rename(start, moved);
+  Session session;
+  ASSERT_NO_THROW(session.open(options.out));
+  EXPECT_EQ(session.world().disks.size(), session_.world().disks.size());
+  session.timeline()->show(0);
+  std::filesystem::remove(options.out / "state.cbor");
+  EXPECT_THROW(session.go_on(), InputError);
+  EXPECT_NE(session.timeline(), nullptr) << "the session is as before";
+  std::filesystem::rename(moved, start);
+  session.go_on();
+  EXPECT_EQ(session.timeline(), nullptr);
 }
 
 TEST_F(TimelineTest, PlaysToTheEndOrAroundIt) {
