@@ -110,12 +110,14 @@ FilmFrame frame_of(const Session& session) {
 
 std::size_t write_film_page(const std::filesystem::path& file, const RunFolder& run,
                             const View& view, std::size_t first, std::size_t end,
-                            std::size_t most) {
+                            const FilmPageChoices& choices) {
   // Of a frame besides its text: its quotation marks, time, phase and rate, in digits.
   constexpr std::size_t kAround = 64;
   Session session;
   session.view = view;
+  session.scales_of_run = choices.scales_of_run;
   session.open(run.path);
+  session.view.window = view.window;
   Timeline& timeline = *session.timeline();
   std::string page = page_around();
   const std::size_t fixed = page.size() + for_html(shaders_json()).size() + 4096;
@@ -126,7 +128,7 @@ std::size_t write_film_page(const std::filesystem::path& file, const RunFolder& 
     timeline.show(k);
     frames.push_back(frame_of(session));
     bytes += frames.back().text.size() + kAround;
-    while (bytes > most && frames.size() > 1) {
+    while (bytes > choices.most && frames.size() > 1) {
       keep_every_second(frames);
       stride *= 2;
       bytes = fixed;
@@ -134,7 +136,7 @@ std::size_t write_film_page(const std::filesystem::path& file, const RunFolder& 
     }
   }
   std::filesystem::remove(file);
-  if (frames.empty() || bytes > most) return 0;
+  if (frames.empty() || bytes > choices.most) return 0;
   replace_one(page, R"(id="film"></script>)",
               "id=\"film\">" + for_html(data_of(frames)) + "</script>");
   write_whole(file, page);

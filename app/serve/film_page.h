@@ -10,13 +10,17 @@
 
 namespace quicksand {
 
-constexpr std::size_t kMostFilmPage = 20'000'000;  // [bytes]
+struct FilmPageChoices {
+  std::size_t most = 20'000'000;  // size of the file [bytes]
+  // Whether the scales that the view leaves to the data fit the whole history; else each moment by itself.
+  bool scales_of_run = true;
+};
 
-// Writes the samples [first, end) of the history of a run, every second, fourth ... of them where all would make the
-// file larger than `most`. Scales are those of the whole history. Returns how many samples are in it; none, and then
-// there is no file, if not even one fits. Throws InputError.
+// Writes the samples [first, end) of the history of a run as the view shows them, every second, fourth ... of them where
+// all would make the file larger. Returns how many samples are in it; none, and then there is no file, if not even one
+// fits. Throws InputError.
 std::size_t write_film_page(const std::filesystem::path& file, const RunFolder& run,
                             const View& view, std::size_t first, std::size_t end,
-                            std::size_t most = kMostFilmPage);
+                            const FilmPageChoices& choices = {});
 
 }  // namespace quicksand

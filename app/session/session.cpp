@@ -247,7 +247,7 @@ void Session::restore(const std::filesystem::path& file) {
 }
 
 View Session::shown() const {
-  View shown = timeline_ ? timeline_->with_fixed_scales(view) : view;
+  View shown = timeline_ && scales_of_run ? timeline_->with_fixed_scales(view) : view;
   const int intruder = follow_intruder ? world().intruder() : -1;
   if (intruder < 0) return shown;
   const WorldRect window = view_window(world(), view);

@@ -110,6 +110,8 @@ class Session {
   SampledRun::Sink on_sample;
 
   View view;  // of the packing, its size that of a picture without panel
+  // Whether the scales of a run that is shown fit its whole history, not each moment by itself.
+  bool scales_of_run = true;
   // The view with its window, around the intruder if that is followed, and with the scales of a run that is shown.
   View shown() const;
   std::optional<int> picked;  // body that is inspected

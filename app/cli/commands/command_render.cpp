@@ -93,7 +93,7 @@ void render_moments(const RenderArguments& options, const History& history,
 }
 
 void render_film(const RenderArguments& options, const History& history, const Moments& moments,
-                 const Scenario& scenario, const View& view) {
+                 const Scenario& scenario, const View& view, bool scales_of_run) {
   const RunFolder folder{options.out};
   if (holds_run(folder))
     throw InputError("--out " + options.out.string(),
@@ -107,7 +107,7 @@ void render_film(const RenderArguments& options, const History& history, const M
   if (const std::string problem = film.finish(); !problem.empty())
     throw InputError(options.out.string(), problem);
   if (write_film_page(folder.film_page(), RunFolder{options.sources.front()}, view, moments.first,
-                      moments.end) == 0)
+                      moments.end, {.scales_of_run = scales_of_run}) == 0)
     std::fprintf(stderr, "quicksand: no %s: one sample is larger than a page may be\n",
                  folder.film_page().c_str());
 }
@@ -128,7 +128,7 @@ void render_run(const RenderArguments& options, View view) {
   if (shown.empty()) shown.push_back(moments.end - 1);
   if (fixed) view = fixed_over(history, view);
   if (options.film)
-    render_film(options, history, moments, scenario, view);
+    render_film(options, history, moments, scenario, view, fixed);
   else
     render_moments(options, history, shown, scenario, view);
 }

@@ -18,8 +18,12 @@ class FilmPage : public testing::Test {
             .exit_code,
         0);
   }
-  std::size_t written(std::size_t most) {
-    return write_film_page(file_, RunFolder{folder_.path() / "run"}, View{}, 0, 1'000'000, most);
+  std::size_t written(const FilmPageChoices& choices, const View& view = {}) {
+    return write_film_page(file_, RunFolder{folder_.path() / "run"}, view, 0, 1'000'000, choices);
+  }
+  std::string page(const FilmPageChoices& choices, const View& view) {
+    written(choices, view);
+    return contents(file_);
   }
 
   TemporaryFolder folder_;
@@ -27,7 +31,7 @@ class FilmPage : public testing::Test {
 };
 
 TEST_F(FilmPage, HoldsEachSampleAndAsksNothingOfTheNetwork) {
-  EXPECT_EQ(written(kMostFilmPage), 41U);
+  EXPECT_EQ(written({}), 41U);
   const std::string page = contents(file_);
   for (const char* outside : {"http://", "https://", "src=\"", "url(\"", "href=\"style"})
     EXPECT_EQ(page.find(outside), std::string::npos) << outside;
@@ -35,12 +39,29 @@ TEST_F(FilmPage, HoldsEachSampleAndAsksNothingOfTheNetwork) {
 }
 
 TEST_F(FilmPage, IsThinnedByHalvesToTheSizeThatItMayHave) {
-  ASSERT_EQ(written(kMostFilmPage), 41U);
+  ASSERT_EQ(written({}), 41U);
   const std::size_t whole = std::filesystem::file_size(file_);
-  EXPECT_EQ(written(whole - 10'000), 21U) << "every second, the first among them";
+  EXPECT_EQ(written({.most = whole - 10'000}), 21U) << "every second, the first among them";
   EXPECT_LE(std::filesystem::file_size(file_), whole - 10'000);
-  EXPECT_EQ(written(1000), 0U) << "not even one fits";
+  EXPECT_EQ(written({.most = 1000}), 0U) << "not even one fits";
   EXPECT_FALSE(std::filesystem::exists(file_));
+}
+
+TEST_F(FilmPage, ShowsTheWindowThatIsAskedFor) {
+  View view;
+  const std::string whole = page({}, view);
+  view.window = WorldRect{{1, 2}, {3, 4}};
+  EXPECT_NE(page({}, view), whole);
+}
+
+TEST_F(FilmPage, HasTheScalesOfTheRunOrOfEachMoment) {
+  const View from_data{.colouring = Colouring::speed, .forces = true};
+  const std::string of_run = page({}, from_data);
+  EXPECT_NE(page({.scales_of_run = false}, from_data), of_run);
+  View given = from_data;
+  given.colour_high = 2;
+  given.force_scale = 10;
+  EXPECT_EQ(page({.scales_of_run = false}, given), page({}, given));
 }
 
 }  // namespace
