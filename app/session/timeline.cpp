@@ -36,7 +36,9 @@ bool Timeline::refresh() {
 View Timeline::with_fixed_scales(const View& view) {
   const CommonScales fresh(view);
   if (!fresh.needed()) return view;
-  Scales& scales = scales_.try_emplace({view.colouring, view.forces}, Scales{fresh}).first->second;
+  const ScalesFromData from_data{view.colouring, view.colour_high == 0,
+                                 view.forces && view.force_scale == 0};
+  Scales& scales = scales_.try_emplace(from_data, Scales{fresh}).first->second;
   for (; scales.added < moments().size(); ++scales.added)
     scales.common.add(history_.world(scales.added));
   return scales.common.fixed(view);

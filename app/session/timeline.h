@@ -4,7 +4,7 @@
 
 #include <cstddef>
 #include <map>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "app/history/history.h"
@@ -57,8 +57,9 @@ class Timeline {
   World world_;
   std::vector<Row> rows_;
   double on_the_way_ = 0;  // to the next sample [1]
-  std::map<std::pair<Colouring, bool>, Scales>
-      scales_;  // by colouring and whether forces are drawn
+  // The colouring, and whether the view leaves its range and the scale of forces to the data.
+  using ScalesFromData = std::tuple<Colouring, bool, bool>;
+  std::map<ScalesFromData, Scales> scales_;
 };
 
 }  // namespace quicksand

@@ -121,6 +121,19 @@ TEST_F(TimelineTest, ScalesFitTheWholeHistory) {
   EXPECT_FALSE(session_.shown().colours_of_run) << "a range that was given";
 }
 
+TEST_F(TimelineTest, AScaleThatWasGivenIsFittedToTheRunWhenItIsNoLonger) {
+  const View from_data{.colouring = Colouring::speed, .forces = true};
+  const View fitted = Timeline(RunFolder{run_}, 100).with_fixed_scales(from_data);
+  View colour_given = from_data, force_given = from_data;
+  colour_given.colour_high = 7;
+  force_given.force_scale = 7;
+  EXPECT_EQ(timeline().with_fixed_scales(colour_given).force_scale, fitted.force_scale);
+  EXPECT_EQ(timeline().with_fixed_scales(force_given).colour_high, fitted.colour_high);
+  EXPECT_EQ(timeline().with_fixed_scales(from_data), fitted);
+  EXPECT_GT(fitted.force_scale, 0);
+  EXPECT_GT(fitted.colour_high, 0);
+}
+
 TEST_F(TimelineTest, OfARunWithoutHistoryIsRefusedAndTheSessionStays) {
   std::filesystem::remove(run_ / "history.qsh");
   timeline().show(1);
