@@ -174,6 +174,10 @@ struct Record {
     if (console.recording)
       throw CommandFailure(
           "a recording is under way; end it with {\"command\": \"record\", \"on\": false}");
+    if (console.session().timeline())
+      throw CommandFailure(
+          "a run is shown, of which nothing is computed that could be recorded; `quicksand render "
+          "RUN --film` draws its film, and go_on computes on from it");
     const auto path = console.output(folder, place + ".folder");
     const bool panel = what == 1;
     console.recording = std::make_unique<Recording>(path, [&console, panel] {

@@ -52,6 +52,15 @@ TEST_F(SessionTimelineTest, WhatCannotBeIsRefused) {
             std::string::npos);
 }
 
+TEST_F(SessionTimelineTest, IsNotRecordedSinceNothingIsComputed) {
+  const std::string record = R"({"command": "record", "on": true, "folder": "film"})";
+  const Outcome outcome = play({kOpen, record});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("--film` draws its film"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(at("out/film")));
+  EXPECT_EQ(play({kOpen, R"({"command": "go_on"})", record}).exit_code, 0);
+}
+
 TEST_F(SessionTimelineTest, ARecordingDoesNotReplaceARun) {
   std::filesystem::create_directory(at("out"));
   std::filesystem::rename(at("run"), at("out/run"));
