@@ -9,6 +9,16 @@ const by_id = (id) => document.getElementById(id);
 const kCameraRests = 200;  // until its place is told to the server [ms]
 const css = ([r, g, b]) => `rgb(${r} ${g} ${b})`;
 
+// Whether a place from the centre of a body is in this part of it: inside its corners, or within its rounding around them.
+function holds({corners, radius}, x, y) {
+  const edges = corners.map(([px, py], k) => {
+    const [qx, qy] = corners[(k + 1) % corners.length], ex = qx - px, ey = qy - py, square = ex * ex + ey * ey;
+    const s = square > 0 ? Math.min(Math.max(((x - px) * ex + (y - py) * ey) / square, 0), 1) : 0;
+    return {left: ex * (y - py) - ey * (x - px) > 0, away: Math.hypot(x - px - s * ex, y - py - s * ey)};
+  });
+  return edges.some(({away}) => away <= radius) || (corners.length > 2 && edges.every(({left}) => left));
+}
+
 export class Picture {
   constructor(connection, shaders, controls) {
     Object.assign(this, {connection, controls, frame: null, own: null, hovered: null, held: null});
@@ -173,12 +183,14 @@ export class Picture {
   }
 
   body_at(pixel) {
-    const [x, y] = this.camera().to_world(pixel), {disks, box} = this.frame;
+    const [x, y] = this.camera().to_world(pixel), {disks, box, shapes = []} = this.frame;
     if (!disks) return -1;
+    const shaped = new Map(shapes.map((shape) => [shape.body, shape.parts]));
     for (let at = 0; at < disks.length; at += 3) {
       let dx = x - disks[at];
       if (box.periodic) dx -= box.width * Math.round(dx / box.width);
-      if (Math.hypot(dx, y - disks[at + 1]) <= disks[at + 2]) return at / 3;
+      const dy = y - disks[at + 1], parts = shaped.get(at / 3) ?? [{corners: [[0, 0]], radius: disks[at + 2]}];
+      if (parts.some((part) => holds(part, dx, dy))) return at / 3;
     }
     return -1;
   }

@@ -3,20 +3,21 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/world/shaped_contact.h"
+
 namespace quicksand {
 namespace {
 
-// Smallest rectangle around the disks; the unit square if there are none.
+// Rectangle around the bodies; the unit square if there are none.
 WorldRect bounds(const World& world) {
   if (world.disks.size() == 0) return {{0, 0}, {1, 1}};
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   WorldRect rect{{kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
   for (int i = 0; i < world.disks.size(); ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const Vec2 reach = Vec2::Constant(world.disks.radius[k]);
-    const Vec2 centre(world.wrapped_x(world.disks.position[k].x()), world.disks.position[k].y());
-    rect.low = rect.low.cwiseMin(centre - reach);
-    rect.high = rect.high.cwiseMax(centre + reach);
+    const double x = world.wrapped_x(world.disks.position[static_cast<std::size_t>(i)].x());
+    const double half = half_width(world, i);
+    rect.low = rect.low.cwiseMin(Vec2(x - half, lowest_point(world, i)));
+    rect.high = rect.high.cwiseMax(Vec2(x + half, highest_point_of(world, i)));
   }
   return rect;
 }

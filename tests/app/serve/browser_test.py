@@ -284,6 +284,14 @@ def shows_shapes(browser, server):
                              " return Promise.all([from('drawing'), from('camera')]).then(([{draw}, {Camera}]) =>"
                              " draw(frame, new Camera(frame, [x - half, y - half, x + half, y + half], 400, 300)).segments.count)", half)
             assert 600 <= drawn < 2000, drawn
+        # Beyond the disk of its area, but in its parts; and within that disk, but beside them.
+        told = page.run("const {frame, picture} = quicksand, {shapes, disks} = frame(), [shape] = shapes, {body, parts} = shape,"
+                        " [x, y, r] = disks.subarray(3 * body, 3 * body + 3);"
+                        " const far = parts.flatMap((p) => p.corners).reduce((a, b) => Math.hypot(...a) > Math.hypot(...b) ? a : b);"
+                        " const size = Math.hypot(...far), {origin, scale} = picture.camera();"
+                        " const at = ([dx, dy]) => picture.body_at([origin[0] + scale * (x + dx), origin[1] - scale * (y + dy)]);"
+                        " return {body, beyond: size > r, there: at(far), past: at(far.map((c) => c * (size + 3) / size))}")
+        assert told["beyond"] and told["there"] == told["body"] != told["past"], told
         page.resize(1280, 800)
         # Its load over its way, and the cursor of the others at the place that is pointed at.
         page.wait("[...document.querySelectorAll('.plot')].at(-1).textContent.includes('depth [d]')"

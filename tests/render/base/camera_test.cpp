@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/world/shaped_contact.h"
 #include "tests/support/render/worlds.h"
 
 namespace quicksand {
@@ -54,6 +55,16 @@ TEST(ViewWindow, ContainsTheBodiesWhereThereIsNoBox) {
   const WorldRect window = view_window(world, View{});
   EXPECT_EQ(window.low, Vec2(-3.5, -3));
   EXPECT_EQ(window.high, Vec2(6, 2.5));
+}
+
+TEST(ViewWindow, ContainsTheCornersOfAShapedBody) {
+  World world;
+  world.box = {.width = 0, .height = 0, .sides = Sides::open, .floor = false};
+  const ConvexPart rod{.corners = {{-4, 0}, {4, 0}}, .radius = 0.25};
+  add_shape(world, {.position = Vec2(1, 2)}, {&rod, 1});
+  const WorldRect window = view_window(world, View{});
+  EXPECT_LT((window.low - Vec2(-3.25, 1.75)).norm(), kTiny);
+  EXPECT_LT((window.high - Vec2(5.25, 2.25)).norm(), kTiny);
 }
 
 TEST(ViewWindow, OfTheViewGoesBeforeAll) {
