@@ -13,7 +13,8 @@ namespace quicksand {
 
 // `out` is the file of a format that has one, otherwise a folder, which receives a file a table
 // (disks.csv, contacts.csv, walls.csv) and states.csv. The files of several states are numbered
-// (disks_0000.csv), and VTK has a collection of them over time (disks.pvd).
+// (disks_0000.csv), and VTK has a collection of them over time (disks.pvd). Such files of an earlier export in this format
+// are removed.
 class Exporter {
  public:
   // For `states` worlds. Throws InputError if `out` cannot be written.
@@ -25,6 +26,7 @@ class Exporter {
   void finish();
 
  private:
+  void remove_earlier_tables() const;
   std::string file_name(const DataTable& table) const;
 
   const ExportFormat& format_;

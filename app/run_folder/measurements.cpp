@@ -226,7 +226,11 @@ void write_measurements(const std::filesystem::path& folder, const Measurements&
   write_whole(folder / "profile.csv", profile_csv(m));
   for (const NamedHistogram& known : m.histograms)
     write_whole(folder / (std::string(known.name) + ".csv"), histogram_csv(known.histogram));
-  if (m.changes) write_whole(folder / "displacements.csv", displacements_csv(*m.changes));
+  const std::filesystem::path displacements = folder / "displacements.csv";
+  if (m.changes)
+    write_whole(displacements, displacements_csv(*m.changes));
+  else
+    std::filesystem::remove(displacements);  // of an earlier comparison
 }
 
 }  // namespace quicksand

@@ -1,4 +1,6 @@
 // quicksand export: writes checkpoints and histories in formats that other programs read.
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <memory>
 
@@ -38,7 +40,10 @@ std::vector<Source> sources_of(const ExportArguments& options) {
   std::vector<Source> sources;
   std::error_code ignored;
   for (const auto& path : options.sources) {
-    if (fs::equivalent(path, options.out, ignored))
+    const RunFolder run{path};
+    if (std::ranges::any_of(
+            std::to_array({path, run.history(), run.state()}),
+            [&](const fs::path& read) { return fs::equivalent(read, options.out, ignored); }))
       throw InputError("--out " + options.out.string(), "is what is read");
     Source& source = sources.emplace_back(Source{path});
     if (fs::is_directory(path, ignored)) {

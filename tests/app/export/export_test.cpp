@@ -7,6 +7,7 @@
 #include <cstring>
 #include <map>
 #include <numbers>
+#include <set>
 #include <sstream>
 
 #include "app/export/exporter.h"
@@ -299,6 +300,38 @@ TEST_F(ExportTest, SeveralStatesAreNumberedOrFollowEachOther) {
   EXPECT_EQ(contents(at("two.xyz")), contents(at("one.xyz")) + contents(at("one.xyz")));
   to("csv", "csv");
   read_with_python("pvd");
+}
+
+TEST_F(ExportTest, AnExportLeavesNoFileOfAnEarlierOneWithMoreStates) {
+  run_scene();
+  const auto exported = [&](const std::vector<std::string>& states, const std::string& format) {
+    std::vector<std::string> words{"export", "--format", format, "--out", "again"};
+    words.insert(words.end(), states.begin(), states.end());
+    EXPECT_EQ(quicksand(words).exit_code, 0);
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(at("again")))
+      names.insert(entry.path().filename().string());
+    return names;
+  };
+  const std::set<std::string> one = exported({kState}, "vtk");
+  folder_.write("again/disks_of_mine.vtp", "");
+  folder_.write("again/disks_0001.txt", "");
+  std::set<std::string> with_mine = one;
+  with_mine.insert({"disks_of_mine.vtp", "disks_0001.txt"});
+  EXPECT_GT(exported({kState, kState, kState}, "vtk").size(), with_mine.size());
+  EXPECT_EQ(exported({kState}, "vtk"), with_mine);
+  EXPECT_GT(exported({kState}, "csv").size(), with_mine.size()) << "the other format stays";
+}
+
+TEST_F(ExportTest, DoesNotReplaceWhatItReads) {
+  run_scene();
+  for (const char* file : {"history.qsh", "state.cbor"}) {
+    const std::string out = "out/pierced/" + std::string(file), before = contents(at(out));
+    const Outcome outcome = quicksand({"export", "out/pierced", "--format", "xyz", "--out", out});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("is what is read"), std::string::npos) << outcome.err;
+    EXPECT_EQ(contents(at(out)), before);
+  }
 }
 
 TEST_F(ExportTest, NumpyReadsWhatCsvSays) {

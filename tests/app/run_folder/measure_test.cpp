@@ -219,6 +219,9 @@ TEST_F(MeasureTest, SinceAnEarlierTimeTellsWhichBondsBroke) {
   const Outcome none = quicksand({"measure", "out/pierced", "--since", "out/pierced/state.cbor"});
   ASSERT_EQ(none.exit_code, 0) << none.err;
   EXPECT_NE(none.out.find("bonds_broken             0"), std::string::npos) << none.out;
+  // What was measured before goes, so that it does not pass for what is measured now.
+  ASSERT_EQ(quicksand({"measure", "out/pierced", "--out", "out/pierced/measures"}).exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(at("out/pierced/measures/displacements.csv")));
 }
 
 TEST_F(MeasureTest, RefusesToCompareWhatIsNoEarlierStateOfTheSpecimen) {
