@@ -1,6 +1,7 @@
 // Commands that read and check: measure, expect. Those about the session itself: print, include, quit.
 #include "app/commands/command_definition.h"
 #include "app/export/exporter.h"
+#include "app/json/name_field.h"
 #include "app/run_folder/measurements.h"
 #include "app/run_folder/summary.h"
 #include "app/session/condition.h"
@@ -26,6 +27,8 @@ struct Measure {
          "in the output folder; receives measures.json, profile.csv and distributions, as "
          "quicksand measure writes them"},
         folder);
+    if (!quantity.empty())
+      known_in_field(f, "quantity", quantity, quantities(), &Quantity::name, "quantity");
   }
   Json perform(Console& console, const std::string& place) {
     const Session& session = console.session();

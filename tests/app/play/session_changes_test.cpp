@@ -68,6 +68,15 @@ TEST_F(SessionTest, AChangedLawHoldsAtOnceAndAChangedBoxAfterAReset) {
   EXPECT_EQ(lines[7]["step"], 1);
 }
 
+TEST_F(SessionTest, AQuantityThatIsNoneIsFoundBeforeAnythingIsComputed) {
+  const Outcome played = play({load(), R"({"command": "run", "steps": 1})",
+                               R"({"command": "measure", "quantity": "coordinaton"})"});
+  EXPECT_EQ(played.exit_code, 2);
+  for (const char* words : {"line 4", "commands[2].quantity", "did you mean \"coordination\"?"})
+    EXPECT_NE(played.err.find(words), std::string::npos) << played.err;
+  EXPECT_FALSE(std::filesystem::exists(at("out/transcript.jsonl")));
+}
+
 // A saved state tells the scene that its world was computed by.
 TEST_F(SessionTest, WhatWaitsForAResetIsNotInAStateThatIsSavedBefore) {
   const Outcome played =
