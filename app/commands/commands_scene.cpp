@@ -49,6 +49,9 @@ struct Load {
       if (seed >= 0) changed["seed"] = seed;
       Scenario result = scenario_from_json(changed);
       if (result.name.empty()) result.name = "session";
+      if (!result.start_from.empty())
+        result.start_from = start_in(std::filesystem::current_path(),
+                                     console.beside(result.start_from).string());
       validate(result);
       return result;
     }

@@ -68,6 +68,23 @@ TEST_F(SessionTest, AChangedLawHoldsAtOnceAndAChangedBoxAfterAReset) {
   EXPECT_EQ(lines[7]["step"], 1);
 }
 
+// Wherever the program is started.
+TEST_F(SessionTest, AnInlineSceneStartsFromAStateBesideTheSessionFile) {
+  ASSERT_EQ(play({load(), R"({"command": "run", "steps": 3})", R"({"command": "save"})"}).exit_code,
+            0);
+  std::filesystem::create_directory(at("sub"));
+  std::filesystem::rename(at("out/state.cbor"), at("sub/state.cbor"));
+  Json scene = Json::parse(kHanging);
+  scene.erase("bodies");
+  scene.erase("initial_bonds");
+  scene["start_from"] = "state.cbor";
+  folder_.write("sub/session.json",
+                Json{{"commands", {{{"command", "load"}, {"scene", scene}}}}}.dump());
+  const Outcome outcome = quicksand({"session", "sub/session.json", "--out", "out"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(transcript().back()["step"], 3);
+}
+
 TEST_F(SessionTest, AQuantityThatIsNoneIsFoundBeforeAnythingIsComputed) {
   const Outcome played = play({load(), R"({"command": "run", "steps": 1})",
                                R"({"command": "measure", "quantity": "coordinaton"})"});
