@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "core/base/whole_file.h"
+#include "core/scene/validate.h"
 #include "render/film/animation.h"
 #include "render/film/video.h"
 #include "render/picture/frame.h"
@@ -21,12 +22,10 @@ constexpr std::size_t kLongestQueue = 2;  // worlds in memory that wait to be dr
 View view_of(const Scenario& scenario, View view) {
   view.fit = scenario.box.width > 0 && scenario.box.height > 0 ? Fit::box : Fit::content;
   view.physical = scenario.physical;
-  view.expects_intruder =
-      std::ranges::any_of(
-          scenario.phases,
-          [](const Phase& phase) { return std::holds_alternative<PushPhase>(phase.kind); }) ||
-      std::ranges::any_of(scenario.disks,
-                          [](const Disk& disk) { return disk.role == DiskRole::intruder; });
+  view.expects_intruder = std::ranges::any_of(scenario.phases, brings_intruder) ||
+                          std::ranges::any_of(scenario.disks, [](const Disk& disk) {
+                            return disk.role == DiskRole::intruder;
+                          });
   view.method =
       scenario.step.nscd ? "NSCD, " + std::to_string(scenario.step.nscd->sweeps) + " sweeps" : "";
   return view;

@@ -9,6 +9,7 @@
 #include "app/json/json_reader.h"
 #include "app/json/json_writer.h"
 #include "app/options/picture_options.h"
+#include "app/view/film.h"
 #include "core/base/errors.h"
 
 namespace quicksand::test {
@@ -85,6 +86,20 @@ TEST(ViewFields, WordsAreThoseOfTheirEnums) {
   }
   view.theme = Theme::dark;
   EXPECT_EQ(view_words()[1].word(view), "dark");
+}
+
+// So that nothing in the key moves when it comes.
+TEST(ViewOfAScene, ExpectsTheIntruderThatAPhaseBrings) {
+  const auto expects = [](const decltype(Phase::kind)& kind) {
+    Scenario scenario;
+    scenario.phases = {{.kind = kind}};
+    return view_of(scenario, {}).expects_intruder;
+  };
+  EXPECT_TRUE(expects(PushPhase{}));
+  EXPECT_TRUE(expects(PenetratePhase{}));
+  EXPECT_TRUE(expects(VanePhase{.shape = VaneIntruder{}}));
+  EXPECT_FALSE(expects(VanePhase{}));
+  EXPECT_FALSE(expects(SettlePhase{}));
 }
 
 }  // namespace
