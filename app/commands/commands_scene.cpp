@@ -47,13 +47,11 @@ struct Load {
       for (const auto& [path, value] : set.items())
         set_value(changed, path, value, place + ".set." + path);
       if (seed >= 0) changed["seed"] = seed;
-      Scenario result = scenario_from_json(changed);
-      if (result.name.empty()) result.name = "session";
-      if (!result.start_from.empty())
-        result.start_from = start_in(std::filesystem::current_path(),
-                                     console.beside(result.start_from).string());
-      validate(result);
-      return result;
+      try {
+        return scenario_of(changed, console);
+      } catch (const InputError& error) {
+        throw placed(error, place);
+      }
     }
     SceneRequest request{console.scene(scene.get<std::string>()), {}, {}};
     for (const auto& [path, value] : set.items())
@@ -62,6 +60,27 @@ struct Load {
     Scenario result = read_scene(request);
     if (!result.start_from.empty()) console.beside(result.start_from);
     return result;
+  }
+
+  static Scenario scenario_of(const Json& json, const Console& console) {
+    Scenario result = scenario_from_json(json);
+    if (result.name.empty()) result.name = "session";
+    if (!result.start_from.empty())
+      result.start_from =
+          start_in(std::filesystem::current_path(), console.beside(result.start_from).string());
+    validate(result);
+    return result;
+  }
+
+  // The error where the user has written it: in the scene or in the values for it.
+  InputError placed(const InputError& error, const std::string& place) const {
+    const std::string& where = error.where();
+    bool was_set = false;
+    for (const auto& [path, value] : set.items())
+      was_set = was_set || where == path || where.starts_with(path + ".") ||
+                where.starts_with(path + "[");
+    const std::string inside = place + (was_set ? ".set" : ".scene");
+    return {where.empty() ? inside : inside + "." + where, error.what(), error.nearest()};
   }
 };
 

@@ -85,6 +85,24 @@ TEST_F(SessionTest, AnInlineSceneStartsFromAStateBesideTheSessionFile) {
   EXPECT_EQ(transcript().back()["step"], 3);
 }
 
+TEST_F(SessionTest, AnErrorInAnInlineSceneIsToldWithItsPlaceInTheSession) {
+  Json scene = Json::parse(kHanging);
+  scene["contact"]["friction"] = -1;
+  const auto load_of = [](const Json& inline_scene, const char* more) {
+    return R"({"command": "load", "scene": )" + inline_scene.dump() + more + "}";
+  };
+  const Outcome wrong = play({load_of(scene, "")});
+  EXPECT_NE(wrong.err.find("commands[0].scene.contact.friction: "), std::string::npos) << wrong.err;
+  const Outcome set =
+      play({load_of(Json::parse(kHanging), R"(, "set": {"contact.friction": -1})")});
+  EXPECT_NE(set.err.find("commands[0].set.contact.friction: "), std::string::npos) << set.err;
+  scene["contact"].erase("friction");
+  scene["contact"]["frction"] = 0.3;
+  const Outcome unknown = play({load_of(scene, "")});
+  EXPECT_NE(unknown.err.find("commands[0].scene.contact.frction: "), std::string::npos)
+      << unknown.err;
+}
+
 TEST_F(SessionTest, AQuantityThatIsNoneIsFoundBeforeAnythingIsComputed) {
   const Outcome played = play({load(), R"({"command": "run", "steps": 1})",
                                R"({"command": "measure", "quantity": "coordinaton"})"});
