@@ -103,6 +103,11 @@ int run_serve(const ServeOptions& options) {
           "quicksand: warning: other machines can reach %s, and the token travels unencrypted; "
           "an SSH tunnel to 127.0.0.1 or a proxy with TLS is safer (assets/doc/remote.md)\n",
           options.address.c_str());
+    if (options.host.empty() && is_any_address(options.address))
+      std::fprintf(stderr,
+                   "quicksand: warning: %s is no name that a browser can call: those of other "
+                   "machines are refused until --host gives the name or address of this one\n",
+                   options.address.c_str());
     std::printf("%s\n", address.c_str());
     std::fflush(stdout);
     std::fprintf(stderr, "files are in %s; Ctrl-C ends it\n", folder.path.c_str());

@@ -114,6 +114,10 @@ bool is_same_origin(std::string_view origin, std::string_view host) {
          lower(origin.substr(at + 3)) == lower(host);
 }
 
+bool is_any_address(std::string_view address) {
+  return address == "0.0.0.0" || address == "::" || address == "0";
+}
+
 bool is_loopback(std::string_view address) {
   return address == "localhost" || address == "::1" || address.starts_with("127.");
 }

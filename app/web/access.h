@@ -29,6 +29,8 @@ bool is_same_origin(std::string_view origin, std::string_view host);
 
 // Whether the address reaches this machine alone.
 bool is_loopback(std::string_view address);
+// Whether it stands for all addresses of this machine.
+bool is_any_address(std::string_view address);
 
 // A relative name of plain words, a/b.csv: no way up, nothing hidden.
 bool is_plain_name(std::string_view name);

@@ -63,6 +63,20 @@ TEST_F(ServeProgram, TellsAnAddressFromAPortThatIsWrong) {
   EXPECT_NE(end.err.find("--port: cannot listen"), std::string::npos) << end.err;
 }
 
+TEST_F(ServeProgram, SaysThatAnAddressOfAllNeedsTheNameThatBrowsersCall) {
+  const auto told = [&](const std::vector<std::string>& more) {
+    std::filesystem::remove(folder_.path() / ".stdout");
+    std::vector<std::string> words{"serve", "chain", "--listen", "0.0.0.0", "--port", "0"};
+    words.insert(words.end(), more.begin(), more.end());
+    Program program(words, folder_.path());
+    wait_for("the address", [&] { return !contents(folder_.path() / ".stdout").empty(); });
+    program.signal(SIGINT);
+    return program.wait().err;
+  };
+  EXPECT_NE(told({}).find("refused until --host"), std::string::npos);
+  EXPECT_EQ(told({"--host", "sim.example.org"}).find("refused until --host"), std::string::npos);
+}
+
 TEST_F(ServeProgram, AnInterruptEndsItWithTheCodeThatThePageTells) {
   Program program({"serve", "chain", "--record", "by_hand.json"}, folder_.path());
   wait_for("the address", [&] { return !contents(folder_.path() / ".stdout").empty(); });
