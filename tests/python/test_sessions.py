@@ -52,7 +52,7 @@ class Sessions(InFolder):
         self.assertEqual(wrong.exception.nearest, "coordination")
         with self.assertRaises(quicksand.InputError) as misspelt:
             self.session.load(SMALL, set={"contact.frction": 1})
-        self.assertEqual((misspelt.exception.path, misspelt.exception.nearest), ("contact.frction", "friction"))
+        self.assertEqual((misspelt.exception.path, misspelt.exception.nearest), ("set.contact.frction", "friction"))
         with self.assertRaises(quicksand.InputError) as inside:
             self.session.load("chain", set={"contact.frction": 1})
         self.assertEqual((Path(inside.exception.file).name, inside.exception.path), ("chain.json", "contact.frction"))

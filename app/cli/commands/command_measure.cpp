@@ -40,7 +40,8 @@ void check_regions(const MeasureArguments& options, const World& world) {
   if (2 * radius * options.choices.intact_distance >= channel) return;
   throw InputError("--intact-distance " + number_text(options.choices.intact_distance),
                    "begins inside the channel, which reaches to " +
-                       number_text(channel / (2 * radius)) + " diameters of the intruder");
+                       number_text(channel / (2 * radius)) +
+                       " diameters (or widths) of the intruder");
 }
 
 // A sample of a run as its history keeps it.
