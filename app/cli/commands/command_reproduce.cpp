@@ -85,8 +85,8 @@ PaperScale scale_of(const ReproduceArguments& options, std::string_view method) 
   replace("--push-forces", options.push_forces, 1e-3, 1e3, " F_c", scale.push_forces);
   // Curves over the forces join them in this order, and each has runs of its own.
   std::ranges::sort(scale.push_forces);
-  const auto again = std::ranges::unique(scale.push_forces);
-  scale.push_forces.erase(again.begin(), again.end());
+  scale.push_forces.erase(std::unique(scale.push_forces.begin(), scale.push_forces.end()),
+                          scale.push_forces.end());
   replace("--time-steps", options.time_steps, kLeastStep, kMostStep, " sqrt(d/g)",
           scale.time_steps);
   return scale;
