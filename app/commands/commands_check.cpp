@@ -1,5 +1,4 @@
 // Commands that read and check: measure, expect. Those about the session itself: print, include, quit.
-#include "app/base/nearest_name.h"
 #include "app/commands/command_definition.h"
 #include "app/export/exporter.h"
 #include "app/json/name_field.h"
@@ -28,15 +27,8 @@ struct Measure {
          "in the output folder; receives measures.json, profile.csv and distributions, as "
          "quicksand measure writes them"},
         folder);
-    if (quantity.empty()) return;
-    try {
+    if (!quantity.empty())
       known_in_field(f, "quantity", quantity, quantities(), &Quantity::name, "quantity");
-    } catch (const InputError& error) {
-      // With the name alone, which programs read.
-      std::vector<std::string> names;
-      for (const Quantity& known : quantities()) names.emplace_back(known.name);
-      throw InputError(error.where(), error.what(), nearest_name(quantity, names));
-    }
   }
   Json perform(Console& console, const std::string& place) {
     const Session& session = console.session();

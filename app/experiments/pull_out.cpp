@@ -78,14 +78,9 @@ class PullOut : public PaperExperiment {
   static void note_slope(Findings& findings, const std::string& id, const Curve& curve) {
     const auto line = fit_line(curve.x, curve.y);
     if (!line) return;
-    double by_means = 0;
-    for (std::size_t k = 0; k < curve.y_error.size(); ++k) {
-      std::vector<double> moved = curve.y;
-      moved[k] += curve.y_error[k];
-      by_means = std::hypot(by_means, fit_line(curve.x, moved)->slope - line->slope);
-    }
     findings[id] = {.value = line->slope,
-                    .standard_error = std::max(line->slope_error.value_or(0), by_means),
+                    .standard_error = std::max(line->slope_error.value_or(0),
+                                               slope_error_by(curve.x, curve.y_error)),
                     .n = static_cast<int>(curve.x.size()),
                     .note = "straight line through the means"};
   }

@@ -96,44 +96,45 @@ class Velocity : public PaperExperiment {
   }
 
   // Of v against F - threshold [F_c], on logarithmic axes; of the forces above it.
-  static std::optional<Line> power_law(const Curve& curve, double threshold) {
-    std::vector<double> x, y;
+  struct PowerLaw {
+    double exponent = 0;
+    double error =
+        0;  // by the scatter about the line or, if larger, by the errors of the velocities
+    int forces = 0;
+  };
+  static std::optional<PowerLaw> power_law(const Curve& curve, double threshold) {
+    std::vector<double> x, y, error;
     for (std::size_t k = 0; k < curve.x.size(); ++k) {
       if (curve.x[k] <= threshold || curve.y[k] <= 0) continue;
       x.push_back(std::log(curve.x[k] - threshold));
       y.push_back(std::log(curve.y[k]));
+      error.push_back(curve.y_error[k] / curve.y[k]);
     }
-    return x.size() < 3 ? std::nullopt : fit_line(x, y);
+    if (x.size() < 3) return std::nullopt;
+    const auto line = fit_line(x, y);
+    if (!line) return std::nullopt;
+    return PowerLaw{.exponent = line->slope,
+                    .error = std::max(line->slope_error.value_or(0), slope_error_by(x, error)),
+                    .forces = static_cast<int>(x.size())};
   }
 
-  // With the force that was searched for, so that it does not depend on the law. Its error is that of the line or, if
-  // larger, what the errors of the velocities make of it, and what that of the threshold does, both by repeating the
-  // fit with one value a standard error off.
+  // With the force that was searched for, so that it does not depend on the law. What the error of that force makes of
+  // the exponent is found with a threshold one standard error lower and one higher.
   static void note_exponent(Findings& findings, const Curve& curve) {
     const auto found = findings.find("penetration.threshold_force");
     if (found == findings.end()) return;
     const Measured& threshold = found->second;
-    const auto fit = power_law(curve, threshold.value);
-    if (!fit) return;
-    const auto change = [&](const Curve& other, double at) {
-      const auto moved = power_law(other, at);
-      return moved ? moved->slope - fit->slope : 0;
-    };
-    double by_velocities = 0;
-    for (std::size_t k = 0; k < curve.y_error.size(); ++k) {
-      Curve other = curve;
-      other.y[k] += curve.y_error[k];
-      by_velocities = std::hypot(by_velocities, change(other, threshold.value));
-    }
-    const double off = threshold.standard_error.value_or(0);
-    const double by_threshold = std::max(std::abs(change(curve, threshold.value - off)),
-                                         std::abs(change(curve, threshold.value + off)));
+    const auto law = power_law(curve, threshold.value);
+    if (!law) return;
+    double by_threshold = 0;
+    for (const double off :
+         {-threshold.standard_error.value_or(0), threshold.standard_error.value_or(0)})
+      if (const auto other = power_law(curve, threshold.value + off))
+        by_threshold = std::max(by_threshold, std::abs(other->exponent - law->exponent));
     findings["drag_law.exponent"] = {
-        .value = fit->slope,
-        .standard_error =
-            std::hypot(std::max(fit->slope_error.value_or(0), by_velocities), by_threshold),
-        .n = static_cast<int>(
-            std::ranges::count_if(curve.x, [&](double force) { return force > threshold.value; })),
+        .value = law->exponent,
+        .standard_error = std::hypot(law->error, by_threshold),
+        .n = law->forces,
         .note = "with the threshold that was searched for, of the forces above it"};
   }
 

@@ -139,7 +139,8 @@ class Fields {
 
   // Reports that a value is not admissible for a reason that a range cannot say. Only a reader has
   // values to judge; it throws InputError.
-  virtual void refuse(const char* /*name*/, const std::string& /*problem*/) {}
+  virtual void refuse(const char* /*name*/, const std::string& /*problem*/,
+                      const std::string& /*nearest*/ = {}) {}
   // Whether values come from a file, so that what depends on them can be worked out after the visit.
   virtual bool reading() const { return false; }
 

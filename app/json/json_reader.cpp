@@ -48,8 +48,8 @@ class JsonReader : public Fields {
     visit(*this, index);
   }
 
-  void refuse(const char* name, const std::string& problem) override {
-    throw InputError(place(name), problem);
+  void refuse(const char* name, const std::string& problem, const std::string& nearest) override {
+    throw InputError(place(name), problem, nearest);
   }
   bool reading() const override { return true; }
 

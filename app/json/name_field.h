@@ -30,7 +30,7 @@ auto known_in_field(Fields& f, const char* key, const std::string& word, const K
   try {
     return &named(known, word, name, "", "\"" + word + "\" is no " + what);
   } catch (const InputError& error) {
-    f.refuse(key, error.what());
+    f.refuse(key, error.what(), error.nearest());
   }
   return nullptr;
 }

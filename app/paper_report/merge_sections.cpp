@@ -9,9 +9,10 @@ namespace quicksand {
 
 namespace {
 
+constexpr const char* kNamed = ": ";  // between a method and what is its alone
+
 // Puts the method in front of what is its alone, and draws its curves in its colour: markers and dashes tell apart
 // what a plot of one method tells apart by colours.
-constexpr const char* kNamed = ": ";
 struct Named {
   const std::string& method;
 

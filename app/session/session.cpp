@@ -20,29 +20,39 @@ namespace quicksand {
 
 namespace {
 
-// Parts of a scene that a running simulation takes over; the others say how it begins.
-constexpr auto kHoldAtOnce = std::to_array<std::string_view>(
-    {"contact", "wall_contact", "intruder_contact", "gravity", "drag", "step", "method", "nscd",
-     "solver", "phases", "physical"});
+// A part of a scene that a running simulation takes over; the others say how it begins.
+struct PartThatHolds {
+  std::string_view key;
+  void (*take)(Scenario& run, const Scenario& changed);
+};
+template <auto Scenario::*Part>
+void take(Scenario& run, const Scenario& changed) {
+  run.*Part = changed.*Part;
+}
+constexpr auto kHoldAtOnce = std::to_array<PartThatHolds>({
+    {"contact", take<&Scenario::grain_law>},
+    {"wall_contact", take<&Scenario::wall_law>},
+    {"intruder_contact", take<&Scenario::intruder_law>},
+    {"gravity", take<&Scenario::gravity>},
+    {"drag", take<&Scenario::drag>},
+    {"step", take<&Scenario::step>},
+    {"method", take<&Scenario::step>},
+    {"nscd", take<&Scenario::step>},
+    {"solver", take<&Scenario::solver>},
+    {"phases", take<&Scenario::phases>},
+    {"physical", take<&Scenario::physical>},
+});
 
 constexpr std::size_t kMostChanges = 100;  // that can be taken back
 
 bool holds_at_once(const std::string& path) {
   const std::string part = path.substr(0, path.find_first_of(".["));
-  return std::ranges::find(kHoldAtOnce, part) != kHoldAtOnce.end();
+  return std::ranges::find(kHoldAtOnce, part, &PartThatHolds::key) != kHoldAtOnce.end();
 }
 
 // The scene of the present run with those parts of a changed one.
 Scenario with_parts_that_hold(Scenario run, const Scenario& changed) {
-  run.physical = changed.physical;
-  run.gravity = changed.gravity;
-  run.drag = changed.drag;
-  run.grain_law = changed.grain_law;
-  run.wall_law = changed.wall_law;
-  run.intruder_law = changed.intruder_law;
-  run.step = changed.step;
-  run.solver = changed.solver;
-  run.phases = changed.phases;
+  for (const PartThatHolds& part : kHoldAtOnce) part.take(run, changed);
   return run;
 }
 

@@ -25,7 +25,8 @@ void with_threads(int most, const std::atomic<int>& now, const std::function<voi
 namespace parallel {
 // Fewer contacts than these are not worth the waking of a thread.
 inline constexpr std::size_t kWorthSharing = 3000;
-inline constexpr int kMostThreads = 64;
+inline constexpr int kMostThreads = 64;  // that share one loop
+// On a cache line of its own.
 struct alignas(64) Counter {
   std::atomic<int> next = 0;
 };
@@ -34,7 +35,7 @@ void in_parts(int threads, const std::function<void(int)>& work);
 }  // namespace parallel
 
 // work(0), ..., work(parts - 1), in any order and perhaps at the same time. A thread begins with the same parts each
-// time, as far as it comes: what they read and write is then in its own cache.
+// time, whose data are then in its own cache, and goes on with what others have not begun.
 template <class Work>
 void share_parts(int parts, const Work& work) {
   const int threads = std::min({parts, usable_threads(), parallel::kMostThreads});

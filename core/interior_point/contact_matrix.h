@@ -77,8 +77,8 @@ class ContactMatrix {
   ByBody by_first_;                           // contacts by places of the first of their bodies
   std::vector<RowLanes> rows_;
   std::vector<Coupling> coupling_;  // of contacts between two mobile bodies
-  ByBody bodies_of_part_,
-      couplings_of_part_;  // by parts of the factorisation: places of mobile bodies, couplings
+  ByBody bodies_of_part_;           // places of mobile bodies by parts of the factorisation
+  ByBody couplings_of_part_;        // couplings by these parts
   ByBody sides_;          // of lanes by places of their bodies: 2 k is that of a, 2 k + 1 that of b
   BodyVectors momentum_;  // by sides
   std::vector<std::array<double, 32>> columns_;  // (nc, rounded up) see contact_matrix.cpp

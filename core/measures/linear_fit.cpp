@@ -43,4 +43,16 @@ std::optional<Line> fit_line(std::span<const double> x, std::span<const double> 
   return line;
 }
 
+double slope_error_by(std::span<const double> x, std::span<const double> y_error) {
+  assert(x.size() == y_error.size() && !x.empty());
+  const double mean_x = mean_of(x)->value;
+  double spread = 0, squares = 0;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const double off = x[k] - mean_x;
+    spread += off * off;
+    squares += off * off * y_error[k] * y_error[k];
+  }
+  return std::sqrt(squares) / spread;
+}
+
 }  // namespace quicksand

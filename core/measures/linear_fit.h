@@ -27,5 +27,7 @@ struct Line {
 };
 // x and y have the same length (n). Empty unless two x differ.
 std::optional<Line> fit_line(std::span<const double> x, std::span<const double> y);
+// What known errors of the y (n) make of the slope: sqrt(sum ((x - X) error)^2) / S. There must be such a line.
+double slope_error_by(std::span<const double> x, std::span<const double> y_error);
 
 }  // namespace quicksand

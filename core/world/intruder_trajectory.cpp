@@ -37,10 +37,10 @@ Axis axis_of(const World& world, int body) {
 double distance_from_swept(const Vec2& p, const Vec2& from, const Vec2& to, double length) {
   if (length == 0) return distance_from_segment(p, from, to);
   const Vec2 down(0, -length), along = to - from;
-  const double share = (p.x() - from.x()) / along.x();
-  if (along.x() != 0 && share >= 0 && share <= 1) {
+  if (along.x() != 0) {
+    const double share = (p.x() - from.x()) / along.x();
     const double depth = from.y() + share * along.y() - p.y();
-    if (depth >= 0 && depth <= length) return 0;
+    if (share >= 0 && share <= 1 && depth >= 0 && depth <= length) return 0;
   }
   return std::min(
       {distance_from_segment(p, from, to), distance_from_segment(p, from + down, to + down),

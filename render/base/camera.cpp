@@ -15,9 +15,8 @@ WorldRect bounds(const World& world) {
   WorldRect rect{{kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
   for (int i = 0; i < world.disks.size(); ++i) {
     const double x = world.wrapped_x(world.disks.position[static_cast<std::size_t>(i)].x());
-    const double half = half_width(world, i);
-    rect.low = rect.low.cwiseMin(Vec2(x - half, lowest_point(world, i)));
-    rect.high = rect.high.cwiseMax(Vec2(x + half, highest_point_of(world, i)));
+    rect.low = rect.low.cwiseMin(Vec2(x - extent(world, i, {-1, 0}), lowest_point(world, i)));
+    rect.high = rect.high.cwiseMax(Vec2(x + extent(world, i, {1, 0}), highest_point_of(world, i)));
   }
   return rect;
 }

@@ -40,8 +40,7 @@ void check_regions(const MeasureArguments& options, const World& world) {
   if (2 * radius * options.choices.intact_distance >= channel) return;
   throw InputError("--intact-distance " + number_text(options.choices.intact_distance),
                    "begins inside the channel, which reaches to " +
-                       number_text(channel / (2 * radius)) +
-                       " diameters (or widths) of the intruder");
+                       number_text(channel / (2 * radius)) + " widths of the intruder");
 }
 
 // A sample of a run as its history keeps it.
@@ -128,18 +127,17 @@ Command add_measure(CLI::App& program) {
       ->capture_default_str();
   command
       ->add_option("--channel-margin", options->choices.channel_margin,
-                   "the channel: centres nearer to where the intruder's centre (of a tall one, its "
-                   "axis) has passed than "
-                   "its half width (the radius of a disk or vane) and this [d]")
+                   "the channel: centres nearer to the intruder's trajectory, that of its centre "
+                   "or, if it is tall, of its axis, than its half width and this [d]")
       ->type_name("LENGTH")
       ->check(in_range(between(0, kFar, "d")))
       ->capture_default_str();
   command
       ->add_option("--intact-distance", options->choices.intact_distance,
-                   "the intact region: centres farther from there than this [diameters "
-                   "of the intruder, or widths as it was placed]")
+                   "the intact region: centres farther from that trajectory than this [widths of "
+                   "the intruder, a disk's diameter]")
       ->type_name("NUMBER")
-      ->check(in_range(between(0, kFar, "diameters of the intruder")))
+      ->check(in_range(between(0, kFar, "widths of the intruder")))
       ->capture_default_str();
   command
       ->add_option("--above-begins", options->choices.above_begins,

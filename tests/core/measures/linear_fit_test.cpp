@@ -51,6 +51,18 @@ TEST(Line, ThroughTwoPointsHasNoErrors) {
   EXPECT_FALSE(line.slope_error || line.intercept_error);
 }
 
+// Each y moves the slope by (x - X)/S times its own error.
+TEST(Line, HasASlopeAsUncertainAsItsPointsAre) {
+  const std::vector<double> x{0, 1, 5}, y{1, 4, 2}, error{0.1, 0.2, 0.4};
+  double squares = 0;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    std::vector<double> moved = y;
+    moved[k] += error[k];
+    squares += std::pow(fit_line(x, moved)->slope - fit_line(x, y)->slope, 2);
+  }
+  EXPECT_NEAR(slope_error_by(x, error), std::sqrt(squares), 1e-15);
+}
+
 TEST(Line, NeedsTwoPlaces) {
   EXPECT_FALSE(fit_line(Values{}, Values{}));
   EXPECT_FALSE(fit_line(Values{1}, Values{1}));

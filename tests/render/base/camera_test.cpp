@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "core/world/shaped_contact.h"
 #include "tests/support/render/worlds.h"
 
@@ -65,6 +67,10 @@ TEST(ViewWindow, ContainsTheCornersOfAShapedBody) {
   const WorldRect window = view_window(world, View{});
   EXPECT_LT((window.low - Vec2(-3.25, 1.75)).norm(), kTiny);
   EXPECT_LT((window.high - Vec2(5.25, 2.25)).norm(), kTiny);
+  world.disks.angle[0] = std::numbers::pi / 2;  // upright now
+  const WorldRect turned = view_window(world, View{});
+  EXPECT_LT((turned.low - Vec2(0.75, -2.25)).norm(), kTiny);
+  EXPECT_LT((turned.high - Vec2(1.25, 6.25)).norm(), kTiny);
 }
 
 TEST(ViewWindow, OfTheViewGoesBeforeAll) {
