@@ -62,20 +62,34 @@ void drive_on(Stage& stage, const DriveSetup& setup, int body, double ramp_time)
 
 namespace {
 
-// Pairs of the body in which it overlaps by more than rounding.
+// Immovable bodies that a circle about the body, which holds it, reaches: few, so that a step looks no closer.
+std::vector<int> immovable_near(const World& world, int body) {
+  const Vec2& centre = world.disks.position[body];
+  const double reach = reach_of(world, body);
+  std::vector<int> near;
+  for (int i = 0; i < world.disks.size(); ++i)
+    if (i != body && !world.movable(i) &&
+        world.separation(body, i).norm() < reach + reach_of(world, i))
+      near.push_back(i);
+  for (int w = kWallBase; w < kWallBase + static_cast<int>(world.walls.size()); ++w)
+    if (!world.movable(w) && world.wall(w).normal.dot(centre - world.wall(w).point) < reach)
+      near.push_back(w);
+  return near;
+}
+
+// Pairs of the body and immovable ones that overlap by more than rounding.
 std::vector<Pair> overlaps_of(const World& world, int body) {
   constexpr double kOverlap = 1e-9;  // [d]
+  const std::vector<int> near = immovable_near(world, body);
   std::vector<Pair> pairs;
+  if (near.empty()) return pairs;
   if (world.shapes.find(body)) {
     add_shaped_pairs(world, -kOverlap, pairs);
     return pairs;
   }
-  const auto offer = [&](Pair pair) {
-    if (world.gap(pair) < -kOverlap) pairs.push_back(pair);
-  };
-  for (int i = 0; i < world.disks.size(); ++i)
-    if (i != body) offer({std::min(i, body), std::max(i, body)});
-  for (int w = 0; w < static_cast<int>(world.walls.size()); ++w) offer({body, kWallBase + w});
+  for (const int other : near)
+    if (const Pair pair{std::min(body, other), std::max(body, other)}; world.gap(pair) < -kOverlap)
+      pairs.push_back(pair);
   return pairs;
 }
 
