@@ -51,7 +51,10 @@ class Script {
     for (std::size_t i = 0; i < kStyles; ++i)
       head["colour_" + std::to_string(i + 1)] = style_sheet(kCurveColours[i]);
     add("head", head);
-    if (!plot_.title.empty()) add("title", {{"title", gnuplot_text(plot_.title)}});
+    constexpr double kTitleDown = 0.4;  // from where it would stand [characters]
+    if (!plot_.title.empty())
+      add("title", {{"title", gnuplot_text(plot_.title)},
+                    {"up", number_text(static_cast<double>(lines_of_names_) - kTitleDown)}});
     add("margins", {{"top", number_text(layout_.top)}, {"bottom", number_text(layout_.bottom)}});
     if (layout_.left > 0) add("left_margin", {{"left", number_text(layout_.left)}});
     constexpr std::string_view kPlaces[] = {"below", "top_left", "bottom_right"};

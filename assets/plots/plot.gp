@@ -27,7 +27,7 @@ paper_band = "fs transparent solid 0.15 noborder fc rgb '#000000'"
 guide_band = "fs transparent solid 0.07 noborder fc rgb '#000000'"
 grey = "textcolor rgb '#444444'"
 #% title
-set title {{title}} offset 0, -0.4
+set title {{title}} offset 0, {{up}}
 #% margins
 set tmargin at screen {{top}}
 set bmargin at screen {{bottom}}

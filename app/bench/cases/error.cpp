@@ -181,22 +181,29 @@ std::string needed(const std::vector<Found>& all, const std::string& observable,
   return setting_text(*cheapest->row) + format(" (%.2g s)", cheapest->seconds);
 }
 
-// Labels of points, each centred above its point, or below it where another is in its way.
-void add_labels(Plot& plot, std::vector<Annotation> labels) {
+// The text of a point whose bar has this half length.
+struct PointLabel {
+  Annotation text;
+  double bar = 0;
+};
+
+// Each is centred above the bar of its point, or below it where another is in its way.
+void add_labels(Plot& plot, std::vector<PointLabel> labels) {
   constexpr double kCharacter = 1.0 / 70;  // about its width, over that of the graph
   constexpr double kOffset = 0.6;          // at which a label begins, in characters
-  std::ranges::sort(labels, {}, &Annotation::x);
-  const double first = std::log(labels.front().x);
+  std::ranges::sort(labels, {}, [](const PointLabel& label) { return label.text.x; });
+  const double first = std::log(labels.front().text.x);
   const double character = kCharacter * (std::log(*plot.x.high) - first);
   double taken = -HUGE_VAL;  // by those above, up to here
-  for (Annotation& label : labels) {
+  for (auto& [label, bar] : labels) {
     const double place = std::log(label.x);
     const double half = character * static_cast<double>(label.text.size()) / 2;
     label.below = place - half < taken;
     if (!label.below) taken = place + half;
     label.x = std::exp(std::max(place - half, first - character) - kOffset * character);
+    label.y += label.below ? -bar : bar;
+    plot.annotations.push_back(std::move(label));
   }
-  plot.annotations = std::move(labels);
 }
 
 Plot cost_plot(const std::vector<Found>& all, const std::string& observable, const char* name) {
@@ -204,7 +211,7 @@ Plot cost_plot(const std::vector<Found>& all, const std::string& observable, con
             .title = observable + " against the reference run",
             .x = {.label = "CPU time of the push, mean", .unit = "s", .logarithmic = true},
             .y = {.label = "mean deviation", .unit = "%"}};
-  std::vector<Annotation> labels;
+  std::vector<PointLabel> labels;
   const auto add = [&](const std::string& text, const std::string& rule, bool usual_tolerance) {
     Curve curve{.name = text};
     for (const Found& found : all) {
@@ -214,7 +221,9 @@ Plot cost_plot(const std::vector<Found>& all, const std::string& observable, con
       curve.x.push_back(found.seconds);
       curve.y.push_back(100 * off.value);
       curve.y_error.push_back(100 * off.error.value_or(0));
-      if (usual_tolerance) labels.push_back({curve.x.back(), curve.y.back(), format("%g", row.dt)});
+      if (usual_tolerance)
+        labels.push_back(
+            {{curve.x.back(), curve.y.back(), format("%g", row.dt)}, curve.y_error.back()});
     }
     if (!curve.x.empty()) plot.curves.push_back(std::move(curve));
   };

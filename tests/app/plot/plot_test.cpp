@@ -319,6 +319,20 @@ TEST(PlotScript, NamesOfLinesNearEachOtherStandApart) {
   EXPECT_EQ(place("98"), "first 98, graph 1 right offset character 0, 0.7");
 }
 
+TEST(PlotScript, TheTitleStandsAboveTheNamesOfLines) {
+  Plot plot{.name = "title", .title = "above", .curves = {{.x = {0, 100}, .y = {0, 1}}}};
+  const auto title = [&] {
+    const std::string script = plot_script(plot);
+    const std::size_t at = script.find("set title");
+    return script.substr(at, script.find('\n', at) - at);
+  };
+  EXPECT_TRUE(title().ends_with(" offset 0, -0.4")) << title();
+  for (const double x : {63.0, 64.0})
+    plot.references.push_back(
+        {.name = "settle", .low = x, .of_x = true, .role = Reference::Role::guide});
+  EXPECT_TRUE(title().ends_with(" offset 0, 1.6")) << title() << ": two lines of names";
+}
+
 TEST_F(PlotTest, NamesOfLinesStandInsideThePicture) {
   Plot plot{.name = "guides", .x = {.label = "error", .logarithmic = true}};
   plot.curves.push_back({.name = "course", .x = {1e-6, 1}, .y = {1, 2}});
