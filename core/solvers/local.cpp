@@ -201,6 +201,11 @@ SolveReport LocalSolver::solve(const ContactProblem& problem, const SolverSettin
     state.impulse = start_impulse_;
     return report;
   }
+  const auto accepted = [&] {
+    report.stage = SolverStage::local;
+    report.velocity_change = velocity_change_;
+    return report.measure(problem, settings, state);
+  };
   budget_ = kWorth * static_cast<double>(role_.size());
   int released = 0;
   for (int round = 0; round < kMaxRounds; ++round) {
@@ -212,20 +217,18 @@ SolveReport LocalSolver::solve(const ContactProblem& problem, const SolverSettin
     if (!solve_components(problem, settings, state.impulse, report)) break;
     clusters_.spread(cluster_velocity_, state.velocity);
     clusters_.recover(problem, state.velocity, state.impulse);
+    // Where the network holds as a whole, its residual says so at once.
+    if (by_component_.empty() && accepted()) return report;
     const int activated = activate_violated(problem, admissible, state);
     released += activated;
     if (activated <= 0 || released > kMostReleased * static_cast<double>(role_.size())) break;
   }
-  // A component that converged does not make a solution: the residual of the whole problem decides.
-  report.stage = SolverStage::local;
-  report.velocity_change = velocity_change_;
-  report.residual = residual(problem, state);
-  if (settings.distance(start) < settings.distance(report.residual)) {
+  // Components that converged do not make a solution: the residual of the whole problem decides.
+  if (!accepted() && settings.distance(start) < settings.distance(report.residual)) {
     state.impulse = start_impulse_;
     report.velocity_change.reset();
-    report.residual = residual(problem, state);
+    report.measure(problem, settings, state);
   }
-  report.converged = settings.accepts(report.residual);
   return report;
 }
 

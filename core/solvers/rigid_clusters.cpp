@@ -166,12 +166,14 @@ void RigidClusters::recover(const ContactProblem& problem, const std::vector<Vec
     const ContactRow& row = problem.contacts[c];
     const double side = row.b == i ? 1 : -1;
     const Vec2& spin = row.b == i ? row.spin_b : row.spin_a;
-    const Vec2 p = side * in_frame(row, lack_[i].head<2>());
-    impulse[c] << p, side * lack_[i].z() - spin.dot(p);
+    const Vec2 force = side * in_frame(row, lack_[i].head<2>());
+    // In registers: what was just written in parts to memory has to be waited for when read as a whole.
+    const Vec3 p(force.x(), force.y(), side * lack_[i].z() - spin.dot(force));
+    impulse[c] = p;
     if (row.b == i)
-      lack_[row.a] -= momentum_of_a(row, impulse[c]);
+      lack_[row.a] -= momentum_of_a(row, p);
     else
-      lack_[row.b] -= momentum_of_b(row, impulse[c]);
+      lack_[row.b] -= momentum_of_b(row, p);
   }
 }
 
