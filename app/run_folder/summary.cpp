@@ -111,6 +111,7 @@ Json summary(const Scenario& scenario, const World& world, const ProtocolState& 
   json["total_factorisations"] = state.factorisations;
   json["worst_residual"] = state.worst_residual;
   json["worst_overlap"] = worst_overlap(state, last.sample.max_overlap);
+  json["worst_bond_gap"] = state.worst_bond_gap;
   json["external_work"] = state.external_work;
   json["energy_dissipated"] = state.energy_dissipated;
   json["energy_gained"] = state.energy_gained;

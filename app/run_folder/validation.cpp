@@ -46,6 +46,10 @@ std::string validation_failures(const ProtocolState& state, double present_overl
   if (!(overlap <= bounds.max_overlap))
     add("two bodies overlapped by " + number_text(overlap) + " d, more than the " +
         number_text(bounds.max_overlap) + " d that are accepted");
+  if (!(state.worst_bond_gap <= bounds.max_overlap))
+    add("a bond was left open by " + number_text(state.worst_bond_gap) +
+        " d more than its range, as pairs turn too far in a step (step.max_turn halves such "
+        "steps)");
   // Exact contacts only dissipate. Collapses, pistons and searches gain up to 1e-2 of it by overlaps that are pushed
   // out; the least is what rounding does to bodies at rest.
   constexpr double kMostGained = 0.05, kLeast = 1e-6;  // [1], [F_g d]

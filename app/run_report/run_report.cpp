@@ -293,6 +293,12 @@ std::vector<std::string> run_warnings(const RunResults& run) {
     if (overlap > StrictBounds{}.max_overlap) {
       warnings.push_back("Bodies overlapped by up to " + typeset(overlap, 2) + " d.");
     }
+    const double opened = number_or(run, "worst_bond_gap", 0);
+    if (opened > StrictBounds{}.max_overlap) {
+      warnings.push_back("Bonds were left open by up to " + typeset(opened, 2) +
+                         " d more than their range, as pairs turn too far in a step; "
+                         "step.max_turn halves such steps.");
+    }
   }
   std::ranges::move(search_warnings(summary, summary.value("phases_finished", 0)),
                     std::back_inserter(warnings));

@@ -140,6 +140,7 @@ void describe_protocol(Archive& archive, State& state) {
   archive.value("factorisations", state.factorisations);
   archive.value("worst_residual", state.worst_residual);
   archive.value("worst_overlap", state.worst_overlap);
+  archive.added("worst_bond_gap", state.worst_bond_gap);
   archive.value("external_work", state.external_work);
   archive.value("energy_dissipated", state.energy_dissipated);
   archive.value("energy_gained", state.energy_gained);

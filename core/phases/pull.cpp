@@ -29,10 +29,11 @@ class Pull final : public RunningPhaseOf<PullPhase> {
     if (!search.trial_runs) return search_is_over(stage, trials, false);
     const int intruder = search.targets.front().body;
     const double height = stage.world.disks.position[intruder].y();
+    constexpr double kClear = 1e-3;  // above the top, so that what lies on it is not yet out [d]
     const bool out =
         settings().distance
             ? height >= search.base->disks.position[intruder].y() + *settings().distance
-            : lowest_point(stage.world, intruder) > packing_top(*search.base);
+            : lowest_point(stage.world, intruder) > packing_top(*search.base) + kClear;
     return search_is_over(stage, trials, out, trials.until);
   }
 };

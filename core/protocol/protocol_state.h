@@ -70,6 +70,7 @@ struct ProtocolState {
   std::int64_t factorisations = 0;
   double worst_residual = 0;  // Residual::natural
   double worst_overlap = 0;   // of two bodies, where a step began [d]
+  double worst_bond_gap = 0;  // by which a bond that lasts was open beyond its range, likewise [d]
   // EnergyBalance of all steps [F_g d].
   double external_work = 0;
   double energy_dissipated = 0;

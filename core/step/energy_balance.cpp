@@ -47,21 +47,20 @@ void add_contacts(const World& world, const std::vector<Contact>& contacts,
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const Contact& contact = contacts[c];
     const ContactRow& row = problem.contacts[c];
-    const Vec3 &va = velocity[row.a], &vb = velocity[row.b];
     const Vec3 impulse = contact.impulse - Vec3(dt * contact.cohesion, 0, 0);
     // What does not respond to forces passes the work of the contact on; a wall with mass does along itself.
-    if (world.disks.fixed(row.a)) energy.work -= momentum_of_a(row, impulse).dot(va);
+    if (world.disks.fixed(row.a)) energy.work -= momentum_of_a(row, impulse).dot(velocity[row.a]);
     if (is_wall(contact.pair.b) || world.disks.fixed(row.b)) {
       const Vec3& im = problem.inverse_mass[row.b];
-      energy.work -=
-          momentum_of_b(row, impulse).dot((im.array() == 0).select(vb.array(), 0.0).matrix());
+      energy.work -= momentum_of_b(row, impulse)
+                         .dot((im.array() == 0).select(velocity[row.b].array(), 0.0).matrix());
     }
     if (contact.cohesion == 0) continue;
     const Bond* bond = bonds.at(contact.pair);
     const bool lasts = bond && bond->state == BondState::active;
-    // The gap that a bond leaves behind where it breaks is lost. The offset has the turning of the pair.
-    const double opened = dt * (row.offset.x() + relative_velocity(row, va, vb).x());
-    energy.change += contact.cohesion * ((lasts ? opened : 0) - contact.gap);
+    // The gap that a bond leaves behind where it breaks is lost. That of one that lasts is where the next step finds it.
+    const double left = lasts ? world.gap_after(contact.pair, velocity, dt) : 0;
+    energy.change += contact.cohesion * (left - contact.gap);
   }
 }
 

@@ -153,12 +153,8 @@ void Stepper::update_bonds(World& world, const StepSettings& step, StepReport& r
     const Vec3& va = s.state.velocity[row.a];
     const Vec3& vb = s.state.velocity[row.b];
     double gap = step.dt * (row.offset.x() + relative_velocity(row, va, vb).x());
-    if (step.break_rule == FailureCriterion::geometric && is_shaped(pair)) {
-      gap = shaped_contact_after(world, pair, s.state.velocity, step.dt).gap;
-    } else if (step.break_rule == FailureCriterion::geometric && !is_wall(pair.b)) {
-      const Vec2 apart = world.separation(pair.a, pair.b) + step.dt * (vb - va).head<2>();
-      gap = apart.norm() - world.disks.radius[pair.a] - world.disks.radius[pair.b];
-    }
+    if (step.break_rule == FailureCriterion::geometric && (is_shaped(pair) || !is_wall(pair.b)))
+      gap = world.gap_after(pair, s.state.velocity, step.dt);
     const bool by_energy = std::ranges::binary_search(s.breaks, pair, {}, &BondBreak::pair);
     if (!by_energy && gap <= world.law(pair).cohesion_range) continue;
     tear(*known);

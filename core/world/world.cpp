@@ -47,6 +47,13 @@ double World::gap(Pair pair, Vec2* normal) const {
   return distance - disks.radius[pair.a] - disks.radius[pair.b];
 }
 
+double World::gap_after(Pair pair, const std::vector<Vec3>& velocity, double dt) const {
+  if (is_shaped(pair)) return shaped_contact_after(*this, pair, velocity, dt).gap;
+  const Vec2 moved = dt * (velocity[velocity_row(pair.b)] - velocity[pair.a]).head<2>();
+  if (is_wall(pair.b)) return gap(pair) - wall(pair.b).normal.dot(moved);
+  return (separation(pair.a, pair.b) + moved).norm() - disks.radius[pair.a] - disks.radius[pair.b];
+}
+
 int World::intruder() const {
   const auto at = std::ranges::find(disks.role, DiskRole::intruder);
   return at == disks.role.end() ? -1 : static_cast<int>(at - disks.role.begin());

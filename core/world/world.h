@@ -46,6 +46,8 @@ struct World {
   double wrapped_x(double x) const;
   // Gap and normal of a pair at the present positions.
   double gap(Pair pair, Vec2* normal = nullptr) const;
+  // The gap after all has moved for dt with these velocities (nd + nw).
+  double gap_after(Pair pair, const std::vector<Vec3>& velocity, double dt) const;
   // The row in `disks` that a body of a pair has; a wall is itself.
   int row(int body) const {
     return is_disk(body) || is_wall(body)

@@ -62,6 +62,13 @@ TEST_P(Pull, AFreeIntruderIsTakenOutByItsWeight) {
   EXPECT_EQ(found.undecided, 0);
 }
 
+// It lies above all else from the beginning, and yet it is out only when it has left the floor.
+TEST_P(Pull, AnIntruderThatLiesOnTopIsNotYetOut) {
+  Scenario scene = free_intruder(GetParam());
+  std::get<PullPhase>(scene.phases[0].kind).distance.reset();
+  expect_around(searched(scene).forces.at(0), 2, 0.02);
+}
+
 TEST_P(Pull, ABondedIntruderIsTakenOutByItsWeightAndTheCohesionForce) {
   Scenario scene = hanging_chain(GetParam(), 0, 50);
   scene.disks.push_back({.position = {0, 1}, .role = DiskRole::intruder});

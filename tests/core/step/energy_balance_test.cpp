@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/measures/measures.h"
 #include "core/protocol/protocol.h"
 #include "core/scene/make_world.h"
@@ -37,6 +39,29 @@ TEST_P(Energy, OfAnUnforcedSystemNeverGrows) {
   EXPECT_LT(moving(), begin);
   EXPECT_NEAR(after.energy_gained - before.energy_gained, 0, 1e-3 * begin);
   EXPECT_NEAR(after.energy_dissipated - before.energy_dissipated, begin - moving(), 1e-2 * begin);
+}
+
+// What dissipation and gain leave is what the pair still has, in its motion and in the gap of its bond.
+TEST_P(Energy, OfABondedPairThatSpinsIsAccountedForWhateverItTurnsInAStep) {
+  constexpr double kSpin = 10, kCohesion = 1e4;
+  for (const double dt : {1e-2, 2e-2}) {
+    Scenario scene = spinning_pair(GetParam(), kSpin, kCohesion);
+    scene.step.dt = dt;
+    scene.phases = {{SettlePhase{.max_time = 2, .until_rest = false}}};
+    Protocol protocol(scene, make_world(scene));
+    while (protocol.advance() == Progress::running) {
+    }
+    const World& world = protocol.world();
+    const Energies end = energies(world);
+    const double begin = kSpin * kSpin * (1.0 / 4 + 1.0 / 8);
+    const double left = end.kinetic + end.rotational + kCohesion * world.gap({0, 1});
+    const ProtocolState& state = protocol.state();
+    EXPECT_NEAR(state.energy_dissipated - state.energy_gained, begin - left, 1e-6 * begin);
+    const double turn = kSpin * dt;
+    const double to_begin = begin * turn * turn / 6 + kCohesion * std::pow(turn, 4) / 8;
+    EXPECT_LT(state.energy_gained, 2 * to_begin);
+    EXPECT_LT(state.energy_dissipated, 2 * to_begin);
+  }
 }
 
 TEST_P(Energy, OfAFreeFallIsTheWorkOfGravity) {

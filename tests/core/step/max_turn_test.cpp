@@ -64,6 +64,19 @@ TEST_P(MaxTurn, StepsAreFullWithoutALimitAndWhereAllIsQuiet) {
   for (int k = 0; k < 10; ++k) EXPECT_NEAR(next_step(still), kStep, tolerance::rounding());
 }
 
+// Second order in the turn: by a radian a step the bond stays a tenth of a grain open.
+TEST_P(MaxTurn, KeepsBondsShutThatATurnTooFarWouldLeaveOpen) {
+  const auto widest = [](std::optional<double> max_turn) {
+    Scenario scene = limited(spinning_pair(GetParam(), 100, 1e6), max_turn);
+    Protocol protocol(scene, make_world(scene));
+    for (int k = 0; k < 20; ++k) protocol.advance();
+    EXPECT_EQ(protocol.world().bonds.broken, 0);
+    return protocol.state().worst_bond_gap;
+  };
+  EXPECT_GT(widest({}), 0.01);
+  EXPECT_LT(widest(0.05), kRange);
+}
+
 // Turning counts where a bond holds: neither a pair that rolls past each other without one ...
 TEST_P(MaxTurn, StepsAreFullWhereNoBondTurns) {
   Scenario scene = limited(spinning_pair(GetParam(), 30, 1e4), 0.05);
