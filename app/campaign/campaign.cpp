@@ -84,17 +84,6 @@ void describe_campaign(Fields& f, Campaign& c) {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kStart = "start_from";
-
-void make_absolute(Json& path, const fs::path& folder) {
-  if (!path.is_string() || path.get_ref<const std::string&>().empty()) return;
-  path = start_in(folder, path.get<std::string>());
-}
-
-void make_start_absolute(Json& values, const fs::path& folder) {
-  if (values.contains(kStart)) make_absolute(values[kStart], folder);
-}
-
 // The scene in place of its path, and no path relative to where the files are.
 void make_self_contained(Campaign& campaign, const fs::path& file) {
   const fs::path here = fs::absolute(file).parent_path();
@@ -119,8 +108,8 @@ void make_self_contained(Campaign& campaign, const fs::path& file) {
   make_start_absolute(campaign.scene, folder);
   make_start_absolute(campaign.set, here);
   for (Json& point : campaign.list) make_start_absolute(point, here);
-  if (campaign.grid.contains(kStart)) {
-    for (Json& path : campaign.grid[kStart]) make_absolute(path, here);
+  if (campaign.grid.contains(kStartFrom)) {
+    for (Json& path : campaign.grid[kStartFrom]) path = start_in(here, path);
   }
 }
 

@@ -22,7 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kSeed = "seed";
-constexpr const char* kStartFrom = "start_from";
 constexpr std::uint64_t kMaxSeed = std::uint64_t{1} << 53U;  // as in a scene
 // Listed bodies of all runs together, which are in memory at the same time.
 constexpr std::size_t kMaxListedBodies = 5'000'000;

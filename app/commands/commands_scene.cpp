@@ -23,6 +23,12 @@ Json about(const Session& session) {
           {"phases", scenario.phases.size()}};
 }
 
+// A value for this path of the scene; a state that it names is beside the command file.
+Json value_from_here(const Console& console, const std::string& path, const Json& value) {
+  if (path != kStartFrom || !value.is_string() || value == "") return value;
+  return start_in({}, console.beside(value.get<std::string>()).string());
+}
+
 struct Load {
   Json scene;
   Json set;
@@ -32,7 +38,10 @@ struct Load {
     f.json({"scene", "the name of a shipped scene, the path of a file, or the scene itself",
             Presence::required},
            kSceneShape, scene);
-    f.json({"set", "values for it, by their paths, as in run --set"}, kSetShape, set);
+    f.json({"set",
+            "values for it, by their paths, as in run --set; start_from is relative to the command "
+            "file"},
+           kSetShape, set);
     f.integer({"seed", "instead of the scene's; -1: as it is"}, -1, std::int64_t{1} << 53U, seed);
   }
 
@@ -55,19 +64,18 @@ struct Load {
     }
     SceneRequest request{console.scene(scene.get<std::string>()), {}, {}};
     for (const auto& [path, value] : set.items())
-      request.overrides.push_back(path + "=" + value.dump());
+      request.overrides.push_back(path + "=" + value_from_here(console, path, value).dump());
     if (seed >= 0) request.seed = static_cast<std::uint64_t>(seed);
     Scenario result = read_scene(request);
     if (!result.start_from.empty()) console.beside(result.start_from);
     return result;
   }
 
-  static Scenario scenario_of(const Json& json, const Console& console) {
+  static Scenario scenario_of(Json json, const Console& console) {
+    if (json.contains(kStartFrom))
+      json[kStartFrom] = value_from_here(console, kStartFrom, json[kStartFrom]);
     Scenario result = scenario_from_json(json);
     if (result.name.empty()) result.name = "session";
-    if (!result.start_from.empty())
-      result.start_from =
-          start_in(std::filesystem::current_path(), console.beside(result.start_from).string());
     validate(result);
     return result;
   }
@@ -99,12 +107,14 @@ struct Set {
     f.text({"path", "place in the scene, as in contact.friction or phases[1].force",
             Presence::required},
            path);
-    f.json({"value", "the new value; null or absent: the scene no longer names it"}, kAnything,
-           value);
+    f.json({"value",
+            "the new value; null or absent: the scene no longer names it. start_from is relative "
+            "to the command file"},
+           kAnything, value);
   }
 
   Json perform(Console& console, const std::string&) {
-    const bool at_once = console.session().set(path, value);
+    const bool at_once = console.session().set(path, value_from_here(console, path, value));
     return value_now(console.session(), path, at_once);
   }
 };

@@ -1,7 +1,8 @@
 // Disks as a frame of an extended XYZ file: their number, a line that describes the frame and the
 // columns, a line a disk. Readers look for some columns under names of their own, and some take only
 // symbols of chemical elements for a species: grains are Si, intruders are I. Readers know no shapes, so the outline
-// of an intruder of several parts follows as a string of points, O, with all else that the intruder has.
+// of an intruder of several parts follows as a string of points, O, with all else that the intruder has but its number,
+// which is in the last column: readers want an id of its own for each line.
 #include <algorithm>
 #include <vector>
 
@@ -12,10 +13,12 @@ namespace quicksand {
 
 namespace {
 
+constexpr std::string_view kNumber = "disk";  // of a body
+
 std::string_view name_in_xyz(std::string_view name) {
   if (name == kPosition) return "pos";
   if (name == "velocity") return "velo";
-  if (name == "disk") return "id";
+  if (name == kNumber) return "id";
   return name;
 }
 
@@ -26,7 +29,7 @@ std::string properties(const DataTable& table) {
             (column.kind == DataColumn::Kind::integer ? ":I:" : ":R:") +
             (column.size == 2 ? "3" : "1");
   }
-  return text;
+  return text + ":body:I:1";
 }
 
 // The cell of the frame: what box and disks cover, 1 d deep.
@@ -41,8 +44,13 @@ std::string description(const ExportedWorld& world, const DataTable& table) {
          " Step=" + std::to_string(world.world.step);
 }
 
+// The id of the first point of the outlines, above the numbers of all disks: those that a later state adds have none of
+// them, and a point has one id in all states.
+constexpr int kFirstPoint = 1'000'000'000;
+
 // A point of the outline of a body.
 struct OutlinePoint {
+  int id = 0;
   int body = 0;
   Vec2 place{0, 0};
   double radius = 0;  // half of the distance to the next
@@ -59,8 +67,8 @@ std::vector<OutlinePoint> points_of(const std::vector<OutlinePiece>& outlines) {
     const double piece_length = (piece.to - piece.from).norm();
     const auto next = [&] { return static_cast<double>(points.size()) * apart - begins; };
     while (next() < piece_length)
-      points.push_back(
-          {piece.body, piece.from + next() / piece_length * (piece.to - piece.from), apart / 2});
+      points.push_back({kFirstPoint + static_cast<int>(points.size()), piece.body,
+                        piece.from + next() / piece_length * (piece.to - piece.from), apart / 2});
     begins += piece_length;
   }
   return points;
@@ -76,12 +84,13 @@ std::string line_of(const ExportedWorld& world, const DataTable& table, int row,
       double value = column.get(world, row, k);
       if (point && column.name == kPosition) value = point->place[k];
       if (point && column.name == "radius") value = point->radius;
+      if (point && column.name == kNumber) value = point->id;
       line += ' ';
       append_text(line, column, value);
     }
     if (column.size == 2) line += " 0";
   }
-  return line + '\n';
+  return line + ' ' + std::to_string(row) + '\n';
 }
 
 }  // namespace

@@ -15,8 +15,8 @@ void add_scene_options(CLI::App& command, SceneRequest& request) {
   command
       .add_option("--set", request.overrides,
                   "change a value of the scene, as in step.dt=1e-3 or phases[1].force=2e4; null "
-                  "removes a key, [+] appends to a list, as in phases[+]={\"type\":\"settle\"}; "
-                  "may be repeated")
+                  "removes a key, [+] appends to a list, as in phases[+]={\"type\":\"settle\"}; a "
+                  "start_from is relative to the current folder; may be repeated")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
   command.add_option("--seed", request.seed, "of the random numbers, instead of the scene's")

@@ -140,11 +140,17 @@ fs::path scene_named(const std::string& word, const fs::path& folder) {
       near);
 }
 
-std::string start_in(const fs::path& folder, const std::string& start_from) {
-  std::string path = (folder / start_from).lexically_normal().string();
+Json start_in(const fs::path& folder, const Json& start_from) {
+  if (!start_from.is_string() || start_from == "") return start_from;
+  std::string path =
+      fs::absolute(folder / start_from.get<std::string>()).lexically_normal().string();
   if (!is_utf8(path))
-    throw InputError("start_from", "is in a folder whose name is no UTF-8; rename the folder");
+    throw InputError(kStartFrom, "is in a folder whose name is no UTF-8; rename the folder");
   return path;
+}
+
+void make_start_absolute(Json& values, const fs::path& folder) {
+  if (values.contains(kStartFrom)) values[kStartFrom] = start_in(folder, values[kStartFrom]);
 }
 
 std::string read_scene_text(const fs::path& file) {
@@ -172,12 +178,14 @@ Scenario read_scene(const SceneRequest& request) {
     // What the method sets can be set apart, whatever the order on the command line.
     std::stable_partition(changes.begin(), changes.end(),
                           [](const Override& c) { return c.path == "method"; });
-    for (Override& change : changes) change.path = apply_override(json, change);
+    for (Override& change : changes) {
+      change.path = apply_override(json, change);
+      if (change.path == kStartFrom) make_start_absolute(json, {});
+    }
+    make_start_absolute(json, request.file.parent_path());
     Scenario scenario = scenario_from_json(json);
     if (request.seed) scenario.seed = *request.seed;
     if (scenario.name.empty()) scenario.name = name_of(request.file);
-    if (!scenario.start_from.empty())
-      scenario.start_from = start_in(fs::absolute(request.file).parent_path(), scenario.start_from);
     validate(scenario);
     return scenario;
   } catch (const InputError& error) {

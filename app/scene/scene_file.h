@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/json/json_text.h"
 #include "core/scene/scenario.h"
 #include "core/world/world.h"
 
@@ -18,7 +19,11 @@ struct SceneRequest {
   std::optional<std::uint64_t> seed;   // instead of the scene's
 };
 
-// Reads and validates. Afterwards the scenario has a name, and start_from is an absolute path.
+// The key of a scene that names a file.
+inline constexpr const char* kStartFrom = "start_from";
+
+// Reads and validates. Afterwards the scenario has a name, and start_from is an absolute path: what the file says is
+// relative to the file, what an override says to the current folder.
 // Throws InputError whose `where` names the file and the place inside it.
 Scenario read_scene(const SceneRequest& request);
 
@@ -27,8 +32,11 @@ Scenario read_scene(const SceneRequest& request);
 std::filesystem::path scene_named(const std::string& word,
                                   const std::filesystem::path& folder = {});
 
-// The path of a state that a scene in this folder starts from. Throws InputError if a scene cannot keep it.
-std::string start_in(const std::filesystem::path& folder, const std::string& start_from);
+// The absolute path of a state that a scene starts from, as it is named in this folder; other values stay what they are.
+// Throws InputError if a scene cannot keep the path.
+Json start_in(const std::filesystem::path& folder, const Json& start_from);
+// The same in a scene, or in values for it by their paths, where they name a state.
+void make_start_absolute(Json& values, const std::filesystem::path& folder);
 
 // The text of a scene file. Throws InputError, with the nearest shipped scene, if there is none.
 std::string read_scene_text(const std::filesystem::path& file);

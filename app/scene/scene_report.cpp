@@ -97,9 +97,9 @@ struct PhaseText {
     return "piston of " + number(p.mass) + " grain masses, pressed down with " +
            force_text(p.force) + " after a ramp of " + number(p.ramp_time) + " sqrt(d/g), then " +
            rest(p.rest_speed, p.rest_time, p.max_time, moving(p.until, "the piston")) +
-           (p.volume_fraction
-                ? ", or until the disks fill " + number(*p.volume_fraction) + " of the box below it"
-                : "") +
+           (p.volume_fraction ? ", or until the bodies fill " + number(*p.volume_fraction) +
+                                    " of the room between floor and piston"
+                              : "") +
            bonding(p.bonding, p.bonds) + (p.remove ? "; then it is taken away" : "; it stays");
   }
 

@@ -35,8 +35,8 @@ void describe_fields(Fields& f, PistonPhase& p, const Scenario& scenario) {
   f.choice({"until", "rest of everything, or of the piston alone; from the end of the ramp"},
            kPistonEnds, p.until);
   f.number({"volume_fraction",
-            "ends the phase as soon as the disks fill this share of the box below the piston; "
-            "absent: no such end"},
+            "ends the phase as soon as the bodies fill this share of the room between the floor, "
+            "the highest level one, and the piston; absent: no such end"},
            above(0, 1, "1"), p.volume_fraction);
   describe_bonding(f, p.bonding, p.bonds);
   f.flag({"remove", "whether the piston is taken away at the end; else it stays and presses on"},

@@ -223,7 +223,8 @@ void describe_scene(Fields& f, Scenario& s) {
   f.list({"walls", "walls besides the box's floor and sides"}, kMaxWalls, s.walls, describe_wall);
   f.text(
       {"start_from",
-       "state.cbor of another run whose bodies, walls and bonds are taken; relative to this file"},
+       "state.cbor of another run whose bodies, walls and bonds are taken; relative to this file, "
+       "with --set to the current folder"},
       s.start_from);
   f.list({"phases", "the protocol: what happens, in order"}, kMaxPhases, s.phases,
          [&](Fields& g, Phase& phase) { describe_phase(g, phase, s); });

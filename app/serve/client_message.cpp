@@ -4,6 +4,7 @@
 #include <array>
 
 #include "app/commands/command_table.h"
+#include "app/scene/scene_file.h"
 #include "app/scene_json/phase_fields.h"
 #include "app/web/access.h"
 #include "core/base/errors.h"
@@ -22,9 +23,6 @@ constexpr auto kAdmitted = std::to_array<std::string_view>(
 // Arguments that name a file or a folder.
 constexpr auto kFileArguments = std::to_array<const char*>({"file", "folder", "out"});
 
-// The key of a scene that names a file of the machine.
-constexpr std::string_view kStart = "start_from";
-
 bool is_admitted(std::string_view name) {
   return std::ranges::find(kAdmitted, name) != kAdmitted.end() ||
          std::ranges::any_of(phase_kinds(), [&](const auto& kind) { return kind.name == name; });
@@ -39,15 +37,16 @@ void check_scene(const Json& command) {
   const Json& scene = command["scene"];
   if (scene.is_string() && scene.get<std::string>().find_first_of("/.") != std::string::npos)
     refuse_path("scene");
-  if (scene.is_object() && scene.contains(kStart)) refuse_path("scene.start_from");
+  if (scene.is_object() && scene.contains(kStartFrom)) refuse_path("scene.start_from");
   if (command.contains("set") && command["set"].is_object())
     for (const auto& [path, value] : command["set"].items())
-      if (path.starts_with(kStart)) refuse_path("set.start_from");
+      if (path.starts_with(kStartFrom)) refuse_path("set.start_from");
 }
 
 void check_paths(const Json& command, std::string_view name) {
   if (name == "load") check_scene(command);
-  if (name == "set" && command["path"].get<std::string>().starts_with(kStart)) refuse_path("path");
+  if (name == "set" && command["path"].get<std::string>().starts_with(kStartFrom))
+    refuse_path("path");
   for (const char* argument : kFileArguments)
     if (command.contains(argument) && command[argument].is_string() &&
         !is_plain_name(command[argument].get<std::string>()))

@@ -1,8 +1,7 @@
 // The phase "piston": a horizontal wall with mass presses from above. Its force rises linearly in time.
-#include <limits>
-#include <numbers>
 #include <optional>
 
+#include "core/measures/measures.h"
 #include "core/protocol/running_phase.h"
 #include "core/world/extent.h"
 
@@ -10,12 +9,10 @@ namespace quicksand {
 
 namespace {
 
-// Share of the box below the piston that the disks fill; infinite where there is no room left.
-double filled_below(const World& world) {
-  double area = 0;
-  for (const double r : world.disks.radius) area += std::numbers::pi * r * r;
-  const double room = world.box.width * world.walls.back().point.y();
-  return room > 0 ? area / room : std::numeric_limits<double>::infinity();
+// Whether the bodies fill this share of the room between the floor and the piston; also where there is no room left.
+bool is_filled(const World& world, double share) {
+  const double bottom = packing_bottom(world), top = world.walls.back().point.y();
+  return top <= bottom || volume_fraction(world, bottom, top) >= share;
 }
 
 // The piston is the last wall as long as its phase lasts.
@@ -42,7 +39,7 @@ class Piston final : public RunningPhaseOf<PistonPhase> {
   bool finished(Stage& stage) override {
     if (stage.lasted(settings().max_time)) return true;
     const std::optional<double>& filled = settings().volume_fraction;
-    if (filled && filled_below(stage.world) >= *filled) return true;
+    if (filled && is_filled(stage.world, *filled)) return true;
     if (!stage.lasted(settings().ramp_time)) return false;  // rest counts from the end of the ramp
     if (settings().until == RestOf::all)
       return stage.at_rest(settings().rest_speed, settings().rest_time);

@@ -144,7 +144,7 @@ struct PistonPhase {
   double rest_time = 0.5;
   double max_time = 1000;
   RestOf until = RestOf::all;  // driven: the piston alone, whatever loose grains do
-  // Engaged: the phase also ends when the disks fill this share of the box below the piston. [1]
+  // Engaged: the phase also ends when the bodies fill this share of the room between floor and piston. [1]
   std::optional<double> volume_fraction = {};
   bool bonding = false;
   BondingTouch bonds = BondingTouch::first;

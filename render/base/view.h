@@ -49,6 +49,13 @@ struct Range {
 // What the picture shows when no window is given: the box, the same in every frame, or the bodies.
 enum class Fit : std::uint8_t { box, content };
 
+// Whether the key says where gravity points.
+enum class GravityWord : std::uint8_t {
+  none,
+  unless_down,  // as a part of the legend
+  always        // even without the legend
+};
+
 struct View {
   int width = 1280;  // of the whole picture [px]
   int height = 720;
@@ -75,6 +82,7 @@ struct View {
   // Whether an intruder comes sooner or later: the legend then has its words from the beginning, and nothing in it moves
   // when it comes.
   bool expects_intruder = false;
+  GravityWord gravity = GravityWord::unless_down;
   // The time-stepping scheme, where pictures must name it; empty: the exact one.
   std::string method = {};
   // Adds SI units to the scale bar and the time.

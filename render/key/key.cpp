@@ -50,25 +50,36 @@ void add_colours(Legend& key, const KeyContent& content, bool all) {
   key.add(std::move(group));
 }
 
+bool has_gravity(const World& world) { return world.gravity && world.gravity->norm() > 0; }
+
+Legend::Word arrow_word(const Font& font, const Vec2& along, Colour ink) {
+  const double half = 0.6 * font.size();
+  return labelled(font, 2 * half, italic("g"), ink, [=](DrawList& list, const Vec2& at) {
+    const Vec2 centre = at + Vec2(half, 0);
+    const Vec2 tip = centre + half * along;
+    list.line(centre - half * along, tip, 1.5, ink, true);
+    for (const double side : {-1.0, 1.0}) {
+      const Vec2 back = along + side * 0.7 * perpendicular(along);
+      list.line(tip, tip - 0.5 * half * back, 1.5, ink, true);
+    }
+  });
+}
+
 // Where gravity does not point down the picture, an arrow says where to.
 void add_gravity(Legend& key, const KeyContent& content) {
-  const World& world = content.world;
-  if (!world.gravity || world.gravity->norm() == 0) return;
-  const Vec2 along = Vec2(world.gravity->x(), -world.gravity->y()).normalized();
-  if (std::abs(along.x()) < 1e-9 && along.y() > 0) return;
+  const View& view = content.view;
+  const std::optional<Vec2> unusual = unusual_gravity(content.world);
+  const bool always = view.gravity == GravityWord::always;
+  const bool told = view.gravity == GravityWord::unless_down && view.legend && unusual;
+  if (!always && !told) return;
   const Font& font = content.font;
-  const Colour ink = palette(content.view.theme).ink;
-  const double half = 0.6 * font.size();
-  Legend::Word word =
-      labelled(font, 2 * half, italic("g"), ink, [=](DrawList& list, const Vec2& at) {
-        const Vec2 centre = at + Vec2(half, 0);
-        const Vec2 tip = centre + half * along;
-        list.line(centre - half * along, tip, 1.5, ink, true);
-        for (const double side : {-1.0, 1.0}) {
-          const Vec2 back = along + side * 0.7 * perpendicular(along);
-          list.line(tip, tip - 0.5 * half * back, 1.5, ink, true);
-        }
-      });
+  const Colour ink = palette(view.theme).ink;
+  const std::string none = italic("g") + " = 0";
+  Legend::Word word = has_gravity(content.world)
+                          ? arrow_word(font, unusual.value_or(Vec2(0, 1)), ink)
+                          : text_word(font, none, ink);
+  // Panels with and without gravity have equal rooms.
+  if (always) word.width = std::max(word.width, font.width(none));
   word.height = 1.3 * font.size();
   key.add({.title = {}, .words = {std::move(word)}, .line_each = true});
 }
@@ -133,6 +144,13 @@ void add_lines(Legend& key, const KeyContent& content, double scale, bool all) {
 
 }  // namespace
 
+std::optional<Vec2> unusual_gravity(const World& world) {
+  if (!has_gravity(world)) return {};
+  const Vec2 along = Vec2(world.gravity->x(), -world.gravity->y()).normalized();
+  if (std::abs(along.x()) < 1e-9 && along.y() > 0) return {};
+  return along;
+}
+
 Legend make_key(const KeyContent& content, double pixels_per_diameter, double widest, bool all) {
   const Font& font = content.font;
   const View& view = content.view;
@@ -148,8 +166,8 @@ Legend make_key(const KeyContent& content, double pixels_per_diameter, double wi
   if (view.legend) {
     add_colours(key, content, all);
     add_lines(key, content, pixels_per_diameter, all);
-    add_gravity(key, content);
   }
+  add_gravity(key, content);
   return key;
 }
 

@@ -1,6 +1,7 @@
 // The words of a picture's legend: numbers, colours, lines, scale bar.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -24,6 +25,9 @@ struct KeyContent {
   bool sides_in_sight = false;  // of a periodic box
   bool close_up = false;        // whether the scale is that of a close-up
 };
+// Where gravity points in a picture, whose y points down; empty where that is down, or there is none.
+std::optional<Vec2> unusual_gravity(const World& world);
+
 // `pixels_per_diameter`: scale of the panel that widths and the scale bar refer to; the room that
 // the words take does not depend on it. Captions are given `widest` [px] and cut to it. With `all`,
 // words are included that the world does not need now but may need later: so much room is kept.

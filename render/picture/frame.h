@@ -23,7 +23,7 @@ struct Frame {
 Frame compose(const World& world, const View& view, const Font& font,
               std::span<const std::string> caption = {});
 
-// The key alone, in a strip as wide as the view: of panels that have one scale.
+// The key alone, in a strip as wide as the view.
 DrawList compose_key(const World& world, const View& view, const Font& font,
                      double pixels_per_diameter);
 // Height of a picture of this width that the packing fills in its whole width [px].

@@ -8,17 +8,11 @@
 #include "core/world/world.h"
 #include "render/base/view.h"
 #include "render/image/image.h"
+#include "render/picture/side_by_side.h"
 
 namespace quicksand {
 
 class Font;
-
-// One of several worlds that are drawn side by side.
-struct SideBySide {
-  const World& world;
-  const View& view;  // its units, its method and what it fits; all else is that of the first
-  std::string caption;
-};
 
 // Owns one drawing context. Use it from one thread; several renderers may live side by side.
 class Renderer {
@@ -34,8 +28,7 @@ class Renderer {
   Image draw(const World& world, const View& view, std::span<const std::string> caption = {});
   // As high as the packing needs that fills the whole width, with the key above it.
   Image draw_fitting(const World& world, View view, std::span<const std::string> caption = {});
-  // Side by side, each with a caption and its own numbers, over one key, with one range of colours and one scale of
-  // forces. Worlds with equal boxes have equal scales; where those differ, each panel has a bar of its own.
+  // As compose_side_by_side() says. Throws as above.
   Image draw_panels(std::span<const SideBySide> panels);
 
  private:

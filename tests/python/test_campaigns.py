@@ -33,6 +33,14 @@ class Campaigns(InFolder):
         self.assertEqual(result.folder.as_posix(), "out/chains")
         self.assertEqual(result.height, 2)
 
+    def test_start_from_states_of_the_current_folder(self):
+        quicksand.run(SMALL)
+        later = {"box": {"width": 6, "height": 8}, "gravity": {}, "phases": [{"type": "settle", "max_time": 0.02}]}
+        start = {"start_from": "out/small/state.cbor"}
+        for given in ({"set": start}, {"points": [start]}, {"grid": {"start_from": [start["start_from"]]}}):
+            result = quicksand.campaign(later, name="_".join(given), quiet=True, **given)
+            self.assertEqual(list(result["status"]), ["finished"])
+
     def test_compute_only_what_is_new(self):
         first = quicksand.campaign(SMALL, realizations=1)
         more = quicksand.campaign(SMALL, realizations=2)

@@ -32,7 +32,8 @@ def campaign(scene, grid=None, *, points=None, set=None, realizations=1, name=No
         stem = scene.get("name", "scene") if isinstance(scene, dict) else Path(scene).stem
         name = f"{stem}_campaign"
     out = Path(out if out is not None else Path("out") / name)
-    described = {"name": name, "scene": _scene(scene), "set": set, "grid": grid, "list": points,
+    described = {"name": name, "scene": _scene(scene), "set": set and self_contained(set),
+                 "grid": grid and _self_contained_grid(grid), "list": points and [self_contained(p) for p in points],
                  "realizations": realizations, "frames": frames}
     with tempfile.TemporaryDirectory(prefix="quicksand-") as folder:
         file = Path(folder) / "campaign.json"
@@ -45,6 +46,13 @@ def campaign(scene, grid=None, *, points=None, set=None, realizations=1, name=No
     if failed:
         warnings.warn(f"{failed} of {result.height} runs failed; the column failure says why", stacklevel=2)
     return result
+
+
+def _self_contained_grid(grid):
+    grid = plain(grid)
+    if "start_from" in grid:
+        grid["start_from"] = [path and os.path.abspath(path) for path in grid["start_from"]]
+    return grid
 
 
 def _scene(scene):

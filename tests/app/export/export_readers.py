@@ -102,6 +102,7 @@ def read_xyz():
     assert len(frames) == 1
     atoms = frames[0]
     columns = {name: atoms.arrays[name] for name in atoms.arrays if name != "numbers"}
+    assert list(columns.pop("body")) == list(columns["id"])
     compare("disks", columns, {"positions": "position", "velo": "velocity", "id": "disk"})
     symbols = ["I" if row["role"] == "1" else "Si" for row in table("disks")]
     assert atoms.get_chemical_symbols() == symbols

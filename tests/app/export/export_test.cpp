@@ -194,34 +194,36 @@ TEST(Export, OutlinesGoAroundTheParts) {
   }
 }
 
-// Readers of XYZ know no shapes: points trace the outline.
+// Readers of XYZ know no shapes: points trace the outline, each with an id of its own and the number of its body.
 TEST(Export, XyzTracesTheOutlineOfAShapedIntruder) {
   Scenario scenario;
   scenario.box = {.width = 12, .height = 10, .floor = true};
+  scenario.disks = {{.position = {2, 0.5}}};
   World world = make_world(scenario);
   const std::vector<ConvexPart> parts{{.corners = {{-1.5, 0}, {1.5, 0}}, .radius = 0.25}};
   const int body = add_shape(world, {.position = {6, 5}, .role = DiskRole::intruder}, parts);
   const TemporaryFolder folder;
   export_state(world, export_format("xyz"), folder.path() / "plate.xyz");
   std::istringstream file(contents(folder.path() / "plate.xyz"));
+  std::size_t count = 0;
+  file >> count;
   std::string line;
-  std::getline(file, line);
-  const int count = std::stoi(line);
-  std::getline(file, line);
-  int lines = 0, points = 0;
-  for (; std::getline(file, line); ++lines) {
-    if (!line.starts_with("O ")) continue;
-    ++points;
+  for (int head = 0; head < 2; ++head) std::getline(file, line);
+  std::set<int> ids;
+  while (std::getline(file, line)) {
     std::istringstream words(line.substr(2));
-    double id = -1, x = 0, y = 0;
+    int id = -1;
+    double x = 0, y = 0;
     words >> id >> x >> y;
-    EXPECT_EQ(id, body);
+    EXPECT_TRUE(ids.insert(id).second) << id;
+    EXPECT_TRUE(line.ends_with(line.starts_with("Si") ? " 0" : " " + std::to_string(body))) << line;
+    if (!line.starts_with("O ")) continue;
     const double beside = std::max(std::abs(x - 6) - 1.5, 0.0);  // beyond the straight flanks
     EXPECT_NEAR(std::hypot(beside, y - 5), 0.25, 1e-3) << line;
   }
-  EXPECT_EQ(lines, count);
+  EXPECT_EQ(ids.size(), count);
   const double outline = 2 * 3 + 2 * std::numbers::pi * 0.25;
-  EXPECT_NEAR(points, outline / 0.1, 2);
+  EXPECT_NEAR(static_cast<double>(count), 2 + outline / 0.1, 2);
 }
 
 TEST(Export, AnEmptyWorldIsExportedInAllFormats) {

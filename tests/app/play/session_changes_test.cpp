@@ -68,21 +68,32 @@ TEST_F(SessionTest, AChangedLawHoldsAtOnceAndAChangedBoxAfterAReset) {
   EXPECT_EQ(lines[7]["step"], 1);
 }
 
-// Wherever the program is started.
-TEST_F(SessionTest, AnInlineSceneStartsFromAStateBesideTheSessionFile) {
+// Wherever the program is started, and whichever scene the value is for.
+TEST_F(SessionTest, WhatASessionStartsFromIsBesideItsFile) {
   ASSERT_EQ(play({load(), R"({"command": "run", "steps": 3})", R"({"command": "save"})"}).exit_code,
             0);
-  std::filesystem::create_directory(at("sub"));
+  std::filesystem::create_directories(at("sub/scenes"));
   std::filesystem::rename(at("out/state.cbor"), at("sub/state.cbor"));
-  Json scene = Json::parse(kHanging);
-  scene.erase("bodies");
-  scene.erase("initial_bonds");
+  Json bare = Json::parse(kHanging);
+  bare.erase("bodies");
+  bare.erase("initial_bonds");
+  folder_.write("sub/scenes/bare.json", bare.dump());
+  Json scene = bare;
   scene["start_from"] = "state.cbor";
-  folder_.write("sub/session.json",
-                Json{{"commands", {{{"command", "load"}, {"scene", scene}}}}}.dump());
-  const Outcome outcome = quicksand({"session", "sub/session.json", "--out", "out"});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_EQ(transcript().back()["step"], 3);
+  const Json set{{"start_from", "state.cbor"}};
+  const std::vector<Json> sessions{
+      Json::array({{{"command", "load"}, {"scene", scene}}}),
+      Json::array({{{"command", "load"}, {"scene", bare}, {"set", set}}}),
+      Json::array({{{"command", "load"}, {"scene", "scenes/bare.json"}, {"set", set}}}),
+      Json::array({{{"command", "load"}, {"scene", bare}},
+                   {{"command", "set"}, {"path", "start_from"}, {"value", "state.cbor"}},
+                   {{"command", "reset"}}})};
+  for (const Json& commands : sessions) {
+    folder_.write("sub/session.json", Json{{"commands", commands}}.dump());
+    const Outcome outcome = quicksand({"session", "sub/session.json", "--out", "out"});
+    EXPECT_EQ(outcome.exit_code, 0) << commands << outcome.err;
+    EXPECT_EQ(transcript().back()["step"], 3) << commands;
+  }
 }
 
 TEST_F(SessionTest, AnErrorInAnInlineSceneIsToldWithItsPlaceInTheSession) {

@@ -38,6 +38,21 @@ std::string refusal(const std::string& text, const std::vector<std::string>& ove
   }
 }
 
+TEST(SceneReading, AStateIsBesideTheFileThatNamesItAndOfAnOverrideInTheCurrentFolder) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("scene.json", R"({"box": {"width": 10}, "gravity": {},
+    "start_from": "states/a.cbor", "phases": [{"type": "settle", "max_time": 1}]})");
+  const auto start = [&](const std::vector<std::string>& set) {
+    return read_scene({file, set, {}}).start_from;
+  };
+  const auto here = std::filesystem::current_path();
+  EXPECT_EQ(start({}), folder.path() / "states/a.cbor");
+  EXPECT_EQ(start({"start_from=out/b.cbor"}), here / "out/b.cbor");
+  EXPECT_EQ(start({"start_from=\"../b.cbor\""}), here.parent_path() / "b.cbor");
+  EXPECT_EQ(start({"start_from=/out/b.cbor"}), "/out/b.cbor");
+  EXPECT_EQ(start({"start_from=null"}), "");
+}
+
 TEST(SceneReading, TheMethodSetsTheStepAndEachPartCanBeSetApart) {
   const TemporaryFolder folder;
   const auto file = folder.write("scene.json", kSceneReadingScene);
