@@ -59,7 +59,7 @@ Json legend_json(const ColourScale& scale, Theme theme) {
     constexpr int kStops = 9;
     Json bar = Json::array();
     for (int i = 0; i < kStops; ++i)
-      bar.push_back(json_of(scale.map(theme, static_cast<double>(i) / (kStops - 1))));
+      bar.push_back(json_of(scale.of_map(theme, static_cast<double>(i) / (kStops - 1))));
     legend["bar"] = std::move(bar);
     legend["range"] = {scale.range->low, scale.range->high};
   }

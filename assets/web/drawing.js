@@ -11,7 +11,6 @@ const clearer_on = (ground, one, other) => {
   return apart(one) >= apart(other) ? one : other;
 };
 const with_alpha = ([r, g, b], alpha) => [r, g, b, Math.round(255 * alpha)];
-const mix = (a, b, t) => [0, 1, 2].map((i) => Math.round((1 - t) * a[i] + t * b[i]));
 
 export function text_size(width, height) { return clamp(Math.round(9 + Math.min(width, height) / 120), 10, 40); }
 // Bars of broken bonds would blend with the colours of smaller grains.
@@ -65,8 +64,7 @@ class Drawing {
     const paling = forces ? (frame.theme === "light" ? 0.62 : 0.45) : 0;
     const outline = packed(with_alpha(palette.outline, (palette.outline[3] / 255) * (1 - paling)));
     const fills = [];
-    for (let i = 0; i < frame.colours.length; i += 3)
-      fills.push(mix(frame.colours.subarray(i, i + 3), palette.background, paling));
+    for (let i = 0; i < frame.colours.length; i += 3) fills.push(frame.colours.subarray(i, i + 3));
     const packed_fills = fills.map(packed);
     const intruders = new Set(frame.intruders);
     const applied = new Map(frame.applied.map(([k, ...force]) => [k, force]));
@@ -194,8 +192,9 @@ class Drawing {
 
   bonds() {
     const width = clamp(0.14 * this.camera.scale, 0.7, 5), {bonds} = this.frame;
+    const ink = this.frame.force_scale ? this.colour.faint_ink : this.colour.ink;
     for (let i = 0; i < bonds.length; i += 2)
-      this.draw_link(this.link(bonds[i], bonds[i + 1]), (...ends) => this.list.line(...ends, width, this.colour.ink, true));
+      this.draw_link(this.link(bonds[i], bonds[i + 1]), (...ends) => this.list.line(...ends, width, ink, true));
   }
 
   forces() {

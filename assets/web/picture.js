@@ -127,7 +127,7 @@ export class Picture {
     const force = force_scale ? `${short(force_scale)} F_g` : "";
     return [
       intruders.length ? ["", palette.intruder, "intruder"] : null,
-      bonds.length ? ["line", palette.ink, "active bond"] : null,
+      bonds.length ? ["line", force ? palette.faint_ink : palette.ink, "active bond"] : null,
       force ? ["line", palette.compressive, `compression, 0.4 d wide: ${force}`] : null,
       force ? ["line", palette.tensile, "tension"] : null,
       broken.length && draws_bars(camera) ? ["bar", palette.broken, "broken bond, still near"] : null,

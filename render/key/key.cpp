@@ -112,7 +112,7 @@ void add_lines(Legend& key, const KeyContent& content, double scale, bool all) {
     });
   };
   Legend::Group group{.title = {}, .words = {}, .line_each = true};
-  if (view.bonds) group.words.push_back(line("active bond", bond_width(scale), colours.ink));
+  if (view.bonds) group.words.push_back(line("active bond", bond_width(scale), bond_colour(view)));
   if (view.forces) {
     const double width = std::clamp(kReferenceWidth * scale, 0.5, font.size());
     const std::string value =

@@ -81,13 +81,12 @@ Legend::Word bar_word(const Font& font, Theme theme, const ColourScale& scale) {
   const double tick = std::round(0.25 * font.size());
   const double height = bar + tick + 1.25 * font.size();
   const double last_label = font.width("0000") / 2;  // whatever it is now
-  const auto map = scale.map;
   const Colour ink = palette(theme).ink;
   const auto paint = [=, &font](DrawList& list, const Vec2& at) {
     const double left = std::round(at.x() + 0.5 * font.size());
     const double top = std::round(at.y() - height / 2 + 0.2 * font.size());
     for (int i = 0; i < static_cast<int>(width); ++i) {
-      list.rectangle({left + i, top, 1, bar}, map(theme, (i + 0.5) / width));
+      list.rectangle({left + i, top, 1, bar}, scale.of_map(theme, (i + 0.5) / width));
     }
     list.frame({left - 1, top - 1, width + 2, bar + 2}, 1, with_alpha(ink, 0.6));
     for (const double value : ticks_that_fit(range, width, font)) {

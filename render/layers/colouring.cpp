@@ -112,7 +112,14 @@ Range range_of(std::vector<double> values) {
   return {0, top > 1e-12 && std::isfinite(top) ? nice_above(top) : 1};
 }
 
-ColouredGrains colour_grains(const World& world, const View& view) {
+double paling_under_forces(const View& view) {
+  if (!view.forces) return 0;
+  return view.theme == Theme::light ? 0.62 : 0.45;
+}
+
+namespace {
+
+ColouredGrains in_full_colours(const World& world, const View& view) {
   const Palette& colours = palette(view.theme);
   switch (view.colouring) {
     case Colouring::active_bonds:
@@ -131,6 +138,21 @@ ColouredGrains colour_grains(const World& world, const View& view) {
                           "/" + italic("d") + ")");
   }
   return {};
+}
+
+}  // namespace
+
+ColouredGrains colour_grains(const World& world, const View& view) {
+  ColouredGrains grains = in_full_colours(world, view);
+  ColourScale& scale = grains.scale;
+  scale.paling = paling_under_forces(view);
+  const auto pale = [&](Colour& colour) {
+    colour = mix(colour, palette(view.theme).background, scale.paling);
+  };
+  std::ranges::for_each(grains.fill, pale);
+  for (Swatch& swatch : scale.swatches) pale(swatch.colour);
+  if (scale.no_value) pale(scale.no_value->colour);
+  return grains;
 }
 
 }  // namespace quicksand

@@ -23,8 +23,15 @@ struct ColourScale {
   std::string title;  // with its unit, in the markup of font.h
   std::vector<Swatch> swatches;
   std::optional<Range> range = std::nullopt;
-  Colour (*map)(Theme, double) = nullptr;         // of the position in the range, 0 to 1
+  Colour (*map)(Theme, double) = nullptr;  // of the position in the range, 0 to 1; see paling
   std::optional<Swatch> no_value = std::nullopt;  // grains that have no such quantity
+  double paling =
+      0;  // how far the colours of `map` are mixed with the background; all others are already
+
+  // At t in [0, 1] of the range.
+  Colour of_map(Theme theme, double t) const {
+    return mix(map(theme, t), palette(theme).background, paling);
+  }
 };
 
 struct ColouredGrains {
@@ -32,6 +39,8 @@ struct ColouredGrains {
   std::vector<Colour> fill;  // (nd); that of an intruder is not its value but its role
 };
 
+// Under a network of forces, which must stand out but not alone, grains are paled, and the legend with them.
+double paling_under_forces(const View& view);
 ColouredGrains colour_grains(const World& world, const View& view);
 
 // What a colouring by a value shows of each disk (nd) [its unit]; nothing for the others.

@@ -51,6 +51,11 @@ double bond_width(double pixels_per_diameter) {
   return std::clamp(0.14 * pixels_per_diameter, 0.7, 5.0);
 }
 
+Colour bond_colour(const View& view) {
+  const Palette& colours = palette(view.theme);
+  return view.forces ? colours.faint_ink : colours.ink;
+}
+
 double bar_width(double pixels_per_diameter) { return std::min(0.2 * pixels_per_diameter, 8.0); }
 
 double usual_force(const World& world) {
@@ -75,7 +80,7 @@ double force_scale(const World& world, const View& view) {
 
 void draw_bonds(DrawList& list, const World& world, const View& view, const Panel& panel) {
   const double width = bond_width(panel.camera.scale());
-  const Colour colour = palette(view.theme).ink;
+  const Colour colour = bond_colour(view);
   for (const Bond& bond : world.bonds.list) {
     if (bond.state != BondState::active) continue;
     at_each_image(world, panel, link_of(world, bond.pair), [&](const Vec2& from, const Vec2& to) {

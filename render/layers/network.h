@@ -34,6 +34,8 @@ void draw_broken_bonds(DrawList& list, const World& world, const View& view, con
 
 // Widths of lines [px], shared with the legend.
 double bond_width(double pixels_per_diameter);
+// Of active bonds: fainter under a network of forces, whose compression has the ink.
+Colour bond_colour(const View& view);
 double bar_width(double pixels_per_diameter);
 
 }  // namespace quicksand

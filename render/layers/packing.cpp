@@ -11,9 +11,6 @@ namespace {
 constexpr double kSmallestOutlined = 2.2;  // radius [px]; below, outlines would hide the colours
 constexpr double kSmallestMarked = 4;      // radius of a disk that shows its orientation [px]
 
-// Of the grains under a network of forces, which must stand out but not alone.
-double network_paling(Theme theme) { return theme == Theme::light ? 0.62 : 0.45; }
-
 double outline_width(double radius) {
   return radius < kSmallestOutlined ? 0 : std::clamp(0.13 * radius, 0.5, 1.6);
 }
@@ -77,12 +74,10 @@ double hatch_depth(double text_size) { return std::round(0.55 * text_size); }
 void draw_disks(DrawList& list, const World& world, const View& view, const ColouredGrains& grains,
                 const Panel& panel) {
   const Palette& colours = palette(view.theme);
-  const double paling = view.forces ? network_paling(view.theme) : 0;
-  const Colour outline = with_alpha(colours.outline, colours.outline.a / 255.0 * (1 - paling));
+  const Colour outline =
+      with_alpha(colours.outline, colours.outline.a / 255.0 * (1 - grains.scale.paling));
   const auto fill = [&](std::size_t k) {
-    return world.disks.role[k] == DiskRole::intruder
-               ? colours.intruder
-               : mix(grains.fill[k], colours.background, paling);
+    return world.disks.role[k] == DiskRole::intruder ? colours.intruder : grains.fill[k];
   };
   const auto visit = [&](auto&& draw) {
     for (int i = 0; i < world.disks.size(); ++i) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -89,6 +90,26 @@ TEST(Colouring, EveryColouringColoursEveryDiskAndHasALegend) {
     const ColouredGrains grains = colour_grains(world, View{.colouring = entry.colouring});
     EXPECT_EQ(grains.fill.size(), static_cast<std::size_t>(world.disks.size())) << entry.name;
     EXPECT_NE(grains.scale.swatches.empty(), !grains.scale.range.has_value()) << entry.name;
+  }
+}
+
+// What a picture shows of a value under a network of forces stands in its legend with the same colour.
+TEST(Colouring, TheLegendPalesWithTheGrains) {
+  const World world = worlds::arch_with_intruder();
+  for (const ColouringInfo& entry : colourings()) {
+    View view{.colouring = entry.colouring};
+    const ColouredGrains full = colour_grains(world, view);
+    view.forces = true;
+    const ColouredGrains pale = colour_grains(world, view);
+    EXPECT_NE(pale.fill[0], full.fill[0]) << entry.name;
+    const auto is_first = [&](const Swatch& swatch) { return swatch.colour == pale.fill[0]; };
+    if (pale.scale.range)
+      EXPECT_EQ(pale.scale.of_map(view.theme, 0.5),
+                mix(full.scale.of_map(view.theme, 0.5), palette(view.theme).background,
+                    paling_under_forces(view)))
+          << entry.name;
+    else
+      EXPECT_TRUE(std::ranges::any_of(pale.scale.swatches, is_first)) << entry.name;
   }
 }
 
