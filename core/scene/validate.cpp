@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/errors.h"
+#include "core/scene/check_values.h"
 #include "core/scene/grain_sizes.h"
 #include "core/scene/make_world.h"
 #include "core/world/neighbors.h"
@@ -189,6 +190,7 @@ void check_phases(const Scenario& scenario) {
 }  // namespace
 
 void validate(const Scenario& scenario) {
+  check_values(scenario);
   double largest = 1;
   for (const Disk& disk : scenario.disks) largest = std::max(largest, 2 * disk.radius);
   for (const Phase& phase : scenario.phases) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "core/base/errors.h"
 #include "core/scene/validate.h"
 #include "tests/support/bounded_memory.h"
@@ -28,6 +30,28 @@ TEST(Validation, AcceptsBodiesThatJustTouch) {
   EXPECT_EQ(verdict(column(Method::automatic, 5, paper_law(10))), "valid");
   EXPECT_EQ(verdict(small_collapse(Method::automatic)), "valid");
   EXPECT_EQ(verdict(empty_scene(Method::automatic)), "valid");
+}
+
+// A program may have put anything into a scene, and a file has ranges of its own.
+TEST(Validation, RefusesNumbersThatNoStepCanBeTakenWith) {
+  const double kNan = std::numeric_limits<double>::quiet_NaN();
+  const auto of = [](const auto& change) {
+    Scenario scene = small_collapse(Method::automatic);
+    scene.disks = {{.position = {1, 1}}};
+    change(scene);
+    const std::string text = verdict(scene);
+    return text.substr(0, text.find(' '));
+  };
+  EXPECT_EQ(of([](Scenario& s) { s.step.dt = -1; }), "step.dt");
+  EXPECT_EQ(of([&](Scenario& s) { s.step.dt = kNan; }), "step.dt");
+  EXPECT_EQ(of([](Scenario& s) { s.step.max_turn = 0; }), "step.max_turn");
+  EXPECT_EQ(of([](Scenario& s) { s.solver.tolerance = 0; }), "solver.tolerance");
+  EXPECT_EQ(of([](Scenario& s) { s.grain_law.friction = -1; }), "contact.friction");
+  EXPECT_EQ(of([&](Scenario& s) { s.gravity = Vec2(0, kNan); }), "gravity");
+  EXPECT_EQ(of([](Scenario& s) { s.box.width = 0; }), "box.width");
+  EXPECT_EQ(of([](Scenario& s) { s.disks[0].radius = 0; }), "bodies[0].radius");
+  EXPECT_EQ(of([&](Scenario& s) { s.disks[0].velocity.x() = kNan; }), "bodies[0].velocity");
+  EXPECT_EQ(of([](Scenario& s) { s.phases[0].dt = 0; }), "phases[0].dt");
 }
 
 TEST(Validation, RefusesOverlappingBodiesAndSaysByHowMuch) {

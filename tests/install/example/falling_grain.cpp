@@ -2,9 +2,11 @@
 // headers. Prints the height of the centre at the end, half a diameter.
 #include <cstdio>
 
+#include "core/base/errors.h"
 #include "core/protocol/protocol.h"
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
+#include "core/scene/validate.h"
 #include "render/image/png.h"
 #include "render/picture/renderer.h"
 
@@ -14,6 +16,13 @@ int main() {
   scenario.box = {.width = 4, .height = 4};
   scenario.disks = {{.position = {2, 3}}};
   scenario.phases = {{quicksand::SettlePhase{.max_time = 10}}};
+  try {
+    quicksand::validate(scenario);
+  } catch (
+      const quicksand::InputError& error) {  // such as a grain in the floor, or a negative step
+    std::fprintf(stderr, "%s %s\n", error.where().c_str(), error.what());
+    return 2;
+  }
   quicksand::Protocol protocol(scenario, quicksand::make_world(scenario));
   while (protocol.advance() < quicksand::Progress::finished) {
   }

@@ -1,0 +1,13 @@
+// Numbers of a scene that no simulation can begin with, for scenes that programs build: those read from files have
+// narrower ranges, which their schema names.
+#pragma once
+
+#include "core/scene/scenario.h"
+
+namespace quicksand {
+
+// Throws InputError where a number is not finite, a length, mass or duration is not positive, or a coefficient
+// is negative; its path is that of the same value in a file.
+void check_values(const Scenario& scenario);
+
+}  // namespace quicksand
