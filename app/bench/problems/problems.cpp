@@ -20,20 +20,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kOfRun = ": ";   // between the folder of a run and a part of its phases
 constexpr double kLeastShown = 1e-12;  // error; a smaller one is rounding of the reference [g dt]
 
-// The paper's programme in a smaller box, where no folder is named.
+// Where no folder is named: the paper's push in a box of a third of its height, and its piston in one of a third of its width,
+// too, whose force per width is that of the full box.
 void record_standard(const Options& options, const fs::path& folder) {
-  const std::string width = options.quick ? "24" : "51", height = options.quick ? "30" : "66";
-  RecordRequest request{
-      .scene = {.file = shipped_scene("paper_intruder"),
-                .overrides = {"box.width=" + width, "box.height=" + height,
-                              "phases[0].height=" + height, "phases[2].max_time=10"},
-                .seed = {}},
-      .out = folder,
-      .count = options.quick ? 12 : 100,
-      .progress = options.progress};
-  record_problems(request);
+  const auto record = [&](const char* run, const char* scene, std::vector<std::string> overrides) {
+    const std::string height = options.quick ? "30" : "66";
+    overrides.push_back("box.height=" + height);
+    overrides.push_back("phases[0].height=" + height);
+    record_problems({.scene = {.file = shipped_scene(scene), .overrides = overrides, .seed = {}},
+                     .out = folder / run,
+                     .count = options.quick ? 12 : 100,
+                     .progress = options.progress});
+    stop_if_interrupted();
+  };
+  record("push", "paper_intruder",
+         {std::string("box.width=") + (options.quick ? "24" : "51"), "phases[2].max_time=10"});
+  if (options.quick) return record("piston", "piston", {});
+  record("piston", "piston",
+         {"box.width=17", "phases[1].mass=170", "phases[1].ramp_time=20", "phases[1].max_time=60"});
 }
 
 SolveReport solve_again(const RecordedProblem& recorded, const SolverSettings& settings,
@@ -53,8 +60,13 @@ struct Recorded {
 std::vector<Recorded> read_half(const fs::path& folder, const Options& options) {
   const std::vector<fs::path> files = problems_in(folder);
   std::vector<Recorded> half;
-  for (std::size_t k = options.tuning ? 0 : 1; k < files.size(); k += 2)
-    half.push_back({files[k].filename().string(), read_problem(files[k])});
+  for (std::size_t k = options.tuning ? 0 : 1; k < files.size(); k += 2) {
+    const fs::path file = files[k].lexically_relative(folder);
+    RecordedProblem problem = read_problem(files[k]);
+    if (file.has_parent_path())
+      problem.group = file.parent_path().string() + kOfRun + problem.group;
+    half.push_back({file.string(), std::move(problem)});
+  }
   return half;
 }
 
@@ -181,23 +193,33 @@ void report_problems(std::span<const Row> rows, const Options& options, Section&
                   {"error, median", true},
                   {"error, 90 %", true},
                   {"not converged", true}}};
-  Plot plot{.name = "recorded_problems",
-            .title = "Error of velocities against time, a point a problem",
-            .x = {.label = "CPU time of a solution", .unit = "ms", .logarithmic = true},
-            .y = {.label = "velocity error", .unit = "g dt", .logarithmic = true}};
+  std::vector<Plot> plots;  // one a run
+  std::string last_run;
   for (const auto& [name, group] : groups) {
     table.rows.push_back(table_row(name, group));
-    const std::string phase = name.substr(0, name.find(','));
-    if (plot.curves.empty() || plot.curves.back().name != phase)
-      plot.curves.push_back({.name = phase});
+    const std::size_t colon = name.find(kOfRun);
+    const std::string run = colon == std::string::npos ? "" : name.substr(0, colon);
+    const std::string phase = name.substr(run.empty() ? 0 : colon + 2);
+    if (plots.empty() || run != last_run)
+      plots.push_back({.name = "recorded_problems" +
+                               (plots.empty() ? "" : "_" + std::to_string(plots.size() + 1)),
+                       .title = (run.empty() ? "" : run + ": ") +
+                                std::string("error of velocities against time, a point a problem"),
+                       .x = {.label = "CPU time of a solution", .unit = "ms", .logarithmic = true},
+                       .y = {.label = "velocity error", .unit = "g dt", .logarithmic = true}});
+    last_run = run;
+    std::vector<Curve>& curves = plots.back().curves;
+    const std::string kind = phase.substr(0, phase.find(','));
+    if (curves.empty() || curves.back().name != kind) curves.push_back({.name = kind});
     for (const Row* row : group) {
-      plot.curves.back().x.push_back(1e3 * row->seconds.cpu);
-      plot.curves.back().y.push_back(std::max(row->error.value_or(0), kLeastShown));
+      curves.back().x.push_back(1e3 * row->seconds.cpu);
+      curves.back().y.push_back(std::max(row->error.value_or(0), kLeastShown));
     }
   }
   table.rows.push_back(table_row("all", all));
   section.add(std::move(table));
-  section.add(quicksand::Figure{plot, "Left and below is better."});
+  for (Plot& plot : plots)
+    section.add(quicksand::Figure{std::move(plot), "Left and below is better."});
 }
 
 }  // namespace quicksand::bench

@@ -79,7 +79,7 @@ int write_phase(Sample& sample, const std::string& phase, const RecordRequest& r
 std::vector<std::filesystem::path> problems_in(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   if (std::filesystem::is_directory(folder))
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
       if (entry.path().extension() == ".problem") files.push_back(entry.path());
   std::ranges::sort(files);
   return files;

@@ -24,7 +24,7 @@ struct Recording {
   std::string failure;  // a sentence, if the run failed
 };
 
-// The files of a folder that hold problems, in the order of the run.
+// The files of a folder and of the folders in it that hold problems, in the order of each run.
 std::vector<std::filesystem::path> problems_in(const std::filesystem::path& folder);
 
 // Runs the scene and writes its problems, each with a reference solution, as out/*.problem. Ctrl-C ends the run, and

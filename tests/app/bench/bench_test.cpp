@@ -200,13 +200,30 @@ TEST(Benchmark, ProblemsAreRecordedIntoAFolderThatWasNotThere) {
   EXPECT_EQ(bench::problems_in(request.out).size(), static_cast<std::size_t>(recording.problems));
 }
 
+TEST(Benchmark, RunsInFoldersOfTheirOwnHaveGroupsAndAPlotOfTheirOwn) {
+  const TemporaryFolder folder;
+  for (const char* run : {"one", "two"}) {
+    bench::RecordRequest request{.out = folder.path() / "kept" / run, .count = 3};
+    request.scene.file = kSource / "assets/scenes/chain.json";
+    bench::record_problems(request);
+  }
+  const Outcome solved =
+      run_bench({"problems", "--problems", "kept", "--out", "results"}, folder.path());
+  ASSERT_EQ(solved.exit_code, 0) << solved.err;
+  const std::string report = contents(folder.path() / "results/report.md");
+  for (const char* text : {"one: 1 settle", "two: 1 settle", "plots/recorded_problems.png",
+                           "plots/recorded_problems_2.png"})
+    EXPECT_NE(report.find(text), std::string::npos) << text;
+}
+
 TEST(Benchmark, WhatCannotBeWrittenIsToldByItsName) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.path() / "results");
   std::ofstream(folder.path() / "results/problems") << "a file";
   const Outcome outcome = run_bench({"problems", "--quick", "--out", "results"}, folder.path());
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(outcome.out.find("recorded problems: results/problems: is a file"), std::string::npos)
+  EXPECT_NE(outcome.out.find("recorded problems: results/problems/push: cannot be made"),
+            std::string::npos)
       << outcome.out;
 }
 
