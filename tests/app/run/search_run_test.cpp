@@ -128,6 +128,16 @@ TEST_F(SearchRun, SaysWhatWasNotFoundAndFromWhatItBegan) {
   EXPECT_NE(text("report.md").find("1 body moved at no force up to"), std::string::npos);
 }
 
+TEST_F(SearchRun, OfTheShippedPullOutBeginsAndHoldsAtRest) {
+  const fs::path scene = kSource / "assets/scenes/pull_out.json";
+  const Outcome pulled = run_program({"run", scene, "--no-frames", "--out", "out"}, folder_.path());
+  ASSERT_EQ(pulled.exit_code, 0) << pulled.err;
+  EXPECT_EQ(pulled.err.find("that move"), std::string::npos) << pulled.err;
+  const Json found = parse_json(text("summary.json"))["critical_forces"][0];
+  EXPECT_EQ(found["undecided"], 0);
+  EXPECT_TRUE(found["force_high"].is_number());
+}
+
 TEST_F(SearchRun, OfADepthThatIsStillToComeNothingIsSaid) {
   ASSERT_EQ(run(kSearchRunScene).exit_code, 0);
   const Json summary = parse_json(text("summary.json"));
