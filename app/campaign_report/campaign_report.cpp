@@ -13,6 +13,7 @@
 #include "app/scene/scene_report.h"
 #include "app/series/quantities.h"
 #include "core/base/errors.h"
+#include "core/base/format.h"
 
 namespace quicksand {
 
@@ -145,8 +146,8 @@ class Writer {
                                      " runs have finished; the others are left out."});
     if (moved > 0)
       page.lead.emplace_back(
-          Remark{Remark::Kind::note, std::to_string(moved) +
-                                         " runs ended a phase by its max_time where rest was to "
+          Remark{Remark::Kind::note, count_text(moved, "run") +
+                                         " ended a phase by its max_time where rest was to "
                                          "end it (missed_rest in results.csv)."});
   }
 

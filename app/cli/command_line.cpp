@@ -92,6 +92,21 @@ std::vector<Command> add_commands(CLI::App& program) {
 
 constexpr const char* kPurpose = "Contact dynamics of cohesive grain packings.";
 
+// Throws InputError for what is not understood, CLI::Success for --help and --version.
+template <class... Words>
+void parse(CLI::App& program, const std::vector<Command>& commands, Words&&... words) {
+  try {
+    program.parse(std::forward<Words>(words)...);
+  } catch (const CLI::Success& request) {
+    // The help of the program is no answer to a question about a command that does not exist.
+    if (program.get_subcommands().empty() && !program.remaining().empty())
+      throw explain(request, program, commands);
+    throw;
+  } catch (const CLI::ParseError& error) {
+    throw explain(error, program, commands);
+  }
+}
+
 }  // namespace
 
 std::string command_line_problem(const std::vector<std::string>& words) {
@@ -99,11 +114,9 @@ std::string command_line_problem(const std::vector<std::string>& words) {
   const std::vector<Command> commands = add_commands(program);
   std::vector<std::string> reversed(words.rbegin(), words.rend());  // as the library takes them
   try {
-    program.parse(std::move(reversed));
+    parse(program, commands, std::move(reversed));
   } catch (const CLI::Success&) {
     return {};  // --help, --version
-  } catch (const CLI::ParseError& error) {
-    return explain(error, program, commands).what();
   } catch (const InputError& error) {
     return error.what();
   }
@@ -126,13 +139,11 @@ int run_command_line(int argc, const char* const* argv) {
   CLI::App program(kPurpose, "quicksand");
   const std::vector<Command> commands = add_commands(program);
   try {
-    program.parse(argc, argv);
+    parse(program, commands, argc, argv);
   } catch (const CLI::Success& request) {
     return told(program.exit(request));  // --help, --version
-  } catch (const CLI::ParseError& error) {
-    return tell_error(explain(error, program, commands));
   } catch (const InputError& error) {
-    return tell_error(error);  // a scene that is named and is not there
+    return tell_error(error);  // not understood, or a scene that is named and is not there
   }
 
   try {

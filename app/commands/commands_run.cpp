@@ -7,6 +7,7 @@
 #include "app/scene_json/scene_fields.h"
 #include "app/session/condition.h"
 #include "core/base/errors.h"
+#include "core/base/format.h"
 #include "core/scene/scenario.h"
 #include "core/scene/validate.h"
 
@@ -134,7 +135,8 @@ struct Apply {
     if (bodies.empty()) throw InputError(place + ".inside", "no grain has its centre there");
     for (const int k : bodies) console.session().apply(k, force);
     if (inside && console.print)
-      console.print("a force on each of " + std::to_string(bodies.size()) + " grains");
+      console.print("a force on " + (bodies.size() == 1 ? "" : std::string("each of ")) +
+                    count_text(std::ssize(bodies), "grain"));
     return {{"bodies", bodies.size()}};
   }
 };

@@ -5,6 +5,7 @@
 #include "app/json/json_reader.h"
 #include "app/paper/paper_strength.h"
 #include "app/plot/typeset_number.h"
+#include "core/base/format.h"
 
 namespace quicksand {
 
@@ -48,8 +49,8 @@ class Shear : public PaperExperiment {
         " d within " + number_text(scale_.shear_time) +
         " sqrt(d/g); the paper takes 20 d. Its strength is the middle of the interval between the "
         "largest force that did not and the smallest that did, narrowed to " +
-        number_text(scale_.shear_tolerance) + " of it; " + std::to_string(scale_.grains_per_depth) +
-        (scale_.grains_per_depth == 1 ? " grain" : " grains") +
+        number_text(scale_.shear_tolerance) + " of it; " +
+        count_text(scale_.grains_per_depth, "grain") +
         " a depth and specimen, the paper takes 10. Steps of " + number_text(scene_.step.dt) +
         " sqrt(d/g)."});
     section.add(table({{"unperturbed, F_c = 10² F_g", &weak},

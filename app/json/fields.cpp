@@ -83,7 +83,7 @@ std::string described(const Json& value) {
     case Json::value_t::null:
       return "null";
     case Json::value_t::object:
-      return "an object";
+      return value.empty() ? "an empty object" : "an object";
     case Json::value_t::array:
       return "a list of " + std::to_string(value.size());
     case Json::value_t::string: {

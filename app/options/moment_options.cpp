@@ -44,6 +44,10 @@ std::size_t moment_at(const History& history, const char* option, double time) {
 }
 
 Moments moments_between(const History& history, const MomentOptions& options) {
+  if (options.from && options.to && *options.from > *options.to)
+    throw InputError(
+        "--from " + message_number(*options.from) + " --to " + message_number(*options.to),
+        "is an empty interval: it begins after its end");
   const std::vector<Moment>& all = history.moments();
   Moments found{0, all.size()};
   if (options.from) {

@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include "app/panel/panel_frame.h"
+#include "core/base/format.h"
 #include "core/problem/solver_settings.h"
 #include "render/base/nice_numbers.h"
 
@@ -79,15 +80,18 @@ void show_status(PanelFrame& frame) {
   const std::int64_t unconverged = session.protocol().state().unconverged_steps;
   std::string warning;
   const bool nscd = session.scenario().step.nscd.has_value();
-  if (nscd)
-    put("Method", "NSCD, " + grouped(session.scenario().step.nscd->sweeps) + " sweeps", 150);
+  if (nscd) {
+    const int sweeps = session.scenario().step.nscd->sweeps;
+    put("Method", "NSCD, " + grouped(sweeps) + " " + noun_for(sweeps, "sweep"), 150);
+  }
   if (session.failed()) {
     warning = "Stopped: a step did not converge";
   } else if (nscd) {
     // Its steps do not converge, by design.
     warning = "Not converged by design: depends on sweeps and dt";
   } else if (unconverged > 0) {
-    warning = grouped(unconverged) + (unconverged == 1 ? " step" : " steps") + " did not converge";
+    warning = grouped(unconverged) + " " + noun_for(static_cast<double>(unconverged), "step") +
+              " did not converge";
   }
   if (!warning.empty()) {
     const bool failed = session.failed();

@@ -39,8 +39,8 @@ std::string method_paragraph(const PaperScale& scale) {
            "Pushes take steps of " +
            number_text(scale.push_step) + " sqrt(d/g) at most; a grain is deposited every " +
            number_text(scale.interval) + " sqrt(d/g).";
-  return "NSCD, standard nonsmooth contact dynamics: " + std::to_string(scale.nscd->sweeps) +
-         " sweeps of projected Gauss-Seidel a step in random order, taken as they are, in steps "
+  return "NSCD, standard nonsmooth contact dynamics: " + count_text(scale.nscd->sweeps, "sweep") +
+         " of projected Gauss-Seidel a step in random order, taken as they are, in steps "
          "of " +
          number_text(scale.nscd->deposit_step) + " (deposition) and " +
          number_text(scale.nscd->fast_step) +
@@ -107,8 +107,8 @@ std::vector<std::string> add_figures(Report& report, const PaperReport& made,
 void add_intro(Report& report, const std::vector<Programme>& programmes) {
   const PaperScale& scale = programmes.front().jobs.scale();
   report.intro = {"Every number of the paper beside ours. Boxes of " + number_text(scale.width) +
-                  " x " + number_text(scale.height) + " d, " + std::to_string(scale.realizations) +
-                  (scale.realizations == 1 ? " realization" : " realizations") +
+                  " x " + number_text(scale.height) + " d, " +
+                  count_text(scale.realizations, "realization") +
                   " at most; the paper has 51 x 199 d and 10."};
   if (scale.width != PaperScale{}.width || scale.height != PaperScale{}.height)
     report.intro.emplace_back(

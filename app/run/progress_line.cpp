@@ -10,6 +10,10 @@ double seconds(std::chrono::steady_clock::duration time) {
   return std::chrono::duration<double>(time).count();
 }
 
+std::string present_bodies(const World& world) {
+  return count_text(world.disks.size(), "body", "bodies");
+}
+
 }  // namespace
 
 void ProgressLine::begin_phase(const Protocol& protocol) {
@@ -30,18 +34,17 @@ std::string ProgressLine::line(const Protocol& protocol, double since_shown) {
   const double rate =
       since_shown > 0 ? static_cast<double>(world.step - shown_step_) / since_shown : 0;
   const ProtocolState& state = protocol.state();
-  return format(
-      "%-7s %3.0f %%%s  t = %.4g  %d bodies  %.0f steps/s  residual %.1e  unconverged %lld",
-      std::string(phase_name(*protocol.phase())).c_str(), 100 * share, left.c_str(), world.time,
-      world.disks.size(), rate, protocol.last_step().solve.residual.natural,
-      static_cast<long long>(state.unconverged_steps));
+  return format("%-7s %3.0f %%%s  t = %.4g  %s  %.0f steps/s  residual %.1e  unconverged %lld",
+                std::string(phase_name(*protocol.phase())).c_str(), 100 * share, left.c_str(),
+                world.time, present_bodies(world).c_str(), rate,
+                protocol.last_step().solve.residual.natural,
+                static_cast<long long>(state.unconverged_steps));
 }
 
 // The line at the beginning of a phase.
 std::string ProgressLine::heading(const Protocol& protocol) {
-  return format("%s begins at t = %.4g with %d bodies",
-                std::string(phase_name(*protocol.phase())).c_str(), protocol.world().time,
-                protocol.world().disks.size());
+  return format("%s begins at t = %.4g with %s", std::string(phase_name(*protocol.phase())).c_str(),
+                protocol.world().time, present_bodies(protocol.world()).c_str());
 }
 
 void ProgressLine::show(const Protocol& protocol) {

@@ -1,6 +1,7 @@
 #include "app/run_folder/search_results.h"
 
 #include "app/json/json_reader.h"
+#include "core/base/format.h"
 #include "core/base/whole_file.h"
 #include "core/measures/critical_force.h"
 #include "core/measures/drive_result.h"
@@ -152,10 +153,10 @@ std::vector<std::string> search_warnings(const Json& results, int phases_finishe
     if (found.at("force_low") == 0) ++always;
     if (!is_bracketed(found)) ++unbracketed;
   }
-  const auto bodies = [](int n) { return std::to_string(n) + (n == 1 ? " body" : " bodies"); };
+  const auto bodies = [](int n) { return count_text(n, "body", "bodies"); };
   const std::string times =
       "2^" + std::to_string(ForceBracket::kMostDoublings) + " times first_force";
-  if (never > 0) warnings.push_back(bodies(never) + " moved at no force up to " + times + ".");
+  if (never > 0) warnings.push_back("No force up to " + times + " moved " + bodies(never) + ".");
   if (always > 0)
     warnings.push_back(bodies(always) + " moved at every force down to first_force/2^" +
                        std::to_string(ForceBracket::kMostDoublings) + ".");

@@ -20,12 +20,11 @@ std::string nscd_note(const Scenario& scenario, const ProtocolState& state, std:
                   h.largest, unit);
   };
   return "standard nonsmooth contact dynamics (nscd), " +
-         std::to_string(scenario.step.nscd->sweeps) +
-         " sweeps a step: " + std::to_string(state.unconverged_steps) + " of " +
-         std::to_string(steps) + " steps did not converge to " +
-         number_text(scenario.solver.tolerance) + " and " +
-         std::to_string(state.broken_in_unconverged) +
-         " bonds failed in them, as the method has it; residual " + spread(errors.residual, "") +
+         count_text(scenario.step.nscd->sweeps, "sweep") +
+         " a step: " + std::to_string(state.unconverged_steps) + " of " + std::to_string(steps) +
+         " steps did not converge to " + number_text(scenario.solver.tolerance) + " and " +
+         count_text(state.broken_in_unconverged, "bond") +
+         " failed in them, as the method has it; residual " + spread(errors.residual, "") +
          "; gap of bonds " + spread(errors.bond_gap, " d") + "; overlap " +
          spread(errors.penetration, " d") + ". The results depend on sweeps and time step";
 }
@@ -37,10 +36,10 @@ std::string validation_failures(const ProtocolState& state, double present_overl
     reasons += (reasons.empty() ? "" : ", ") + reason;
   };
   if (state.unconverged_steps > 0)
-    add(std::to_string(state.unconverged_steps) + " steps did not converge (worst residual " +
+    add(count_text(state.unconverged_steps, "step") + " did not converge (worst residual " +
         number_text(state.worst_residual) + ")");
   if (state.broken_in_unconverged > 0)
-    add(std::to_string(state.broken_in_unconverged) + " bonds broke in them");
+    add(count_text(state.broken_in_unconverged, "bond") + " broke in them");
   const double overlap = worst_overlap(state, present_overlap);
   // Also true for what is not a number.
   if (!(overlap <= bounds.max_overlap))

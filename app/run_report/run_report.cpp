@@ -267,22 +267,24 @@ std::vector<std::string> run_warnings(const RunResults& run) {
   if (summary.value("interrupted", false)) warnings.emplace_back("The run was interrupted.");
   const double unconverged = number_or(run, "unconverged_steps", 0);
   if (is_nscd(run)) {
+    const double sweeps = number_or(run, "sweeps", 0);
     warnings.push_back(
-        "Computed by standard nonsmooth contact dynamics (NSCD), " +
-        typeset(number_or(run, "sweeps", 0)) +
-        " sweeps a step, taken as they are: " + typeset(unconverged) + " of " +
+        "Computed by standard nonsmooth contact dynamics (NSCD), " + typeset(sweeps) + " " +
+        noun_for(sweeps, "sweep") + " a step, taken as they are: " + typeset(unconverged) + " of " +
         typeset(number_or(run, "steps", 0)) + " steps did not converge, and " +
         typeset(number_or(run, "bonds_broken_in_unconverged_steps", 0)) +
         " bonds failed in them by the gap criterion, as the method has it. The results depend on "
         "sweeps and time step; the section on computing shows by how much the steps are off.");
   } else {
     if (unconverged > 0) {
-      warnings.push_back(typeset(unconverged) + " steps did not converge; the worst residual is " +
+      warnings.push_back(typeset(unconverged) + " " + noun_for(unconverged, "step") +
+                         " did not converge; the worst residual is " +
                          typeset(number_or(run, "worst_residual", 0), 2) + ".");
     }
     const double broken = number_or(run, "bonds_broken_in_unconverged_steps", 0);
     if (broken > 0) {
-      warnings.push_back(typeset(broken) + " bonds broke in steps that did not converge.");
+      warnings.push_back(typeset(broken) + " " + noun_for(broken, "bond") +
+                         " broke in steps that did not converge.");
     }
     const double withheld = number_or(run, "bond_breaks_withheld", 0);
     if (withheld > 0) {

@@ -53,10 +53,9 @@ struct PhaseText {
   const Scenario& scenario;
 
   std::string operator()(const DepositPhase& p) const {
-    const std::string grains = std::to_string(estimated_grains(scenario, p));
-    return (p.height > 0
-                ? "about " + grains + " grains, up to a height of " + number(p.height) + " d"
-                : grains + " grains") +
+    const std::string grains = count_text(estimated_grains(scenario, p), "grain");
+    return (p.height > 0 ? "about " + grains + ", up to a height of " + number(p.height) + " d"
+                         : grains) +
            (p.polydispersity ? ", diameters 1 +- " + number(p.polydispersity->deviation) + " d"
                              : "") +
            (p.interval > 0 ? ", one every " + number(p.interval) + " sqrt(d/g)"
@@ -140,7 +139,7 @@ struct PhaseText {
   }
   std::string operator()(const ShearPhase& p) const {
     return "smallest force along x that moves a grain by " + number(p.distance) + " d, " +
-           std::to_string(p.grains_per_depth) + " grains each at depths of " +
+           count_text(p.grains_per_depth, "grain") + " each at depths of " +
            joined(p.depths, ", ", number) + " d; " +
            trials(p.trials, moving(p.trials.until, "the grain"));
   }
@@ -260,7 +259,7 @@ std::string scene_report(const Scenario& s) {
                            "; an unconverged step: " + word(scene, "step", "on_unconverged"));
   if (s.step.nscd) {
     text += line("method", "nscd: standard nonsmooth contact dynamics, " +
-                               std::to_string(s.step.nscd->sweeps) + " sweeps a step in " +
+                               count_text(s.step.nscd->sweeps, "sweep") + " a step in " +
                                word(scene, "nscd", "order") + " order" +
                                (s.step.nscd->tolerance ? ", fewer where the residual falls below " +
                                                              number(*s.step.nscd->tolerance)
@@ -275,8 +274,8 @@ std::string scene_report(const Scenario& s) {
   if (!s.step.nscd)
     text += line("solver", word(scene, "solver", "method") + " to a residual of " +
                                number(s.solver.tolerance) + ", at most " +
-                               std::to_string(s.solver.max_factorisations) + " factorisations or " +
-                               std::to_string(s.solver.max_iterations) + " sweeps a step");
+                               count_text(s.solver.max_factorisations, "factorisation") + " or " +
+                               count_text(s.solver.max_iterations, "sweep") + " a step");
   text += line("bodies", bodies_text(s));
   if (!s.walls.empty()) {
     text += line("walls", std::to_string(s.walls.size()) + " besides the box's");

@@ -207,9 +207,14 @@ void describe_scene(Fields& f, Scenario& s) {
            [&](Fields& g) { describe_box(g, s.box); });
   f.object({"contact", "law of grains touching each other"},
            [&](Fields& g) { describe_law(g, s.grain_law); });
-  f.optional_object({"wall_contact", "law of grains touching walls; as contact if absent"},
+  f.optional_object({"wall_contact",
+                     "law of grains touching walls; as contact if absent. It replaces all of "
+                     "contact: friction, rolling_friction and cohesion_force that are not given "
+                     "here are 0"},
                     s.wall_law, describe_law);
-  f.optional_object({"intruder_contact", "law of the intruder's contacts; as contact if absent"},
+  f.optional_object({"intruder_contact",
+                     "law of the intruder's contacts; as contact if absent. It replaces all of "
+                     "contact, as wall_contact does"},
                     s.intruder_law, describe_law);
   describe_method(f, s.step);
   f.object({"step", "time step and failure criterion of bonds"},

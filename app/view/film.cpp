@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 
+#include "core/base/format.h"
 #include "core/base/whole_file.h"
 #include "core/scene/validate.h"
 #include "render/film/animation.h"
@@ -27,7 +28,7 @@ View view_of(const Scenario& scenario, View view) {
                             return disk.role == DiskRole::intruder;
                           });
   view.method =
-      scenario.step.nscd ? "NSCD, " + std::to_string(scenario.step.nscd->sweeps) + " sweeps" : "";
+      scenario.step.nscd ? "NSCD, " + count_text(scenario.step.nscd->sweeps, "sweep") : "";
   return view;
 }
 

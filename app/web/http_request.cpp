@@ -51,7 +51,7 @@ HttpAnswer refusal(int status) {
       return text_answer(status,
                          "401: open the address that `quicksand serve` printed, with its token.\n");
     case HTTP_STATUS_METHOD_NOT_ALLOWED:
-      return text_answer(status, "405: only GET.\n");
+      return text_answer(status, "405: only GET and HEAD.\n");
     default:
       return text_answer(
           status, "403: this name of the host or this origin is not admitted; see --host.\n");
@@ -62,8 +62,9 @@ HttpAnswer refusal(int status) {
 
 HttpRequest request_of(lws* wsi) {
   HttpRequest request;
-  request.is_get = lws_hdr_total_length(wsi, WSI_TOKEN_GET_URI) > 0;
-  request.path = header(wsi, WSI_TOKEN_GET_URI);
+  request.is_head = lws_hdr_total_length(wsi, WSI_TOKEN_HEAD_URI) > 0;
+  request.is_get = request.is_head || lws_hdr_total_length(wsi, WSI_TOKEN_GET_URI) > 0;
+  request.path = header(wsi, request.is_head ? WSI_TOKEN_HEAD_URI : WSI_TOKEN_GET_URI);
   request.host = header(wsi, WSI_TOKEN_HOST);
   request.origin = header(wsi, WSI_TOKEN_ORIGIN);
   request.cookies = header(wsi, WSI_TOKEN_HTTP_COOKIE);
@@ -127,7 +128,8 @@ int begin_answer(lws* wsi, HttpAnswer& answer) {
     if (!answer.cookie.empty()) failed = add("set-cookie:", answer.cookie) || failed;
     return failed;
   };
-  if (!answer.file.empty()) {
+  const bool of_file = !answer.file.empty();
+  if (of_file && !answer.head_only) {
     if (add_all() || add("content-disposition:", "attachment")) return -1;
     const int sent =
         lws_serve_http_file(wsi, answer.file.c_str(), answer.type.c_str(),
@@ -135,10 +137,16 @@ int begin_answer(lws* wsi, HttpAnswer& answer) {
     if (sent < 0) return -1;
     return sent > 0 && lws_http_transaction_completed(wsi) != 0 ? -1 : 0;
   }
-  if (lws_add_http_common_headers(wsi, static_cast<unsigned>(answer.status), answer.type.c_str(),
-                                  answer.body->size(), &at, end) != 0 ||
-      add_all() || lws_finalize_write_http_header(wsi, start, &at, end) != 0)
+  std::error_code gone;  // since the answer was made
+  const std::uintmax_t size =
+      of_file ? std::filesystem::file_size(answer.file, gone) : answer.body->size();
+  if (gone || lws_add_http_common_headers(wsi, static_cast<unsigned>(answer.status),
+                                          answer.type.c_str(), size, &at, end) != 0)
     return -1;
+  if (add_all() || (of_file && add("content-disposition:", "attachment")) ||
+      lws_finalize_write_http_header(wsi, start, &at, end) != 0)
+    return -1;
+  if (answer.head_only) return lws_http_transaction_completed(wsi) != 0 ? -1 : 0;
   lws_callback_on_writable(wsi);
   return 0;
 }

@@ -13,7 +13,8 @@ struct lws;
 namespace quicksand {
 
 struct HttpRequest {
-  bool is_get = false;
+  bool is_get = false;   // GET or HEAD
+  bool is_head = false;  // GET without the body
   std::string path;
   std::string host, origin;
   std::string token;  // of the address
@@ -37,6 +38,7 @@ struct HttpAnswer {
   std::string type = "text/plain; charset=utf-8";
   Payload body;
   std::filesystem::path file;  // sent instead of a body, if not empty
+  bool head_only = false;      // without body or file
   std::string cookie;          // to be kept by the browser; empty: none
   std::size_t sent = 0;        // of the body [bytes]
 };

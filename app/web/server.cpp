@@ -108,7 +108,9 @@ int Server::Impl::serve(lws* wsi, lws_callback_reasons reason, void* in, std::si
   switch (reason) {
     case LWS_CALLBACK_HTTP: {
       HttpAnswer& answer = http[wsi];
-      answer = answer_to(request_of(wsi), access(), parts);
+      const HttpRequest request = request_of(wsi);
+      answer = answer_to(request, access(), parts);
+      answer.head_only = request.is_head;
       return begin_answer(wsi, answer);
     }
     case LWS_CALLBACK_HTTP_WRITEABLE: {

@@ -24,4 +24,13 @@ std::string lower(std::string_view text) {
   return result;
 }
 
+std::string noun_for(double n, std::string_view one, std::string_view many) {
+  if (n == 1) return std::string(one);
+  return many.empty() ? std::string(one) + "s" : std::string(many);
+}
+
+std::string count_text(std::int64_t n, std::string_view one, std::string_view many) {
+  return std::to_string(n) + " " + noun_for(static_cast<double>(n), one, many);
+}
+
 }  // namespace quicksand

@@ -1,6 +1,7 @@
-// Text of numbers and of lists.
+// Text of numbers, of lists and of numbers of things.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -13,6 +14,12 @@ std::string format(const char* pattern, ...) __attribute__((format(printf, 1, 2)
 
 // Letters of ASCII in lower case.
 std::string lower(std::string_view text);
+
+// The noun for so many: "run" for 1, else "runs"; `many` where an s does not make the plural.
+std::string noun_for(double n, std::string_view one, std::string_view many = {});
+
+// "1 run", "20 runs".
+std::string count_text(std::int64_t n, std::string_view one, std::string_view many = {});
 
 // The items with the separator between them, each as `text` gives it.
 template <class Items, class Text = std::identity>

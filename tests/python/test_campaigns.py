@@ -12,6 +12,7 @@ class Campaigns(InFolder):
         result = quicksand.campaign(SMALL, {"contact.friction": [0.1, 0.6]}, realizations=2)
         self.assertEqual(result.height, 4)
         self.assertEqual(result.parameters, ["contact.friction"])
+        self.assertEqual(set(result["missed_rest"]), {True})
         self.assertEqual(list(result["contact.friction"]), [0.1, 0.1, 0.6, 0.6])
         self.assertEqual(set(result["status"]), {"finished"})
         self.assertEqual([run.world_hash for run in result.runs], list(result["world_hash"]))
@@ -60,6 +61,13 @@ class Campaigns(InFolder):
         with self.assertRaises(quicksand.InputError) as caught:
             quicksand.campaign(SMALL, {"contact.frction": [0.1]})
         self.assertEqual((caught.exception.path, caught.exception.nearest), ("contact.frction", "friction"))
+        self.assertTrue(str(caught.exception).startswith("contact.frction (from grid; run 00000"), caught.exception)
+
+    def test_name_the_arguments_of_the_caller(self):
+        for points, message in (([{"contact.frction": 1}], r"^contact.frction \(from points; run 00000"),
+                                ([{"contact.friction": math.inf}], r"^points\[0\].contact.friction: is inf, must be a finite")):
+            with self.assertRaisesRegex(quicksand.InputError, message):
+                quicksand.campaign(SMALL, points=points)
 
 
 if __name__ == "__main__":

@@ -11,6 +11,8 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
+import quicksand
+from quicksand.program import call
 from support import InFolder, needs
 
 SOURCE = Path(__file__).resolve().parents[2]
@@ -28,6 +30,21 @@ class Page(InFolder):
             with self.subTest(block=block), contextlib.redirect_stdout(io.StringIO()) as told:
                 exec(compile(block, "python.md", "exec"), scope)
         self.assertIn("contact.frction friction", told.getvalue())  # as the last block promises
+
+
+@needs("numpy")
+class Demo(InFolder):
+    def test_ends_with_the_numbers_that_the_pages_print(self):
+        run = quicksand.run("collapse", no_frames=True, quiet=True)
+        readme = (SOURCE / "README.md").read_text()
+        self.assertIn(f"\n{run.summary['steps']} steps in ", readme)
+        self.assertIn(f"with {run.summary['grains']} bodies", readme)
+        page = (SOURCE / "assets/doc/export.md").read_text()
+        printed, script = re.search(r"prints\n`([^`]*)`:\n\n```python\n(.*?)^```", page, re.M | re.S).groups()
+        call(["export", run.folder / "state.cbor", "--format", "npy", "--out", run.folder / "npy"])
+        with contextlib.redirect_stdout(io.StringIO()) as told:
+            exec(compile(script, "export.md", "exec"), {})
+        self.assertEqual(told.getvalue(), printed + "\n")
 
 
 @needs("nbclient", "nbformat", "ipykernel", "matplotlib", "numpy")

@@ -54,6 +54,26 @@ class Runs(InFolder):
         self.assertEqual(history.between(history.times[1], history.times[1])[0].about["step"], history[1].about["step"])
         self.assertIn("bond", str(list(history[1].contacts)))
 
+    def test_the_history_refuses_times_at_which_the_run_was_not(self):
+        history = quicksand.run(SMALL, no_frames=True).history
+        for time in (1e9, -1, float("nan")):
+            with self.assertRaisesRegex(quicksand.InputError, "time: is .*, must be a number from 0 to 1 "):
+                history.at(time)
+        with self.assertRaisesRegex(quicksand.InputError, "^start 5: must be a number from 0 to 1 "):
+            history.between(5, 6).times
+
+    def test_two_moments_are_compared(self):
+        run = quicksand.run(SMALL, no_frames=True)
+        changes = run.measure(time=1, since=0.4)["changes"]
+        self.assertGreater(changes["largest_displacement"], 0)
+        self.assertEqual(run.history[-1].measure(since=0.4)["changes"], changes)
+        self.assertEqual(run.state.measure(since=run.state.path)["changes"]["bonds_broken"], 0)
+
+    def test_a_table_that_is_not_there_is_told_with_those_that_are(self):
+        with self.assertRaisesRegex(quicksand.InputError, "out/small: sries: is no table of this run, .* series") as caught:
+            quicksand.run(SMALL, no_frames=True).table("sries")
+        self.assertEqual(caught.exception.nearest, "series")
+
     def test_tables_know_their_units(self):
         run = quicksand.run(SMALL, no_frames=True)
         self.assertEqual(run.series.label("depth"), "depth [d]")
@@ -141,17 +161,30 @@ class Errors(InFolder):
         self.assertEqual(Path(error.file).name, "chain.json")
         self.assertEqual(error.path, "contact.frction")
         self.assertEqual(error.nearest, "friction")
-        self.assertIn("(from --set)", error.where)
+        self.assertIn("(from set)", error.where)
         self.assertIn("is not a key", error.message)
         self.assertIsInstance(error, ValueError)
 
     def test_unknown_scenes_and_options_have_a_nearest_name(self):
         for call, nearest in ((lambda: quicksand.run("chian"), "chain"),
-                              (lambda: quicksand.run(SMALL, no_frame=True), "--no-frames"),
+                              (lambda: quicksand.run(SMALL, no_frame=True), "no_frames"),
                               (lambda: quicksand.run(SMALL, colour="sped"), "speed")):
             with self.assertRaises(quicksand.InputError) as caught:
                 call()
             self.assertEqual(caught.exception.nearest, nearest)
+
+    def test_names_the_arguments_of_the_caller(self):
+        for call, message in (
+                (lambda: quicksand.run({**SMALL, "gravty": {}}), "^scene: gravty: is not a key of a scene; did you mean"),
+                (lambda: quicksand.run(SMALL, {"contact.frction": 1}), r"^scene: contact.frction \(from set\): is not"),
+                (lambda: quicksand.run(SMALL, {"contact.friction": float("nan")}), "^set.contact.friction: is nan, must be"),
+                (lambda: quicksand.run("chain", helpp=True), "^helpp is no option of run$"),
+                (lambda: quicksand.run("chain", help=True), "^help: is for the command line$"),
+                (lambda: quicksand.run("chain", xx=1), "^xx is no option of run; known: out, "),
+                (lambda: quicksand.run("chain", every=-1), r"^every: is -1, must be a number [^(]*sqrt\(d/g\)$")):
+            with self.assertRaisesRegex(quicksand.InputError, message) as caught:
+                call()
+            self.assertFalse("--" in str(caught.exception) or caught.exception.file, caught.exception)
 
     def test_a_run_that_breaks_its_limits_is_there_to_look_at(self):
         with self.assertRaises(quicksand.ValidationFailed) as caught:

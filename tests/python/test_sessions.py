@@ -55,6 +55,9 @@ class Sessions(InFolder):
         self.assertEqual((misspelt.exception.path, misspelt.exception.nearest), ("set.contact.frction", "friction"))
         with self.assertRaises(quicksand.InputError) as inside:
             self.session.load("chain", set={"contact.frction": 1})
+        with self.assertRaisesRegex(quicksand.InputError, "^run: time: is nan, must be a finite number") as no_number:
+            self.session.run(time=float("nan"))
+        self.assertEqual(no_number.exception.path, "time")
         self.assertEqual((Path(inside.exception.file).name, inside.exception.path), ("chain.json", "contact.frction"))
         self.session.run(steps=1)
 

@@ -26,6 +26,13 @@ class Tables(InFolder):
         self.assertEqual(list(self.read("run\n10000_1\n10000_2\n")["run"]), ["10000_1", "10000_2"])
         self.assertEqual(one["failure"][0], 'too "deep", it says')
 
+    def test_true_and_false_are_no_texts(self):
+        one = self.read("rest,gap,name\ntrue,false,true\nfalse,,x\n")
+        self.assertEqual(list(one["rest"]), [True, False])
+        self.assertFalse(one["rest"][1])
+        self.assertEqual([row["gap"] for row in one.rows()], [False, None])
+        self.assertEqual(list(one["name"]), ["true", "x"])
+
     def test_a_misspelt_column_has_a_nearest_name(self):
         with self.assertRaisesRegex(KeyError, "did you mean depth?"):
             self.read()["dept"]

@@ -15,6 +15,7 @@
 #include "app/jobs/job_pool.h"
 #include "app/options/threads_option.h"
 #include "core/base/errors.h"
+#include "core/base/format.h"
 #include "core/base/whole_file.h"
 
 namespace quicksand {
@@ -52,7 +53,8 @@ class CampaignRun {
   int dry_run() const {
     std::ranges::for_each(jobs_, require_own_scene);
     for (const Job& job : jobs_) std::printf("%s\n", job_name(job).c_str());
-    std::printf("%zu runs would go to %s\n", jobs_.size(), (out_ / "runs").c_str());
+    std::printf("%s would go to %s\n", count_text(std::ssize(jobs_), "run").c_str(),
+                (out_ / "runs").c_str());
     return kFine;
   }
 
@@ -112,10 +114,10 @@ class CampaignRun {
       return report(false);
     }
     std::printf(
-        "job %s with %zu tasks is in the queue; messages go to %s\n"
+        "job %s with %s is in the queue; messages go to %s\n"
         "  see how far it is and merge results.csv with: quicksand campaign %s --out %s --status\n",
-        job.c_str(), tasks.size(), (out_ / "slurm").c_str(), shell_text(options_.file).c_str(),
-        shell_text(out_).c_str());
+        job.c_str(), count_text(std::ssize(tasks), "task").c_str(), (out_ / "slurm").c_str(),
+        shell_text(options_.file).c_str(), shell_text(out_).c_str());
     return kFine;
   }
 
@@ -193,8 +195,8 @@ class CampaignRun {
       counts += (counts.empty() ? "" : ", ") + std::to_string(count(status)) + " " +
                 std::string(status_name(status));
     }
-    std::printf("%s: %zu runs, %s; results are in %s\n", campaign_.name.c_str(), jobs_.size(),
-                counts.c_str(), results().c_str());
+    std::printf("%s: %s, %s; results are in %s\n", campaign_.name.c_str(),
+                count_text(std::ssize(jobs_), "run").c_str(), counts.c_str(), results().c_str());
     if (count(JobStatus::elsewhere) > 0)
       std::printf(
           "another process computes those that run elsewhere; the same command, once it has ended, "

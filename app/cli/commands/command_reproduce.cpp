@@ -195,7 +195,7 @@ void list_runs(const std::vector<Programme>& programmes) {
   for (const Programme& programme : programmes) {
     const std::vector<Job>& jobs = programme.jobs.jobs();
     for (const Job& job : jobs) std::printf("%s\n", job.id.c_str());
-    std::printf("%zu runs would go to %s\n", jobs.size(),
+    std::printf("%s would go to %s\n", count_text(std::ssize(jobs), "run").c_str(),
                 (programme.jobs.folder() / "runs").c_str());
   }
 }

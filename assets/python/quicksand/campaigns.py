@@ -6,6 +6,7 @@ import tempfile
 import warnings
 from pathlib import Path
 
+from .errors import file_of_argument
 from .program import call, option_words, plain, units
 from .runs import Run, self_contained
 from .table import Table
@@ -35,10 +36,11 @@ def campaign(scene, grid=None, *, points=None, set=None, realizations=1, name=No
     described = {"name": name, "scene": _scene(scene), "set": set and self_contained(set),
                  "grid": grid and _self_contained_grid(grid), "list": points and [self_contained(p) for p in points],
                  "realizations": realizations, "frames": frames}
-    with tempfile.TemporaryDirectory(prefix="quicksand-") as folder:
+    with (tempfile.TemporaryDirectory(prefix="quicksand-") as folder,
+          file_of_argument(f"{folder}/campaign.json", names={"list": "points"})):
         file = Path(folder) / "campaign.json"
-        file.write_text(json.dumps({key: plain(value) for key, value in described.items() if value is not None}),
-                        encoding="utf-8")
+        described = plain({key: value for key, value in described.items() if value is not None})
+        file.write_text(json.dumps(described), encoding="utf-8")
         call(["campaign", file, *option_words({"out": out, "quiet": quiet, **options})], program, quiet,
              fine=(0, _FAILED))
     result = Campaign(out, program)

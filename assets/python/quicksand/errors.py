@@ -1,4 +1,6 @@
 """What can go wrong, by who can mend it."""
+import contextlib
+import re
 
 
 class Error(Exception):
@@ -22,6 +24,16 @@ class InputError(Error, ValueError):
     def __init__(self, message, where="", file=None, path=None, nearest=None):
         super().__init__(f"{where}: {message}" if where else message)
         self.message, self.where, self.file, self.path, self.nearest = message, where, file, path, nearest
+
+    def of_argument(self, file, argument, names) -> "InputError":
+        """The same error for one who gave the file's content as arguments and never saw the file."""
+        place = f"{argument}: " if argument else ""
+        where, message = (text.replace(f"{file}: ", place).replace(file, argument or "the arguments")
+                          for text in (self.where, self.message))
+        path = self.path
+        for key, name in names.items():
+            where, path = (text and re.sub(rf"(^|\(from ){key}\b", rf"\g<1>{name}", text) for text in (where, path))
+        return InputError(message, where, None if self.file == file else self.file, path, self.nearest)
 
 
 class RunFailed(Error):
@@ -70,12 +82,41 @@ class Interrupted(KeyboardInterrupt):
         self.run, self.state = run, state
 
 
-def error_of(told, exit_code):
-    """The exception for what the program told as JSON, or for its exit code alone if that is None."""
+@contextlib.contextmanager
+def file_of_argument(file, argument="", names=None):
+    """Errors inside are not told of this file, which soon is no more, but of the argument that it was made from.
+
+    names: arguments that have another name here than the key of the file that they become
+    """
+    try:
+        yield
+    except InputError as error:
+        raise error.of_argument(str(file), argument, names or {}) from None
+
+
+_HELP = re.compile(r' \(see `quicksand [^`]*`\)|; did you mean "--(help|version)"\?|(?<=known: )--help, ')
+_OPTION = re.compile(r"(?<![\w-])--([a-z][a-z-]*)")
+
+
+def _as_keywords(text, names):
+    """Options as one calls them here: "--no-frames" is no_frames."""
+    def keyword(option):
+        return names.get(option[1], option[1].replace("-", "_"))
+
+    return text and _OPTION.sub(keyword, _HELP.sub("", text))
+
+
+def error_of(told, exit_code, names=None):
+    """The exception for what the program told as JSON, or for its exit code alone if that is None.
+
+    names: arguments that have another name here than the option they become
+    """
     if told is None:
         return RunFailed(f"the program ended with exit code {exit_code}")
     if told["kind"] == "input":
-        return InputError(told["message"], told.get("where", ""), told.get("file"), told.get("path"),
-                          told.get("nearest"))
+        message, where, path, nearest = (_as_keywords(told.get(key), names or {})
+                                         for key in ("message", "where", "path", "nearest"))
+        return InputError(message, where or "", told.get("file"), path,
+                          None if nearest in ("help", "version") else nearest)
     kind = ValidationFailed if told["kind"] == "validation" else RunFailed
     return kind(told["message"], told["kind"], told.get("how_to_go_on", ""))

@@ -6,8 +6,14 @@ from collections.abc import Sequence
 from functools import cached_property
 from pathlib import Path
 
+from .errors import InputError
 from .program import call, option_words, units
+from .state import measure
 from .table import Table
+
+
+_ROUNDING = 1e-9  # times are sums of steps
+_AS_WRITTEN = 0.005  # pictures round times to two digits [sqrt(d/g)]
 
 
 class Sample:
@@ -33,6 +39,10 @@ class Sample:
     def walls(self) -> Table:
         return self._table("walls")
 
+    def measure(self, **options) -> dict:
+        """As State.measure; `since` is an earlier time of the run, or the path of a state."""
+        return measure(self._history._run, self._history._program, {"time": self.about["time"], **options})
+
     def __repr__(self):
         return f"<Sample at {self.about['time']}>"
 
@@ -54,7 +64,8 @@ class History(Sequence):
     def _samples(self) -> list[Sample]:
         folder = Path(tempfile.mkdtemp(prefix="quicksand-"))
         weakref.finalize(self, shutil.rmtree, folder, ignore_errors=True)
-        call(["export", self._run, "--format", "csv", "--out", folder, *option_words(self._bounds)], self._program)
+        call(["export", self._run, "--format", "csv", "--out", folder, *option_words(self._bounds)], self._program,
+             names={"from": "start", "to": "end"})
         rows = Table.read(folder / "states.csv").rows()
         files = sorted(folder.glob("disks*.csv"), key=lambda file: (len(file.stem), file.stem))
         return [Sample(self, folder, file.stem.removeprefix("disks"), about)
@@ -65,7 +76,12 @@ class History(Sequence):
         return [sample.about["time"] for sample in self._samples]
 
     def at(self, time) -> Sample:
-        """The sample nearest to a time."""
+        """The sample nearest to a time. Raises InputError if the run has not been there."""
+        first, last = self.times[0], self.times[-1]
+        slack = max(_AS_WRITTEN, _ROUNDING * last)
+        if not first - slack <= time <= last + slack:
+            raise InputError(f"is {time:g}, must be a number from {first:g} to {last:g} sqrt(d/g), the times of {self._run}",
+                             where="time", path="time")
         return min(self._samples, key=lambda sample: abs(sample.about["time"] - time))
 
     def __len__(self):

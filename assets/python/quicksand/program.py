@@ -1,6 +1,7 @@
 """Finds the program, calls it, and turns what it says into progress, results and exceptions."""
 import functools
 import json
+import math
 import os
 import shutil
 import signal
@@ -8,7 +9,7 @@ import subprocess
 import threading
 from pathlib import Path
 
-from .errors import Interrupted, ProgramNotFound, error_of
+from .errors import InputError, Interrupted, ProgramNotFound, error_of
 from .progress import Progress
 
 INTERRUPTED = 130  # exit code
@@ -83,8 +84,11 @@ class Outcome:
         self.out, self.notes, self.exit_code = out, notes, exit_code
 
 
-def call(words, program=None, quiet=True, fine=(0,)) -> Outcome:
-    """Runs the program to its end. Raises what it tells, and Interrupted after a Ctrl-C, which it is told of."""
+def call(words, program=None, quiet=True, fine=(0,), names=None) -> Outcome:
+    """Runs the program to its end. Raises what it tells, and Interrupted after a Ctrl-C, which it is told of.
+
+    names: as of error_of
+    """
     process = start([str(word) for word in words], program, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                     stderr=subprocess.PIPE)
     out = []
@@ -107,7 +111,7 @@ def call(words, program=None, quiet=True, fine=(0,)) -> Outcome:
         raise Interrupted("interrupted")
     messages.progress.end(text.split("\n", 1)[0])
     if code not in fine or (messages.error and code):
-        raise error_of(messages.error, code)
+        raise error_of(messages.error, code, names)
     return Outcome(text, messages.notes, code)
 
 
@@ -140,6 +144,8 @@ def option_words(options) -> list[str]:
     """Options of the command line by their names: no_frames=True is --no-frames, size=(640, 480) is --size 640x480."""
     words = []
     for name, value in options.items():
+        if name in ("help", "version"):
+            raise InputError("is for the command line", where=name, path=name)
         option = "--" + name.replace("_", "-")
         if value is None or value is False:
             continue
@@ -151,12 +157,19 @@ def option_words(options) -> list[str]:
     return words
 
 
-def plain(value):
-    """A value as JSON takes it: numbers and arrays of numpy, tuples and paths, too."""
+def plain(value, where=""):
+    """A value as JSON takes it: numbers and arrays of numpy, tuples and paths, too.
+
+    Raises InputError for nan and infinity, which JSON does not have, and names their place from `where` on.
+    """
     if isinstance(value, dict):
-        return {str(key): plain(item) for key, item in value.items()}
+        return {str(key): plain(item, f"{where}.{key}" if where else str(key)) for key, item in value.items()}
     if isinstance(value, (list, tuple, range)):
-        return [plain(item) for item in value]
+        return [plain(item, f"{where}[{i}]") for i, item in enumerate(value)]
     if isinstance(value, os.PathLike):
         return os.fspath(value)
-    return plain(value.tolist()) if hasattr(value, "tolist") else value
+    if hasattr(value, "tolist"):
+        return plain(value.tolist(), where)
+    if isinstance(value, float) and not math.isfinite(value):
+        raise InputError(f"is {value}, must be a finite number", where=where, path=where)
+    return value

@@ -1,5 +1,6 @@
 """Runs: computing one, and reading what it left."""
 import base64
+import difflib
 import html
 import json
 import os
@@ -7,11 +8,11 @@ import tempfile
 from functools import cached_property
 from pathlib import Path
 
-from .errors import InputError, Interrupted, RunFailed
+from .errors import InputError, Interrupted, RunFailed, file_of_argument
 from .history import History
 from .picture import Picture
 from .program import call, option_words, plain, units
-from .state import State
+from .state import State, measure
 from .table import Table, text_of
 
 
@@ -26,7 +27,7 @@ def scene_file(scene, folder) -> str:
 
 def self_contained(scene) -> dict:
     """The scene as plain JSON; the state that it starts from is found from everywhere."""
-    scene = plain(scene)
+    scene = plain(scene, "scene")
     if scene.get("start_from"):
         scene["start_from"] = os.path.abspath(scene["start_from"])
     return scene
@@ -48,9 +49,9 @@ def run(scene, set=None, *, seed=None, out=None, overwrite=False, resume=False, 
     Ctrl-C raises Interrupted, a KeyboardInterrupt, once the program has saved what it computed; its `run`, or
     resume=True, goes on. Raises InputError, RunFailed (with its `run`), ValidationFailed.
     """
-    with tempfile.TemporaryDirectory(prefix="quicksand-") as folder:
+    with tempfile.TemporaryDirectory(prefix="quicksand-") as folder, file_of_argument(f"{folder}/scene.json", "scene"):
         words = [scene_file(scene, folder)]
-        words += [f"--set={path}={json.dumps(plain(value))}" for path, value in (set or {}).items()]
+        words += [f"--set={path}={json.dumps(value)}" for path, value in plain(set or {}, "set").items()]
         words += option_words({"seed": seed})
         resolved = json.loads(call(["check", "--json", *words], program).out)
         out = Path(out if out is not None else Path("out") / resolved["name"])
@@ -110,12 +111,23 @@ class Run:
 
     def table(self, name) -> Table:
         """Another table of the run: "critical_forces" of a search, "adiabatic" of a deposition."""
-        return Table.read(self.folder / f"{name}.csv")
+        file = self.folder / f"{name}.csv"
+        if not file.exists():
+            there = sorted(one.stem for one in self.folder.glob("*.csv"))
+            raise InputError(f"is no table of this run, which has: {', '.join(there) or 'none'}",
+                             where=f"{self.folder}: {name}", path=str(name),
+                             nearest=next(iter(difflib.get_close_matches(str(name), there, 1)), None))
+        return Table.read(file)
 
     @property
     def state(self) -> State:
         """The last state that was saved."""
         return State(self.folder / "state.cbor", self._program)
+
+    def measure(self, **options) -> dict:
+        """As State.measure, of the sample nearest to `time` (the last state if absent); `since` is an earlier time, or
+        the path of a state: `run.measure(time=13, since=5.96)["changes"]`."""
+        return measure(self.folder, self._program, options)
 
     @cached_property
     def history(self) -> History:

@@ -60,8 +60,11 @@ class Session:
         """Sends a command by its name; the methods of the session do the same."""
         if self._process is None:
             raise SessionEnded("the session is closed")
+        try:
+            message = {"command": command, **plain(arguments)}
+        except InputError as error:
+            raise InputError(error.message, f"{command}: {error.where}", path=error.path) from None
         self._sent += 1
-        message = {"command": command, **plain(arguments)}
         try:
             answer = self._ask({**message, "id": self._sent})
         except KeyboardInterrupt:

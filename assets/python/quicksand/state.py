@@ -9,6 +9,11 @@ from .program import call, option_words, units
 from .table import Table
 
 
+def measure(path, program, options) -> dict:
+    """What `quicksand measure --json` tells of a state or of a run."""
+    return json.loads(call(["measure", path, "--json", *option_words(options)], program).out)
+
+
 class State:
     """A checkpoint (`state.cbor` of a run, or what a session saves).
 
@@ -44,8 +49,11 @@ class State:
         return self._tables["states"].rows()[0]
 
     def measure(self, **options) -> dict:
-        """Regions, profile and distributions, as `quicksand measure --json` tells them, with its options."""
-        return json.loads(call(["measure", self.path, "--json", *option_words(options)], self._program).out)
+        """Regions, profile and distributions, as `quicksand measure --json` tells them, with its options.
+
+        since: the path of an earlier state, to which `changes` then compares
+        """
+        return measure(self.path, self._program, options)
 
     def picture(self, **options) -> Picture:
         """The state drawn anew, with options of `quicksand render`: `colour="pressure", forces=True, size=(800, 600)`."""

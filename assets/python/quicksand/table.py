@@ -24,12 +24,15 @@ def _real(text):
     return float(text) if text else math.nan
 
 
+_TRUTHS = {"true": True, "false": False, "": None}
+
+
 def _values(texts):
-    """The column's whole numbers, numbers (nan where a row has none) or texts."""
-    for read in (_whole, _real):
+    """The column's whole numbers, numbers (nan where a row has none), truth values (None where a row has none) or texts."""
+    for read in (_whole, _real, _TRUTHS.__getitem__):
         try:
             return [read(text) for text in texts]
-        except ValueError:
+        except (ValueError, KeyError):
             pass
     return list(texts)
 
@@ -40,7 +43,8 @@ def column(values):
 
 
 class Table(Mapping):
-    """Columns by name, each an array of numpy (a list without numpy); what a row does not have is nan.
+    """Columns by name, each an array of numpy (a list without numpy); what a row does not have is nan, or
+    None among true and false.
 
     `table["depth"]` is a column, `table.rows()` a list of dicts, `table.frame()` a frame of pandas, and
     `table.label("depth")` the label of an axis.

@@ -103,6 +103,30 @@ TEST_F(RefusedInput, SaysOnceWhatIsWrongAndWithWhichFile) {
   EXPECT_EQ(collected.err.find("quicksand: f.txt: not valid JSON"), 0U) << collected.err;
 }
 
+TEST_F(RefusedInput, HelpIsAskedOfNoCommandThatDoesNotExist) {
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"rum", "--help"}, {"--help", "rum"}, {"--version", "rum"}}) {
+    expect_refused(words, "\"rum\" is no command; did you mean \"run\"? (see `quicksand --help`)");
+  }
+}
+
+TEST_F(RefusedInput, AnIntervalThatEndsBeforeItBegins) {
+  run();
+  expect_refused({"export", "r", "--from", "0.02", "--to", "0", "--format", "csv", "--out", "e"},
+                 "--from 0.02 --to 0: is an empty interval: it begins after its end");
+}
+
+TEST_F(RefusedInput, CountsOneThingAsOne) {
+  run();
+  const Outcome checked =
+      quicksand({"check", "small.json", "--set", "method=nscd", "--set", "nscd.sweeps=1", "--set",
+                 "phases[+]={\"type\": \"shear\", "
+                 "\"depths\": [1], \"first_force\": 1, \"grains_per_depth\": 1}"});
+  EXPECT_NE(checked.out.find(" 1 sweep a step in "), std::string::npos)
+      << checked.out << checked.err;
+  EXPECT_NE(checked.out.find(" 1 grain each at depths of "), std::string::npos) << checked.out;
+}
+
 TEST_F(RefusedInput, HelpThatAFullDiskSwallowsIsNotTold) {
   for (const char* words : {" --help", " --version", " run --help"}) {
     const std::string command = std::string(QUICKSAND_PROGRAM) + words;

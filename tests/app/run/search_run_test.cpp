@@ -106,7 +106,7 @@ TEST_F(SearchRun, StandsInItsReport) {
 
 TEST_F(SearchRun, SaysWhatWasNotFoundAndFromWhatItBegan) {
   const std::string none = "No grain was found within 0.5 d of the depth 7 d.";
-  const std::string held = "1 body moved at no force up to 2^20 times first_force.";
+  const std::string held = "No force up to 2^20 times first_force moved 1 body.";
   const Outcome whole = run(kSearchRunScene);
   EXPECT_NE(whole.err.find(none), std::string::npos) << whole.err;
   EXPECT_EQ(whole.err.find(held), std::string::npos) << whole.err;
@@ -125,7 +125,17 @@ TEST_F(SearchRun, SaysWhatWasNotFoundAndFromWhatItBegan) {
             std::string::npos)
       << weak.err;
   ASSERT_EQ(run_program({"report", "out"}, folder_.path()).exit_code, 0);
-  EXPECT_NE(text("report.md").find("1 body moved at no force up to"), std::string::npos);
+  EXPECT_NE(text("report.md").find("times first\\_force moved 1 body"), std::string::npos);
+}
+
+TEST_F(SearchRun, OfTheShippedPullOutBeginsAndHoldsAtRest) {
+  const fs::path scene = kSource / "assets/scenes/pull_out.json";
+  const Outcome pulled = run_program({"run", scene, "--no-frames", "--out", "out"}, folder_.path());
+  ASSERT_EQ(pulled.exit_code, 0) << pulled.err;
+  EXPECT_EQ(pulled.err.find("that move"), std::string::npos) << pulled.err;
+  const Json found = parse_json(text("summary.json"))["critical_forces"][0];
+  EXPECT_EQ(found["undecided"], 0);
+  EXPECT_TRUE(found["force_high"].is_number());
 }
 
 TEST_F(SearchRun, OfADepthThatIsStillToComeNothingIsSaid) {

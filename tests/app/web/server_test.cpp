@@ -49,6 +49,25 @@ TEST(Server, RefusesWrongTokensHostsOriginsAndMethods) {
       << "a name that a page from elsewhere has made point here";
 }
 
+// As `curl -I` asks.
+TEST(Server, TellsTheHeadOfAnAnswerWithoutItsBody) {
+  const SessionServer server;
+  Page page(server);
+  ASSERT_EQ(page.ask({{"command", "save"}, {"file", "state.cbor"}})["ok"], true);
+  for (const char* path : {"/", "/files/state.cbor"}) {
+    const std::string whole = http_get(server.port(), path + kQuery);
+    const std::string head = http_get(server.port(), path + kQuery, {}, "HEAD");
+    EXPECT_TRUE(begins(head, 200)) << head;
+    EXPECT_TRUE(head.ends_with("\r\n\r\n")) << head;
+    const auto length = [](const std::string& answer) {
+      const std::size_t at = answer.find("content-length: ");
+      return at == std::string::npos ? answer : answer.substr(at, answer.find('\r', at) - at);
+    };
+    EXPECT_EQ(length(head), length(whole)) << path;
+  }
+  EXPECT_TRUE(begins(http_get(server.port(), "/", {}, "HEAD"), 401)) << "without the token";
+}
+
 TEST(Server, RefusesWebSocketsAlike) {
   const SessionServer server;
   const auto refusal = [&](const std::string& token, const std::string& headers) -> std::string {

@@ -105,9 +105,9 @@ TEST(ShapedBody, TurningRateIsTheSecondDerivativeOfTheGap) {
   const std::vector<Vec3> velocity{{0.3, 1.1, 0}, {-0.7, 0.2, 0}, {0.4, 0.5, 1.7}, {0, 0, 0}};
   for (const Pair pair : {Pair{0, kCornerBase}, Pair{1, kCornerBase}, Pair{kCornerBase, kWallBase},
                           Pair{kCornerBase + 1, kWallBase}}) {
-    constexpr double kStep = 1e-4;
+    constexpr double kShort = 1e-4;
     const auto gap = [&](double t) { return shaped_contact_after(world, pair, velocity, t).gap; };
-    const double second = (gap(kStep) - 2 * gap(0) + gap(-kStep)) / (kStep * kStep);
+    const double second = (gap(kShort) - 2 * gap(0) + gap(-kShort)) / (kShort * kShort);
     EXPECT_NEAR(shaped_turning_rate(world, pair, velocity), second, tolerance::scaled(1e-5))
         << pair.a << " " << pair.b;
   }
