@@ -68,6 +68,9 @@ class Campaigns(InFolder):
                                 ([{"contact.friction": math.inf}], r"^points\[0\].contact.friction: is inf, must be a finite")):
             with self.assertRaisesRegex(quicksand.InputError, message):
                 quicksand.campaign(SMALL, points=points)
+        for name, value in (("set", math.nan), ("grid", [math.nan])):
+            with self.assertRaisesRegex(quicksand.InputError, rf"^{name}.contact.friction(\[0\])?: is nan, must be"):
+                quicksand.campaign(SMALL, **{name: {"contact.friction": value}})
 
 
 if __name__ == "__main__":

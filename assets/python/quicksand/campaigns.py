@@ -33,8 +33,9 @@ def campaign(scene, grid=None, *, points=None, set=None, realizations=1, name=No
         stem = scene.get("name", "scene") if isinstance(scene, dict) else Path(scene).stem
         name = f"{stem}_campaign"
     out = Path(out if out is not None else Path("out") / name)
-    described = {"name": name, "scene": _scene(scene), "set": set and self_contained(set),
-                 "grid": grid and _self_contained_grid(grid), "list": points and [self_contained(p) for p in points],
+    described = {"name": name, "scene": _scene(scene), "set": set and self_contained(set, "set"),
+                 "grid": grid and _self_contained_grid(grid), "list": points and
+                 [self_contained(point, f"points[{i}]") for i, point in enumerate(points)],
                  "realizations": realizations, "frames": frames}
     with (tempfile.TemporaryDirectory(prefix="quicksand-") as folder,
           file_of_argument(f"{folder}/campaign.json", names={"list": "points"})):
@@ -51,7 +52,7 @@ def campaign(scene, grid=None, *, points=None, set=None, realizations=1, name=No
 
 
 def _self_contained_grid(grid):
-    grid = plain(grid)
+    grid = plain(grid, "grid")
     if "start_from" in grid:
         grid["start_from"] = [path and os.path.abspath(path) for path in grid["start_from"]]
     return grid

@@ -25,9 +25,9 @@ def scene_file(scene, folder) -> str:
     return str(file)
 
 
-def self_contained(scene) -> dict:
-    """The scene as plain JSON; the state that it starts from is found from everywhere."""
-    scene = plain(scene, "scene")
+def self_contained(scene, where="scene") -> dict:
+    """The scene, or values for one, as plain JSON; the state that it starts from is found from everywhere."""
+    scene = plain(scene, where)
     if scene.get("start_from"):
         scene["start_from"] = os.path.abspath(scene["start_from"])
     return scene
