@@ -48,7 +48,7 @@ const Quantity kQuantities[] = {
      [](const Row& r) { return or_none(r.sample.active_bond_fraction); }},
     {"remaining_bond_fraction", "1",
      "active bonds over initial bonds: those that were active when the intruder or piston came, or "
-     "at the start with `initial_bonds`",
+     "at the start with initial_bonds",
      [](const Row& r) { return or_none(r.sample.remaining_bond_fraction); }},
     {"bonds_active", "1", "number of active bonds",
      [](const Row& r) -> Value { return r.sample.bonds_active; }},
