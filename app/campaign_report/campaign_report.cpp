@@ -24,9 +24,11 @@ namespace fs = std::filesystem;
 fs::path file_of(const fs::path& folder) { return folder / "campaign.json"; }
 
 // What is shown where the campaign does not say.
-const ReportPlot kPacking{
-    .label = "share of active bonds, volume fraction",
-    .values = {{"active_bond_fraction", "active bonds"}, {"volume_fraction", "volume fraction"}}};
+std::vector<ReportPlot> of_packing() {
+  return {{.label = "active share", .values = {{"active_bond_fraction", "active share"}}},
+          {.label = "coordination number", .values = {{"coordination", "coordination number"}}},
+          {.label = "volume fraction", .values = {{"volume_fraction", "volume fraction"}}}};
+}
 
 std::string title(const std::string& label, const std::string& unit) {
   const std::string typeset = typeset_unit(unit);
@@ -88,7 +90,7 @@ class Writer {
     points_ = points_of(jobs_, records_);
     paths_ = parameter_paths(campaign_);
     if (campaign_.report.plots.empty() && campaign_.report.histories.empty())
-      campaign_.report.plots.push_back(kPacking);
+      campaign_.report.plots = of_packing();
     choose_axis();
     find_curves();
   }
@@ -293,7 +295,9 @@ class Writer {
       for (const std::string& others : order) {
         Curve curve{.kind = Curve::Kind::line_points};
         for (const auto& [place, found] : curves[others]) add_point(curve, place, found);
-        const bool alone = shown.values.size() == 1 && !others.empty();
+        // The axis has said what a single curve shows.
+        const bool alone =
+            shown.values.size() == 1 && (!others.empty() || shown.references.empty());
         curve.name = alone ? others : label_of(value) + (others.empty() ? "" : ", " + others);
         named.push_back(std::move(curve));
       }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "app/campaign_report/points.h"
@@ -74,6 +75,24 @@ TEST_F(CampaignReportTest, HasTheMeansOfItsRealizationsWithTheirErrors) {
   EXPECT_EQ(history.curves[0].name, "speed 1 √(g d); smooth");
   EXPECT_EQ(std::get<Table>(report.sections[0].blocks[0]).columns[0].title, "speed [√(g d)]");
   EXPECT_EQ(std::get<Table>(report.sections[0].blocks[0]).columns[1].title, "specimen");
+}
+
+TEST_F(CampaignReportTest, ShowsEachNumberOfThePackingOnAnAxisOfItsOwnWhereNothingIsChosen) {
+  folder_.write("dropping.json",
+                R"({"scene": "dropped.json", "grid": {"phases[1].speed": [1, 2]}})");
+  compute();
+  double seconds = 0;
+  const Report report = campaign_report(at("out"), seconds);
+  const auto& blocks = report.sections[0].blocks;
+  ASSERT_EQ(blocks.size(), 4U) << "a table and three plots";
+  const std::array labels{"active share", "coordination number", "volume fraction"};
+  for (std::size_t k = 0; k < labels.size(); ++k) {
+    const auto& plot = std::get<Figure>(blocks[k + 1]).plot;
+    EXPECT_EQ(plot.y.label, labels[k]);
+    ASSERT_EQ(plot.curves.size(), 1U);
+    EXPECT_EQ(plot.curves[0].name, "") << "the axis says it";
+    EXPECT_EQ(std::get<Table>(blocks[0]).columns[k + 2].title, labels[k]);
+  }
 }
 
 TEST_F(CampaignReportTest, SaysOfHowManyRunsAMeanIsThatSomeLack) {

@@ -235,7 +235,8 @@ TEST(Override, SaysWhatIsWrongWithAnAppendedEntry) {
   EXPECT_EQ(refusal("phases[0=1"), "--set phases[0: has a \"[\" without its \"]\"");
   EXPECT_EQ(refusal("phases[0]x=1"),
             "--set phases[0]x: lacks a \".\" or \"[\" after \"phases[0]\"");
-  EXPECT_EQ(refusal("steps[0][1]=1"), "--set steps[0][1]: \"steps[0]\" is an empty object, not a list");
+  EXPECT_EQ(refusal("steps[0][1]=1"),
+            "--set steps[0][1]: \"steps[0]\" is an empty object, not a list");
   EXPECT_EQ(
       refusal("phases[-]={}"),
       "--set phases[-]: \"[-]\" is not the number of a list entry, nor [+], which appends one");
