@@ -98,14 +98,15 @@ class Shear : public PaperExperiment {
                             {"not at rest at the lower end", true},
                             {"never moved", true}}};
     for (const auto& [name, strength] : all)
-      table.rows.push_back(
-          {{.text = name},
-           {.text = line_text(strength->against_depth, &Line::slope, &Line::slope_error)},
-           {.text = line_text(strength->against_depth, &Line::intercept, &Line::intercept_error)},
-           {.text = line_text(strength->against_weight, &Line::slope, &Line::slope_error)},
-           {.text = std::to_string(strength->grains)},
-           {.text = std::to_string(strength->unbracketed)},
-           {.text = std::to_string(strength->never_moved)}});
+      if (strength->grains > 0)
+        table.rows.push_back(
+            {{.text = name},
+             {.text = line_text(strength->against_depth, &Line::slope, &Line::slope_error)},
+             {.text = line_text(strength->against_depth, &Line::intercept, &Line::intercept_error)},
+             {.text = line_text(strength->against_weight, &Line::slope, &Line::slope_error)},
+             {.text = std::to_string(strength->grains)},
+             {.text = std::to_string(strength->unbracketed)},
+             {.text = std::to_string(strength->never_moved)}});
     return table;
   }
 
