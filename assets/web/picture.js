@@ -122,7 +122,7 @@ export class Picture {
 
   // What is drawn besides the colours of the grains, each with the class of its sign and what it means.
   drawn(camera) {
-    const {palette, intruders, bonds, broken, force_scale, disks} = this.frame;
+    const {palette, intruders, bonds, broken, force_scale, disks, shapes, applied} = this.frame;
     if (!disks) return [];
     const force = force_scale ? `${short(force_scale)} F_g` : "";
     return [
@@ -130,6 +130,8 @@ export class Picture {
       bonds.length ? ["line", force ? palette.faint_ink : palette.ink, "active bond"] : null,
       force ? ["line", palette.compressive, `compression, 0.4 d wide: ${force}`] : null,
       force ? ["line", palette.tensile, "tension"] : null,
+      shapes?.length ? ["arrow", palette.ink, "reaction on the intruder"]
+        : applied?.length ? ["arrow", palette.ink, "applied force"] : null,
       broken.length && draws_bars(camera) ? ["bar", palette.broken, "broken bond, still near"] : null,
       shows_sides(this.frame, camera) ? ["side", palette.faint_ink, "periodic side, pale images"] : null,
     ].filter(Boolean);

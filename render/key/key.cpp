@@ -52,9 +52,9 @@ void add_colours(Legend& key, const KeyContent& content, bool all) {
 
 bool has_gravity(const World& world) { return world.gravity && world.gravity->norm() > 0; }
 
-Legend::Word arrow_word(const Font& font, const Vec2& along, Colour ink) {
+Legend::Word arrow_word(const Font& font, const std::string& label, const Vec2& along, Colour ink) {
   const double half = 0.6 * font.size();
-  return labelled(font, 2 * half, italic("g"), ink, [=](DrawList& list, const Vec2& at) {
+  return labelled(font, 2 * half, label, ink, [=](DrawList& list, const Vec2& at) {
     const Vec2 centre = at + Vec2(half, 0);
     const Vec2 tip = centre + half * along;
     list.line(centre - half * along, tip, 1.5, ink, true);
@@ -76,7 +76,7 @@ void add_gravity(Legend& key, const KeyContent& content) {
   const Colour ink = palette(view.theme).ink;
   const std::string none = italic("g") + " = 0";
   Legend::Word word = has_gravity(content.world)
-                          ? arrow_word(font, unusual.value_or(Vec2(0, 1)), ink)
+                          ? arrow_word(font, italic("g"), unusual.value_or(Vec2(0, 1)), ink)
                           : text_word(font, none, ink);
   // Panels with and without gravity have equal rooms.
   if (always) word.width = std::max(word.width, font.width(none));
@@ -137,12 +137,23 @@ void add_lines(Legend& key, const KeyContent& content, double scale, bool all) {
                              width, colours.broken, true);
                  }));
   }
+  // Of a disk what pushes it, of a body of several parts what it meets with.
+  if (view.names_reaction || !content.world.shapes.empty())
+    group.words.push_back(arrow_word(font, "reaction on the intruder", {0, -1}, colours.ink));
+  if (view.names_applied_force || is_pushed(content.world) ||
+      (all && view.expects_intruder && content.world.shapes.empty()))
+    group.words.push_back(arrow_word(font, "applied force", {0, 1}, colours.ink));
   if (content.world.box.sides == Sides::periodic && (all || content.sides_in_sight))
     group.words.push_back(periodic_word(font, view.theme));
   key.add(std::move(group));
 }
 
 }  // namespace
+
+bool is_pushed(const World& world) {
+  return std::ranges::any_of(world.disks.applied,
+                             [](const Vec3& force) { return !force.head<2>().isZero(0); });
+}
 
 std::optional<Vec2> unusual_gravity(const World& world) {
   if (!has_gravity(world)) return {};

@@ -72,6 +72,10 @@ PanelsOverKey compose_side_by_side(std::span<const SideBySide> panels, const Fon
   of_key.expects_intruder = std::ranges::any_of(panels, [](const SideBySide& panel) {
     return panel.view.expects_intruder || panel.world.intruder() >= 0;
   });
+  of_key.names_applied_force =
+      std::ranges::any_of(panels, [](const SideBySide& panel) { return is_pushed(panel.world); });
+  of_key.names_reaction = std::ranges::any_of(
+      panels, [](const SideBySide& panel) { return !panel.world.shapes.empty(); });
   View of_panel = of_key;
   of_key.numbers = false;
   of_panel.legend = of_panel.scale_bar = of_panel.detail = false;
