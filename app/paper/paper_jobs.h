@@ -84,7 +84,7 @@ struct PistonLoad {
   // through all of a high specimen, in which no step converges. [sqrt(d/g) for each d of height]
   double ramp = 0.1;
   double mass = 2000;  // on the paper's width, shared as the force is [grain masses]
-  // Engaged: it is taken away as soon as the disks fill this share of the box below it. [1]
+  // Engaged: it is taken away as soon as the bodies fill this share of the room between it and the floor. [1]
   std::optional<double> volume_fraction = {};
 };
 

@@ -47,8 +47,8 @@ std::string validation_failures(const ProtocolState& state, double present_overl
         number_text(bounds.max_overlap) + " d that are accepted");
   if (!(state.worst_bond_gap <= bounds.max_overlap))
     add("a bond was left open by " + number_text(state.worst_bond_gap) +
-        " d more than its range, as pairs turn too far in a step (step.max_turn halves such "
-        "steps)");
+        " d beyond its range, more than the " + number_text(bounds.max_overlap) +
+        " d that are accepted (step.max_turn shortens steps in which pairs turn far)");
   // Exact contacts only dissipate. Collapses and pistons gain up to 1e-4 of it by overlaps that are pushed out, a bonded
   // pair that begins to turn by 0.5 rad a step 0.05 of its own; the least is what rounding does to bodies at rest.
   constexpr double kMostGained = 0.05, kLeast = 1e-6;  // [1], [F_g d]

@@ -298,8 +298,8 @@ std::vector<std::string> run_warnings(const RunResults& run) {
     const double opened = number_or(run, "worst_bond_gap", 0);
     if (opened > StrictBounds{}.max_overlap) {
       warnings.push_back("Bonds were left open by up to " + typeset(opened, 2) +
-                         " d more than their range, as pairs turn too far in a step; "
-                         "step.max_turn halves such steps.");
+                         " d beyond their range; step.max_turn shortens steps in which pairs "
+                         "turn far.");
     }
   }
   std::ranges::move(search_warnings(summary, summary.value("phases_finished", 0)),

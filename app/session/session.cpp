@@ -166,6 +166,8 @@ void Session::take_scene_into_view() {
   view.physical = of_scene.physical;
   view.method = of_scene.method;
   view.expects_intruder = of_scene.expects_intruder;
+  view.names_reaction = of_scene.names_reaction;
+  view.names_applied_force = of_scene.names_applied_force;
 }
 
 bool Session::set(const std::string& path, const Json& value) {

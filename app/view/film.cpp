@@ -27,6 +27,10 @@ View view_of(const Scenario& scenario, View view) {
                           std::ranges::any_of(scenario.disks, [](const Disk& disk) {
                             return disk.role == DiskRole::intruder;
                           });
+  view.names_reaction = std::ranges::any_of(scenario.phases, brings_shaped_intruder);
+  view.names_applied_force = std::ranges::any_of(scenario.phases, [](const Phase& phase) {
+    return std::holds_alternative<PushPhase>(phase.kind);
+  });
   view.method =
       scenario.step.nscd ? "NSCD, " + count_text(scenario.step.nscd->sweeps, "sweep") : "";
   return view;

@@ -122,18 +122,20 @@ export class Picture {
 
   // What is drawn besides the colours of the grains, each with the class of its sign and what it means.
   drawn(camera) {
-    const {palette, intruders, bonds, broken, force_scale, disks, shapes, applied} = this.frame;
+    const {palette, intruders, bonds, broken, force_scale, disks, applied, shapes = []} = this.frame;
     if (!disks) return [];
+    // Smaller bodies show no arrow.
+    const arrowed = (reach) => reach * camera.scale >= 7;
     const force = force_scale ? `${short(force_scale)} F_g` : "";
     return [
       intruders.length ? ["", palette.intruder, "intruder"] : null,
       bonds.length ? ["line", force ? palette.faint_ink : palette.ink, "active bond"] : null,
       force ? ["line", palette.compressive, `compression, 0.4 d wide: ${force}`] : null,
       force ? ["line", palette.tensile, "tension"] : null,
-      shapes?.length ? ["arrow", palette.ink, "reaction on the intruder"]
-        : applied?.length ? ["arrow", palette.ink, "applied force"] : null,
       broken.length && draws_bars(camera) ? ["bar", palette.broken, "broken bond, still near"] : null,
       shows_sides(this.frame, camera) ? ["side", palette.faint_ink, "periodic side, pale images"] : null,
+      shapes.some(({reach, force}) => arrowed(reach) && Math.hypot(...force) > 0) ? ["arrow up", palette.ink, "reaction on the intruder"] : null,
+      applied.some(([k]) => arrowed(disks[3 * k + 2]) && !shapes.some(({body}) => body === k)) ? ["arrow", palette.ink, "applied force"] : null,
     ].filter(Boolean);
   }
 

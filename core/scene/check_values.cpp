@@ -60,11 +60,19 @@ void check_values(const Scenario& scenario) {
   check_law("intruder_contact", scenario.intruder_law);
   for (std::size_t k = 0; k < scenario.disks.size(); ++k)
     check_body("bodies[" + std::to_string(k) + "]", scenario.disks[k]);
+  for (std::size_t k = 0; k < scenario.disk_forces.size(); ++k)
+    finite("bodies[" + std::to_string(k) + "].force", scenario.disk_forces[k]);
+  if (scenario.drag) {
+    not_negative("drag.linear", scenario.drag->linear);
+    not_negative("drag.quadratic", scenario.drag->quadratic);
+  }
   for (std::size_t k = 0; k < scenario.walls.size(); ++k) {
     const std::string path = "walls[" + std::to_string(k) + "]";
     finite(path + ".point", scenario.walls[k].point);
     finite(path + ".velocity", scenario.walls[k].velocity);
     not_negative(path + ".mass", scenario.walls[k].mass);
+    finite(path + ".normal", scenario.walls[k].normal);
+    finite(path + ".force", Eigen::Matrix<double, 1, 1>(scenario.walls[k].force));
   }
   for (std::size_t k = 0; k < scenario.phases.size(); ++k) {
     const std::string path = "phases[" + std::to_string(k) + "]";

@@ -82,7 +82,7 @@ struct View {
   // Whether an intruder comes sooner or later: the legend then has its words from the beginning, and nothing in it moves
   // when it comes.
   bool expects_intruder = false;
-  // Arrows that the legend names though this world has none: another panel does.
+  // Arrows that the legend names whether this world has any or not: another panel has, or they come.
   bool names_applied_force = false, names_reaction = false;
   GravityWord gravity = GravityWord::unless_down;
   // The time-stepping scheme, where pictures must name it; empty: the exact one.

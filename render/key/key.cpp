@@ -8,6 +8,7 @@
 #include "render/key/scale_bar.h"
 #include "render/layers/network.h"
 #include "render/layers/packing.h"
+#include "render/layers/shapes.h"
 
 namespace quicksand {
 namespace {
@@ -137,23 +138,17 @@ void add_lines(Legend& key, const KeyContent& content, double scale, bool all) {
                              width, colours.broken, true);
                  }));
   }
-  // Of a disk what pushes it, of a body of several parts what it meets with.
-  if (view.names_reaction || !content.world.shapes.empty())
-    group.words.push_back(arrow_word(font, "reaction on the intruder", {0, -1}, colours.ink));
-  if (view.names_applied_force || is_pushed(content.world) ||
-      (all && view.expects_intruder && content.world.shapes.empty()))
-    group.words.push_back(arrow_word(font, "applied force", {0, 1}, colours.ink));
   if (content.world.box.sides == Sides::periodic && (all || content.sides_in_sight))
     group.words.push_back(periodic_word(font, view.theme));
+  // Of a disk what pushes it, of a body of several parts what it meets with.
+  if (view.names_reaction || shows_reaction(content.world, scale))
+    group.words.push_back(arrow_word(font, "reaction on the intruder", {0, -1}, colours.ink));
+  if (view.names_applied_force || shows_applied_force(content.world, scale))
+    group.words.push_back(arrow_word(font, "applied force", {0, 1}, colours.ink));
   key.add(std::move(group));
 }
 
 }  // namespace
-
-bool is_pushed(const World& world) {
-  return std::ranges::any_of(world.disks.applied,
-                             [](const Vec3& force) { return !force.head<2>().isZero(0); });
-}
 
 std::optional<Vec2> unusual_gravity(const World& world) {
   if (!has_gravity(world)) return {};

@@ -25,8 +25,6 @@ struct KeyContent {
   bool sides_in_sight = false;  // of a periodic box
   bool close_up = false;        // whether the scale is that of a close-up
 };
-// Whether a force is applied to any disk, which an arrow in it shows.
-bool is_pushed(const World& world);
 // Where gravity points in a picture, whose y points down; empty where that is down, or there is none.
 std::optional<Vec2> unusual_gravity(const World& world);
 

@@ -18,7 +18,7 @@ double outline_width(double radius) {
 // The applied force on a disk, as an arrow inside it.
 void draw_applied_force(DrawList& list, const Vec2& centre, double radius, const Vec3& force,
                         Colour colour) {
-  if (radius < 7 || force.head<2>().norm() == 0) return;
+  if (radius < kLeastArrowed || force.head<2>().norm() == 0) return;
   const Vec2 along = Vec2(force.x(), -force.y()).normalized();
   const Vec2 across = perpendicular(along);
   const double width = std::max(1.2, 0.13 * radius);
@@ -68,6 +68,16 @@ bool visible_surface(const World& world, const Wall& wall, const WorldRect& wind
 }
 
 }  // namespace
+
+bool shows_applied_force(const World& world, double pixels_per_diameter) {
+  for (int i = 0; i < world.disks.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (!world.disks.applied[k].head<2>().isZero(0) && !world.shapes.find(i) &&
+        world.disks.radius[k] * pixels_per_diameter >= kLeastArrowed)
+      return true;
+  }
+  return false;
+}
 
 double hatch_depth(double text_size) { return std::round(0.55 * text_size); }
 

@@ -12,6 +12,10 @@ double hatch_depth(double text_size);
 
 void draw_disks(DrawList& list, const World& world, const View& view, const ColouredGrains& grains,
                 const Panel& panel);
+// Bodies with a smaller radius, or reach from their centre, show no arrow [px].
+constexpr double kLeastArrowed = 7;
+// Whether there is a disk with an arrow of the force that is applied to it.
+bool shows_applied_force(const World& world, double pixels_per_diameter);
 // Surfaces of walls with hatching behind, pistons as plates.
 void draw_walls(DrawList& list, const World& world, const View& view, const Panel& panel,
                 double text_size);

@@ -8,6 +8,7 @@
 
 #include "core/world/reaction.h"
 #include "render/base/palette.h"
+#include "render/layers/packing.h"
 
 namespace quicksand {
 namespace {
@@ -55,7 +56,7 @@ void draw_part(DrawList& list, std::span<const Vec2> corners, double radius, con
 // background sets it off from the body.
 void draw_reaction(DrawList& list, const Vec2& centre, double reach, const Vec2& force,
                    Colour colour, Colour rim) {
-  if (force.norm() == 0 || reach < 7) return;
+  if (force.norm() == 0 || reach < kLeastArrowed) return;
   const Vec2 along = Vec2(force.x(), -force.y()).normalized();
   const Vec2 across = perpendicular(along);
   const double width = std::clamp(0.05 * reach, 1.2, 4.0), length = 0.8 * reach;
@@ -70,6 +71,13 @@ void draw_reaction(DrawList& list, const Vec2& centre, double reach, const Vec2&
 }
 
 }  // namespace
+
+bool shows_reaction(const World& world, double pixels_per_diameter) {
+  return std::ranges::any_of(world.shapes.bodies, [&](const ShapedBody& shaped) {
+    return shaped.reach() * pixels_per_diameter >= kLeastArrowed &&
+           reaction_on(world, shaped.body).force.norm() > 0;
+  });
+}
 
 void draw_shapes(DrawList& list, const World& world, const View& view, const Panel& panel) {
   const Palette& colours = palette(view.theme);

@@ -7,6 +7,8 @@
 
 namespace quicksand {
 
+// Whether any is large enough for the arrow of a force that it meets with.
+bool shows_reaction(const World& world, double pixels_per_diameter);
 void draw_shapes(DrawList& list, const World& world, const View& view, const Panel& panel);
 
 }  // namespace quicksand

@@ -1,11 +1,14 @@
 #include "render/picture/side_by_side.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
 
 #include "render/key/key.h"
 #include "render/layers/common_scales.h"
+#include "render/layers/packing.h"
+#include "render/layers/shapes.h"
 
 namespace quicksand {
 
@@ -50,10 +53,15 @@ bool have_one_unit(std::span<const SideBySide> panels) {
 }
 
 bool have_one_gravity(std::span<const SideBySide> panels) {
-  const std::optional<Vec2> first = unusual_gravity(panels.front().world);
+  const auto has_any = [](const World& world) {
+    return world.gravity && world.gravity->norm() > 0;
+  };
+  const World& one = panels.front().world;
+  const std::optional<Vec2> first = unusual_gravity(one);
   return std::ranges::all_of(panels, [&](const SideBySide& panel) {
     const std::optional<Vec2> own = unusual_gravity(panel.world);
-    return own.has_value() == first.has_value() && (!own || (*own - *first).norm() <= kSame);
+    return has_any(panel.world) == has_any(one) && own.has_value() == first.has_value() &&
+           (!own || (*own - *first).norm() <= kSame);
   });
 }
 
@@ -72,10 +80,15 @@ PanelsOverKey compose_side_by_side(std::span<const SideBySide> panels, const Fon
   of_key.expects_intruder = std::ranges::any_of(panels, [](const SideBySide& panel) {
     return panel.view.expects_intruder || panel.world.intruder() >= 0;
   });
-  of_key.names_applied_force =
-      std::ranges::any_of(panels, [](const SideBySide& panel) { return is_pushed(panel.world); });
-  of_key.names_reaction = std::ranges::any_of(
-      panels, [](const SideBySide& panel) { return !panel.world.shapes.empty(); });
+  const auto name_arrows = [&](const auto& scale_of_panel) {
+    of_key.names_applied_force = of_key.names_reaction = false;
+    for (std::size_t k = 0; k < panels.size(); ++k) {
+      of_key.names_applied_force |= shows_applied_force(panels[k].world, scale_of_panel(k));
+      of_key.names_reaction |= shows_reaction(panels[k].world, scale_of_panel(k));
+    }
+  };
+  // Room for all that may be named, as long as no panel has its scale.
+  name_arrows([](std::size_t) { return std::numeric_limits<double>::infinity(); });
   View of_panel = of_key;
   of_key.numbers = false;
   of_panel.legend = of_panel.scale_bar = of_panel.detail = false;
@@ -108,6 +121,7 @@ PanelsOverKey compose_side_by_side(std::span<const SideBySide> panels, const Fon
     }
     of_key.force_scale = force_per_scale * scales.largest;
   }
+  name_arrows([&](std::size_t k) { return scale_of(frames[k]); });
   // The largest scale: bars of broken bonds are named where any panel has them.
   return {std::move(frames), compose_key(world, of_key, font, scales.largest)};
 }

@@ -42,6 +42,12 @@ class Campaigns(InFolder):
             result = quicksand.campaign(later, name="_".join(given), quiet=True, **given)
             self.assertEqual(list(result["status"]), ["finished"])
 
+    def test_refuse_what_is_no_path_or_no_values(self):
+        for given in ({"points": [5]}, {"set": [1]}, {"points": [{"start_from": 3}]}, {"grid": {"start_from": [3]}},
+                      {"grid": {"start_from": "state.cbor"}}):
+            with self.subTest(given), self.assertRaises(quicksand.InputError):
+                quicksand.campaign(SMALL, name="refused", quiet=True, **given)
+
     def test_compute_only_what_is_new(self):
         first = quicksand.campaign(SMALL, realizations=1)
         more = quicksand.campaign(SMALL, realizations=2)

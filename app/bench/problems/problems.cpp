@@ -23,17 +23,21 @@ namespace fs = std::filesystem;
 constexpr const char* kOfRun = ": ";   // between the folder of a run and a part of its phases
 constexpr double kLeastShown = 1e-12;  // error; a smaller one is rounding of the reference [g dt]
 
-// Where no folder is named: the paper's push in a box of a third of its height, and its piston in one of a third of its width,
-// too, whose force per width is that of the full box.
+// Where no folder is named: the paper's push in a box of a third of its height, and the shipped scene of a piston in one of
+// that height and a third of the width, with the paper's force per width. What is there already is not recorded again.
 void record_standard(const Options& options, const fs::path& folder) {
   const auto record = [&](const char* run, const char* scene, std::vector<std::string> overrides) {
     const std::string height = options.quick ? "30" : "66";
     overrides.push_back("box.height=" + height);
     overrides.push_back("phases[0].height=" + height);
-    record_problems({.scene = {.file = shipped_scene(scene), .overrides = overrides, .seed = {}},
-                     .out = folder / run,
-                     .count = options.quick ? 12 : 100,
-                     .progress = options.progress});
+    if (!problems_in(folder / run).empty()) return;
+    const Recording recording = record_problems(
+        {.scene = {.file = shipped_scene(scene), .overrides = overrides, .seed = {}},
+         .out = folder / run,
+         .count = options.quick ? 12 : 100,
+         .progress = options.progress});
+    // A part of a run would pass for all of it the next time.
+    if (recording.interrupted) fs::remove_all(folder / run);
     stop_if_interrupted();
   };
   record("push", "paper_intruder",
@@ -154,7 +158,7 @@ std::vector<Task> problem_tasks(const Options& options) {
   // Before anything is measured: a file that is no problem is the user's error.
   const auto problems = std::make_shared<std::vector<Recorded>>(read_half(folder, options));
   tasks.push_back({"recorded problems", [options, folder, problems](std::vector<Row>& rows) {
-                     if (problems_in(folder).empty()) {
+                     if (options.problems.empty()) {
                        record_standard(options, folder);
                        *problems = read_half(folder, options);
                      }
@@ -164,7 +168,7 @@ std::vector<Task> problem_tasks(const Options& options) {
 }
 
 void report_problems(std::span<const Row> rows, const Options& options, Section& section) {
-  // In the order of the files, which is that of the run.
+  // In the order of the files, which is that of each run.
   std::vector<std::pair<std::string, std::vector<const Row*>>> groups;
   std::vector<const Row*> all;
   for (const Row& row : rows) {

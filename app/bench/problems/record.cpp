@@ -16,6 +16,8 @@ namespace quicksand::bench {
 
 namespace {
 
+constexpr const char* kProblem = ".problem";
+
 // Keeps every stride-th problem of a phase; the stride doubles whenever there are twice as many as wanted.
 class Sample {
  public:
@@ -67,7 +69,7 @@ int write_phase(Sample& sample, const std::string& phase, const RecordRequest& r
       std::fprintf(stderr, "reference %zu of %zu: %s\n", k + 1, problems.size(),
                    problem.group.c_str());
     problem.reference = solve_tightly(problem.step);
-    std::string file = phase + format("_%03zu.problem", k);
+    std::string file = phase + format("_%03zu", k) + kProblem;
     std::ranges::replace(file, ' ', '_');
     write_problem(problem, request.out / file);
   }
@@ -80,13 +82,17 @@ std::vector<std::filesystem::path> problems_in(const std::filesystem::path& fold
   std::vector<std::filesystem::path> files;
   if (std::filesystem::is_directory(folder))
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
-      if (entry.path().extension() == ".problem") files.push_back(entry.path());
+      if (entry.path().extension() == kProblem) files.push_back(entry.path());
   std::ranges::sort(files);
   return files;
 }
 
 Recording record_problems(const RecordRequest& request) {
-  if (!problems_in(request.out).empty())
+  const auto holds_problem = [](const std::filesystem::directory_entry& entry) {
+    return entry.path().extension() == kProblem;
+  };
+  if (std::filesystem::is_directory(request.out) &&
+      std::ranges::any_of(std::filesystem::directory_iterator(request.out), holds_problem))
     throw InputError(request.out.string(),
                      "holds recorded problems already; choose another folder with --out");
   make_writable({.path = request.out});

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from .errors import file_of_argument
 from .program import call, option_words, plain, units
-from .runs import Run, self_contained
+from .runs import Run, found_from_everywhere, self_contained
 from .table import Table
 
 _FAILED = 1  # exit code: some runs failed
@@ -53,8 +53,8 @@ def campaign(scene, grid=None, *, points=None, set=None, realizations=1, name=No
 
 def _self_contained_grid(grid):
     grid = plain(grid, "grid")
-    if "start_from" in grid:
-        grid["start_from"] = [path and os.path.abspath(path) for path in grid["start_from"]]
+    if isinstance(grid, dict) and isinstance(grid.get("start_from"), list):
+        grid["start_from"] = [found_from_everywhere(path) for path in grid["start_from"]]
     return grid
 
 

@@ -28,9 +28,14 @@ def scene_file(scene, folder) -> str:
 def self_contained(scene, where="scene") -> dict:
     """The scene, or values for one, as plain JSON; the state that it starts from is found from everywhere."""
     scene = plain(scene, where)
-    if scene.get("start_from"):
-        scene["start_from"] = os.path.abspath(scene["start_from"])
+    if isinstance(scene, dict) and "start_from" in scene:
+        scene["start_from"] = found_from_everywhere(scene["start_from"])
     return scene
+
+
+def found_from_everywhere(path):
+    """A path, absolute; what is none the program refuses."""
+    return os.path.abspath(path) if path and isinstance(path, str) else path
 
 
 def run(scene, set=None, *, seed=None, out=None, overwrite=False, resume=False, quiet=False, program=None,

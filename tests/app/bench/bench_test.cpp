@@ -207,12 +207,15 @@ TEST(Benchmark, RunsInFoldersOfTheirOwnHaveGroupsAndAPlotOfTheirOwn) {
     request.scene.file = kSource / "assets/scenes/chain.json";
     bench::record_problems(request);
   }
+  bench::RecordRequest above{.out = folder.path() / "kept", .count = 3};
+  above.scene.file = kSource / "assets/scenes/chain.json";
+  EXPECT_NO_THROW(bench::record_problems(above)) << "none of its own are there";
   const Outcome solved =
       run_bench({"problems", "--problems", "kept", "--out", "results"}, folder.path());
   ASSERT_EQ(solved.exit_code, 0) << solved.err;
   const std::string report = contents(folder.path() / "results/report.md");
   for (const char* text : {"one: 1 settle", "two: 1 settle", "plots/recorded_problems.png",
-                           "plots/recorded_problems_2.png"})
+                           "plots/recorded_problems_3.png"})
     EXPECT_NE(report.find(text), std::string::npos) << text;
 }
 

@@ -267,6 +267,16 @@ TEST_F(ResumeTest, StrictRunsPassValidationWithinTheirBoundOnly) {
   EXPECT_EQ(quicksand({"resume", "out/small", "--max-overlap", "0"}).exit_code, 2);
 }
 
+TEST(Validation, FailsOnBondsThatStoodOpen) {
+  ProtocolState state{.worst_bond_gap = 0.009};
+  EXPECT_EQ(validation_failures(state, 0, {}), "");
+  state.worst_bond_gap = 0.011;
+  EXPECT_NE(validation_failures(state, 0, {})
+                .find("a bond was left open by 0.011 d beyond its "
+                      "range, more than the 0.01 d"),
+            std::string::npos);
+}
+
 TEST(Validation, FailsOnEnergyThatStepsGained) {
   ProtocolState state{.external_work = -200, .energy_dissipated = 800, .energy_gained = 49};
   EXPECT_EQ(validation_failures(state, 0, {}), "");

@@ -235,6 +235,7 @@ def compared(browser, window, view):
     browser.run(f"quicksand.picture.look({window})")
     browser.wait("!quicksand.frame().fitted && !quicksand.picture.looking")
     browser.wait(f"quicksand.frame().theme === '{view['theme']}'")
+    browser.wait(f"Boolean(quicksand.frame().force_scale) === {str(view.get('forces', False)).lower()}")
     browser.wait("quicksand.picture.canvas.width === document.getElementById('view').clientWidth", what="the new size")
     settle(browser)
     size = browser.run("return quicksand.picture.size()")

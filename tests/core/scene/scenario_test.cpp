@@ -52,6 +52,8 @@ TEST(Validation, RefusesNumbersThatNoStepCanBeTakenWith) {
   EXPECT_EQ(of([](Scenario& s) { s.disks[0].radius = 0; }), "bodies[0].radius");
   EXPECT_EQ(of([&](Scenario& s) { s.disks[0].velocity.x() = kNan; }), "bodies[0].velocity");
   EXPECT_EQ(of([](Scenario& s) { s.phases[0].dt = 0; }), "phases[0].dt");
+  EXPECT_EQ(of([&](Scenario& s) { s.disk_forces = {{kNan, 0, 0}}; }), "bodies[0].force");
+  EXPECT_EQ(of([](Scenario& s) { s.drag = Drag{.linear = -5}; }), "drag.linear");
 }
 
 TEST(Validation, RefusesOverlappingBodiesAndSaysByHowMuch) {

@@ -94,9 +94,23 @@ TEST(Frame, TheLegendDoesNotMoveWhenAnIntruderComesThatIsExpected) {
     if (wide) {
       EXPECT_NE(bar(worlds::arch(), view), with);
     }
-    view.expects_intruder = true;
+    view.expects_intruder = view.names_applied_force = true;
     EXPECT_EQ(bar(worlds::arch(), view), with);
   }
+}
+
+// Those that are too small to be seen have no word either.
+TEST(Frame, TheLegendNamesTheArrowsThatAreDrawn) {
+  World world = worlds::arch();
+  const auto words = [&](int height) {
+    const View view{.width = 900, .height = height, .text_size = 12};
+    return compose(world, view, font()).list.segments().size();
+  };
+  constexpr int kArrow = 3;  // lines
+  const std::size_t large = words(700), small = words(110);
+  world.disks.applied[3] = Vec3(0, -5, 0);
+  EXPECT_EQ(words(700), large + 2 * kArrow) << "in the disk and in the legend";
+  EXPECT_EQ(words(110), small);
 }
 
 TEST(Frame, AForceOnAGrainIsAnArrowInIt) {
