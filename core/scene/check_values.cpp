@@ -12,22 +12,21 @@ void refuse(const std::string& path, double x, const char* demand) {
   throw InputError(path, "is " + message_number(x) + "; " + demand);
 }
 
-void positive(const std::string& path, double x) {
-  if (!(x > 0) || !std::isfinite(x)) refuse(path, x, "must be positive and finite");
-}
-
 void positive(const std::string& path, const std::optional<double>& x) {
-  if (x) positive(path, *x);
+  if (x && (!(*x > 0) || !std::isfinite(*x))) refuse(path, *x, "must be positive and finite");
 }
 
 void not_negative(const std::string& path, const std::optional<double>& x) {
   if (x && (!(*x >= 0) || !std::isfinite(*x))) refuse(path, *x, "must be finite and at least 0");
 }
 
+void finite(const std::string& path, double x) {
+  if (!std::isfinite(x)) refuse(path, x, "must be finite");
+}
+
 template <int n>
 void finite(const std::string& path, const Eigen::Matrix<double, n, 1>& x) {
-  for (const double component : x)
-    if (!std::isfinite(component)) refuse(path, component, "must be finite");
+  for (const double component : x) finite(path, component);
 }
 
 void check_law(const std::string& path, const std::optional<ContactLaw>& law) {
@@ -43,7 +42,7 @@ void check_body(const std::string& path, const Disk& disk) {
   positive(path + ".density", disk.density);
   finite(path + ".position", disk.position);
   finite(path + ".velocity", disk.velocity);
-  finite(path + ".spin", Eigen::Matrix<double, 1, 1>(disk.spin));
+  finite(path + ".spin", disk.spin);
 }
 
 }  // namespace
@@ -72,7 +71,7 @@ void check_values(const Scenario& scenario) {
     finite(path + ".velocity", scenario.walls[k].velocity);
     not_negative(path + ".mass", scenario.walls[k].mass);
     finite(path + ".normal", scenario.walls[k].normal);
-    finite(path + ".force", Eigen::Matrix<double, 1, 1>(scenario.walls[k].force));
+    finite(path + ".force", scenario.walls[k].force);
   }
   for (std::size_t k = 0; k < scenario.phases.size(); ++k) {
     const std::string path = "phases[" + std::to_string(k) + "]";

@@ -171,14 +171,8 @@ int add_missed_contacts(const World& world, const std::vector<Pair>& candidates,
     Contact contact{.pair = pair};
     contact.gap = world.gap(pair, &contact.normal);
     if (contact.gap + tolerance > path) continue;
-    double after = 0;
-    if (is_wall(pair.b)) {
-      after = contact.gap + dt * contact.normal.dot(u.head<2>());
-    } else {
-      const Vec2 s = world.separation(pair.a, pair.b);
-      after = (s + dt * u.head<2>()).norm() - (s.norm() - contact.gap);
-    }
-    if (after < -tolerance && world.movable(pair)) missed.push_back(contact);
+    if (world.gap_after(pair, velocity, dt) < -tolerance && world.movable(pair))
+      missed.push_back(contact);
   }
   const auto first_missed = contacts.insert(contacts.end(), missed.begin(), missed.end());
   std::ranges::inplace_merge(contacts, first_missed, {}, &Contact::pair);

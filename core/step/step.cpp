@@ -152,9 +152,9 @@ void Stepper::update_bonds(World& world, const StepSettings& step, StepReport& r
     }
     const Vec3& va = s.state.velocity[row.a];
     const Vec3& vb = s.state.velocity[row.b];
-    double gap = step.dt * (row.offset.x() + relative_velocity(row, va, vb).x());
-    if (step.break_rule == FailureCriterion::geometric && (is_shaped(pair) || !is_wall(pair.b)))
-      gap = world.gap_after(pair, s.state.velocity, step.dt);
+    const double gap = step.break_rule == FailureCriterion::geometric
+                           ? world.gap_after(pair, s.state.velocity, step.dt)
+                           : step.dt * (row.offset.x() + relative_velocity(row, va, vb).x());
     const bool by_energy = std::ranges::binary_search(s.breaks, pair, {}, &BondBreak::pair);
     if (!by_energy && gap <= world.law(pair).cohesion_range) continue;
     tear(*known);

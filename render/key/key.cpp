@@ -51,8 +51,6 @@ void add_colours(Legend& key, const KeyContent& content, bool all) {
   key.add(std::move(group));
 }
 
-bool has_gravity(const World& world) { return world.gravity && world.gravity->norm() > 0; }
-
 Legend::Word arrow_word(const Font& font, const std::string& label, const Vec2& along, Colour ink) {
   const double half = 0.6 * font.size();
   return labelled(font, 2 * half, label, ink, [=](DrawList& list, const Vec2& at) {
@@ -149,6 +147,8 @@ void add_lines(Legend& key, const KeyContent& content, double scale, bool all) {
 }
 
 }  // namespace
+
+bool has_gravity(const World& world) { return world.gravity && world.gravity->norm() > 0; }
 
 std::optional<Vec2> unusual_gravity(const World& world) {
   if (!has_gravity(world)) return {};

@@ -25,6 +25,7 @@ struct KeyContent {
   bool sides_in_sight = false;  // of a periodic box
   bool close_up = false;        // whether the scale is that of a close-up
 };
+bool has_gravity(const World& world);
 // Where gravity points in a picture, whose y points down; empty where that is down, or there is none.
 std::optional<Vec2> unusual_gravity(const World& world);
 

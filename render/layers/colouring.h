@@ -23,12 +23,11 @@ struct ColourScale {
   std::string title;  // with its unit, in the markup of font.h
   std::vector<Swatch> swatches;
   std::optional<Range> range = std::nullopt;
-  Colour (*map)(Theme, double) = nullptr;  // of the position in the range, 0 to 1; see paling
+  Colour (*map)(Theme, double) = nullptr;         // of the position in the range, 0 to 1, not paled
   std::optional<Swatch> no_value = std::nullopt;  // grains that have no such quantity
-  double paling =
-      0;  // how far the colours of `map` are mixed with the background; all others are already
+  double paling = 0;                              // of grains; swatches have it already
 
-  // At t in [0, 1] of the range.
+  // The colour of grains at t in [0, 1] of the range.
   Colour of_map(Theme theme, double t) const {
     return mix(map(theme, t), palette(theme).background, paling);
   }

@@ -53,14 +53,11 @@ bool have_one_unit(std::span<const SideBySide> panels) {
 }
 
 bool have_one_gravity(std::span<const SideBySide> panels) {
-  const auto has_any = [](const World& world) {
-    return world.gravity && world.gravity->norm() > 0;
-  };
   const World& one = panels.front().world;
   const std::optional<Vec2> first = unusual_gravity(one);
   return std::ranges::all_of(panels, [&](const SideBySide& panel) {
     const std::optional<Vec2> own = unusual_gravity(panel.world);
-    return has_any(panel.world) == has_any(one) && own.has_value() == first.has_value() &&
+    return has_gravity(panel.world) == has_gravity(one) && own.has_value() == first.has_value() &&
            (!own || (*own - *first).norm() <= kSame);
   });
 }

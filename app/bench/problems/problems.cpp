@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 #include "app/base/assets.h"
@@ -20,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kOfRun = ": ";   // between the folder of a run and a part of its phases
+constexpr std::string_view kOfRun = ": ";  // between the folder of a run and a part of its phases
 constexpr double kLeastShown = 1e-12;  // error; a smaller one is rounding of the reference [g dt]
 
 // Where no folder is named: the paper's push in a box of a third of its height, and the shipped scene of a piston in one of
@@ -68,7 +69,7 @@ std::vector<Recorded> read_half(const fs::path& folder, const Options& options) 
     const fs::path file = files[k].lexically_relative(folder);
     RecordedProblem problem = read_problem(files[k]);
     if (file.has_parent_path())
-      problem.group = file.parent_path().string() + kOfRun + problem.group;
+      problem.group = file.parent_path().string() + std::string(kOfRun) + problem.group;
     half.push_back({file.string(), std::move(problem)});
   }
   return half;
@@ -203,7 +204,7 @@ void report_problems(std::span<const Row> rows, const Options& options, Section&
     table.rows.push_back(table_row(name, group));
     const std::size_t colon = name.find(kOfRun);
     const std::string run = colon == std::string::npos ? "" : name.substr(0, colon);
-    const std::string phase = name.substr(run.empty() ? 0 : colon + 2);
+    const std::string phase = name.substr(run.empty() ? 0 : colon + kOfRun.size());
     if (plots.empty() || run != last_run)
       plots.push_back({.name = "recorded_problems" +
                                (plots.empty() ? "" : "_" + std::to_string(plots.size() + 1)),

@@ -18,6 +18,8 @@ namespace {
 
 constexpr const char* kProblem = ".problem";
 
+bool is_problem(const std::filesystem::path& file) { return file.extension() == kProblem; }
+
 // Keeps every stride-th problem of a phase; the stride doubles whenever there are twice as many as wanted.
 class Sample {
  public:
@@ -82,17 +84,14 @@ std::vector<std::filesystem::path> problems_in(const std::filesystem::path& fold
   std::vector<std::filesystem::path> files;
   if (std::filesystem::is_directory(folder))
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
-      if (entry.path().extension() == kProblem) files.push_back(entry.path());
+      if (is_problem(entry)) files.push_back(entry.path());
   std::ranges::sort(files);
   return files;
 }
 
 Recording record_problems(const RecordRequest& request) {
-  const auto holds_problem = [](const std::filesystem::directory_entry& entry) {
-    return entry.path().extension() == kProblem;
-  };
   if (std::filesystem::is_directory(request.out) &&
-      std::ranges::any_of(std::filesystem::directory_iterator(request.out), holds_problem))
+      std::ranges::any_of(std::filesystem::directory_iterator(request.out), is_problem))
     throw InputError(request.out.string(),
                      "holds recorded problems already; choose another folder with --out");
   make_writable({.path = request.out});
