@@ -149,12 +149,8 @@ bool Protocol::try_step(const StepSettings& step, int halvings_left) {
     return try_step(half, halvings_left - 1) && try_step(half, halvings_left - 1);
   }
   state_.worst_residual = std::max(state_.worst_residual, report_.solve.residual.natural);
-  for (const Contact& contact : world_.contacts) {
-    state_.worst_overlap = std::max(state_.worst_overlap, -contact.gap);
-    if (contact.cohesion > 0)
-      state_.worst_bond_gap =
-          std::max(state_.worst_bond_gap, contact.gap - world_.law(contact.pair).cohesion_range);
-  }
+  state_.worst_overlap = std::max(state_.worst_overlap, report_.worst_overlap);
+  state_.worst_bond_gap = std::max(state_.worst_bond_gap, report_.worst_bond_gap);
   state_.external_work += report_.energy.work;
   const double lost = report_.energy.work - report_.energy.change;
   (lost < 0 ? state_.energy_gained : state_.energy_dissipated) += std::abs(lost);

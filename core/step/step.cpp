@@ -222,6 +222,12 @@ StepReport Stepper::advance(World& world, const StepSettings& step,
   report.energy = energy_balance(world, s.contacts, s.problem, s.state.velocity, step.dt);
   move(world, s.state.velocity, step.dt);
   std::swap(world.contacts, s.contacts);
+  for (const Contact& contact : world.contacts) {
+    report.worst_overlap = std::max(report.worst_overlap, -contact.gap);
+    if (contact.cohesion > 0)
+      report.worst_bond_gap =
+          std::max(report.worst_bond_gap, contact.gap - world.law(contact.pair).cohesion_range);
+  }
   world.impulse_dt = step.dt;
   world.time += step.dt;
   ++world.step;

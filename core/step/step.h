@@ -21,6 +21,8 @@ struct StepReport {
   double seconds = 0;    // that the step took, if taken
   EnergyBalance energy;  // if taken
   SweptStep sweeps;      // of a step by NSCD
+  // Of two bodies, and by which a bond was open beyond its range, where the step began; if taken [d].
+  double worst_overlap = 0, worst_bond_gap = 0;
   std::int64_t bonds_formed = 0;
   std::int64_t bonds_broken = 0;     // always 0 if not converged, unless the step is one of NSCD
   std::int64_t breaks_withheld = 0;  // bonds beyond their range in an unconverged step
