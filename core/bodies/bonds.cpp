@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/memory.h"
+
 namespace quicksand {
 
 Bond* Bonds::find(Pair pair) {
@@ -13,7 +15,7 @@ namespace {
 
 void insert(std::vector<Bond>& list, const std::vector<Pair>& pairs) {
   const auto old_size = static_cast<std::ptrdiff_t>(list.size());
-  for (const Pair& pair : pairs) list.push_back({.pair = pair});
+  for (const Pair& pair : pairs) append(list, {.pair = pair});
   std::inplace_merge(list.begin(), list.begin() + old_size, list.end(),
                      [](const Bond& p, const Bond& q) { return p.pair < q.pair; });
 }

@@ -1,18 +1,20 @@
 #include "core/bodies/disks.h"
 
+#include "core/base/memory.h"
+
 namespace quicksand {
 
 int Disks::add(const Disk& disk) {
   const double m = disk.density * 4 * disk.radius * disk.radius;
   const double i = m * disk.radius * disk.radius / 2;
-  position.push_back(disk.position);
-  angle.push_back(0);
-  velocity.emplace_back(disk.velocity.x(), disk.velocity.y(), disk.spin);
-  applied.emplace_back(0, 0, 0);
-  radius.push_back(disk.radius);
-  mass.push_back(m);
-  inverse_mass.push_back(disk.fixed ? Vec3(0, 0, 0) : Vec3(1 / m, 1 / m, 1 / i));
-  role.push_back(disk.role);
+  append(position, disk.position);
+  append(angle, 0.0);
+  append(velocity, Vec3(disk.velocity.x(), disk.velocity.y(), disk.spin));
+  append(applied, Vec3(0, 0, 0));
+  append(radius, disk.radius);
+  append(mass, m);
+  append(inverse_mass, disk.fixed ? Vec3(0, 0, 0) : Vec3(1 / m, 1 / m, 1 / i));
+  append(role, disk.role);
   return size() - 1;
 }
 

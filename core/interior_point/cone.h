@@ -47,8 +47,7 @@ QUICKSAND_IN_LANES Real within(const Real& x, const Real& bound) {
 // A force x with |x| <= limit N that opposes the speed u = a - b: friction or rolling friction.
 template <class Real>
 struct alignas(sizeof(Real)) BoundedForce {
-  Real limit{};  // 0: not modelled
-  Real here{};
+  Real limit{};                       // 0: not modelled
   Real x{}, low{}, high{}, a{}, b{};  // low = limit N + x, high = limit N - x
   Real dx{}, dlow{}, dhigh{}, da{}, db{};
   Real impedance{}, coupling{}, aim{};  // dx = impedance (aim - du - coupling dN)
@@ -56,7 +55,6 @@ struct alignas(sizeof(Real)) BoundedForce {
   QUICKSAND_IN_LANES void start(const Real& force, const Real& n, const Real& speed,
                                 const Real& least_n, const Real& least_speed) {
     const Real none = Real{}, one = none + 1.0, most = limit * n;
-    here = limit > none ? one : none;
     x = within(force, most);
     const Real least_x = limit * least_n, back = -speed;
     low = larger<Real>(most + x, start_beside(speed, least_speed, least_x));
@@ -68,7 +66,12 @@ struct alignas(sizeof(Real)) BoundedForce {
     a = limit > none ? a : one, b = limit > none ? b : one;
     dx = dlow = dhigh = da = db = none;
   }
+  QUICKSAND_IN_LANES Real here() const {
+    const Real none = Real{}, one = none + 1.0;
+    return limit > none ? one : none;
+  }
   QUICKSAND_IN_LANES void linearise(const Real& n, const Real& speed, const Real& eps) {
+    const Real here = this->here();
     defect_low_ = here * (limit * n + x - low);
     defect_high_ = here * (limit * n - x - high);
     defect_speed_ = speed - (a - b);
@@ -80,12 +83,14 @@ struct alignas(sizeof(Real)) BoundedForce {
   }
   // Aims at products tau; `correct` (1 or 0) adds the second-order terms of the last direction.
   QUICKSAND_IN_LANES void set_targets(double tau, double correct) {
+    const Real here = this->here();
     c_a_ = here * (tau - a * low) - correct * (da * dlow);
     c_b_ = here * (tau - b * high) - correct * (db * dhigh);
     find_aim();
   }
   template <class Further>
   QUICKSAND_IN_LANES void adjust_targets(const Further& further) {
+    const Real here = this->here();
     Real more;
     further(low, dlow, a, da, more);
     c_a_ += here * more;
@@ -202,11 +207,11 @@ struct alignas(sizeof(Real)) ContactCone {
   QUICKSAND_IN_LANES void visit_pairs(const Visit& visit) const {
     visit(here, n, dn, s, ds);
     if (components < 2) return;
-    visit(slide.here, slide.low, slide.dlow, slide.a, slide.da);
-    visit(slide.here, slide.high, slide.dhigh, slide.b, slide.db);
+    visit(slide.here(), slide.low, slide.dlow, slide.a, slide.da);
+    visit(slide.here(), slide.high, slide.dhigh, slide.b, slide.db);
     if (components < 3) return;
-    visit(roll.here, roll.low, roll.dlow, roll.a, roll.da);
-    visit(roll.here, roll.high, roll.dhigh, roll.b, roll.db);
+    visit(roll.here(), roll.low, roll.dlow, roll.a, roll.da);
+    visit(roll.here(), roll.high, roll.dhigh, roll.b, roll.db);
   }
 
  private:

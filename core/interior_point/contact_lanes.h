@@ -40,6 +40,9 @@ template <class Real>
 struct alignas(sizeof(Real)) Impedance {
   Real nn{}, tn{}, tt{}, rn{}, rr{};
 };
+inline Vec3 operator*(const Impedance<double>& d, const Vec3& u) {
+  return {d.nn * u.x(), d.tn * u.x() + d.tt * u.y(), d.rn * u.x() + d.rr * u.z()};
+}
 
 using BodyVectors = std::vector<Eigen::Vector4d>;
 

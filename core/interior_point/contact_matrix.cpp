@@ -4,6 +4,8 @@
 #include <cmath>
 #include <functional>
 
+#include "core/base/memory.h"
+
 namespace quicksand {
 
 namespace {
@@ -92,6 +94,7 @@ void ContactMatrix::attach(const ContactProblem& problem) {
   for (std::size_t i = 0; i < problem.inverse_mass.size(); ++i)
     if (!problem.inverse_mass[i].isZero(0)) row_of_body_[i] = mobile_++;
   edges_.clear();
+  edges_.reserve(problem.contacts.size());
   edge_of_contact_.assign(problem.contacts.size(), -1);
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     const int i = row_of_body_[problem.contacts[c].a], j = row_of_body_[problem.contacts[c].b];
@@ -136,10 +139,11 @@ void ContactMatrix::order_contacts() {
 void ContactMatrix::place_contacts() {
   const ContactProblem& problem = *problem_;
   const std::size_t nc = problem.contacts.size();
-  rows_.resize(lane_blocks(nc));
-  momentum_.resize(2 * kLanes * rows_.size());
-  columns_.resize(kLanes * rows_.size());
+  set_size(rows_, lane_blocks(nc));
+  set_size(momentum_, 2 * kLanes * rows_.size());
+  set_size(columns_, kLanes * rows_.size());
   coupling_.clear();
+  coupling_.reserve(edges_.size());
   for (std::size_t c = 0; c < kLanes * rows_.size(); ++c) {
     const auto contact_here = static_cast<std::size_t>(order()[c < nc ? c : 0]);
     const ContactRow& contact = problem.contacts[contact_here];
@@ -249,17 +253,17 @@ void ContactMatrix::factorise(const std::vector<Impedance<Lanes>>& impedance) {
   lu_.factorise(std::ref(fill));  // as a reference it is not allocated
 }
 
-void ContactMatrix::factorise(const std::vector<Mat3>& impedance) {
-  packed_.resize(rows_.size());
+void ContactMatrix::factorise(const std::vector<Impedance<double>>& impedance) {
+  set_size(packed_, rows_.size());
   for (std::size_t c = 0; c < impedance.size(); ++c) {
     Impedance<Lanes>& d = packed_[c / kLanes];
     const std::size_t k = c % kLanes;
-    const Mat3& of_contact = impedance[static_cast<std::size_t>(order()[c])];
-    d.nn[k] = of_contact(0, 0);
-    d.tn[k] = of_contact(1, 0);
-    d.tt[k] = of_contact(1, 1);
-    d.rn[k] = of_contact(2, 0);
-    d.rr[k] = of_contact(2, 2);
+    const Impedance<double>& of_contact = impedance[static_cast<std::size_t>(order()[c])];
+    d.nn[k] = of_contact.nn;
+    d.tn[k] = of_contact.tn;
+    d.tt[k] = of_contact.tt;
+    d.rn[k] = of_contact.rn;
+    d.rr[k] = of_contact.rr;
   }
   factorise(packed_);
 }

@@ -30,7 +30,7 @@ class ContactMatrix {
   // Factorises M + H^T D H for `impedance` D, by such blocks of four.
   void factorise(const std::vector<Impedance<Lanes>>& impedance);
   // The same for D of each contact (nc).
-  void factorise(const std::vector<Mat3>& impedance);
+  void factorise(const std::vector<Impedance<double>>& impedance);
 
   // Where the momenta of impulses are put (see RowLanes::momenta); what is beyond the last contact is not read.
   Eigen::Vector4d* momenta(std::size_t block) { return momentum_.data() + 2 * kLanes * block; }

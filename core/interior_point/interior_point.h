@@ -52,7 +52,7 @@ class InteriorPoint {
     void add(const Products& other);
   };
 
-  void start_block(const ContactProblem& problem, std::size_t block, const ContactState& state);
+  double start_block(const ContactProblem& problem, std::size_t block, const ContactState& state);
   void start(const ContactProblem& problem, double shift, const ContactState& state);
   double admissible_product(const ContactProblem& problem, const SolverSettings& settings) const;
   void linearise(const ContactProblem& problem);
@@ -79,8 +79,7 @@ class InteriorPoint {
   NewtonOnModes newton_;
   std::array<double, 3> products_{};  // their sum after a step of alpha, by powers of alpha
   double pairs_ = 0;
-  double proximal_ = 0;         // over each contact's Delassus diagonal [1]
-  std::vector<Vec3> delassus_;  // (nc) diagonal of each contact's own block
+  double proximal_ = 0;  // over each contact's Delassus diagonal [1]
   // Four contacts a block; bodies by places (contact_lanes.h).
   std::vector<Components<Lanes>> softness_;  // the Delassus diagonals
   std::vector<ContactCone<Lanes>> cone_;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/base/memory.h"
 #include "core/problem/delassus.h"
 #include "core/problem/residual.h"
 
@@ -19,15 +20,17 @@ Status NewtonOnModes::read_bounded(std::size_t contact, int component, double li
                                    const Vec3& q, const Vec3& u, const Vec3& w) {
   if (w[component] <= 0) return Status::open;
   Vec3& change = change_[contact];
-  Mat3& impedance = impedance_[contact];
+  Impedance<double>& impedance = impedance_[contact];
+  double& own = component == 1 ? impedance.tt : impedance.rr;
+  double& by_normal = component == 1 ? impedance.tn : impedance.rn;
   const Status status = status_of_bounded(q[component], limit * q.x());
   if (status == Status::held) {
     change[component] = -u[component] / (kModesProximal * w[component]);
-    impedance(component, component) = 1 / (kModesProximal * w[component]);
+    own = 1 / (kModesProximal * w[component]);
   } else {
     const double slope = status == Status::at_upper_bound ? limit : -limit;
     change[component] = slope * (p.x() + change.x()) - p[component];
-    impedance(component, 0) = slope * impedance(0, 0);
+    by_normal = slope * impedance.nn;
   }
   return status;
 }
@@ -35,9 +38,9 @@ Status NewtonOnModes::read_bounded(std::size_t contact, int component, double li
 bool NewtonOnModes::read_modes(const ContactProblem& problem, const ContactState& state) {
   const std::size_t nc = problem.contacts.size();
   bool same = modes_.size() == nc;
-  modes_.resize(nc);
-  impedance_.resize(nc);
-  change_.resize(nc);
+  set_size(modes_, nc);
+  set_size(impedance_, nc);
+  set_size(change_, nc);
   for (std::size_t c = 0; c < nc; ++c) {
     const ContactRow& row = problem.contacts[c];
     const Vec3 w = delassus_diagonal(row, problem.inverse_mass[row.a], problem.inverse_mass[row.b]);
@@ -45,13 +48,13 @@ bool NewtonOnModes::read_modes(const ContactProblem& problem, const ContactState
         row.offset + relative_velocity(row, state.velocity[row.a], state.velocity[row.b]);
     const Vec3& p = state.impulse[c];
     Modes modes;
-    impedance_[c].setZero();
+    impedance_[c] = {};
     change_[c] = -p;
     const Vec3 q = p - u.cwiseQuotient(w);
     modes.normal = status_of_normal(q.x());
     if (modes.normal == Status::held) {
       change_[c] = {-u.x() / (kModesProximal * w.x()), 0, 0};
-      impedance_[c](0, 0) = 1 / (kModesProximal * w.x());
+      impedance_[c].nn = 1 / (kModesProximal * w.x());
       if (problem.components >= 2) modes.slide = read_bounded(c, 1, row.friction, p, q, u, w);
       if (problem.components >= 3) modes.roll = read_bounded(c, 2, row.rolling, p, q, u, w);
     }

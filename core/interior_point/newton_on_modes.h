@@ -39,10 +39,10 @@ class NewtonOnModes {
   Status read_bounded(std::size_t contact, int component, double limit, const Vec3& p,
                       const Vec3& q, const Vec3& u, const Vec3& w);
 
-  std::vector<Modes> modes_;     // (nc)
-  std::vector<Mat3> impedance_;  // (nc)
-  std::vector<Vec3> change_;     // (nc) of the impulses
-  std::vector<Vec3> dv_;         // (nb)
+  std::vector<Modes> modes_;                  // (nc)
+  std::vector<Impedance<double>> impedance_;  // (nc)
+  std::vector<Vec3> change_;                  // (nc) of the impulses
+  std::vector<Vec3> dv_;                      // (nb)
   ContactState best_;
 };
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/base/memory.h"
 #include "core/interior_point/interior_point.h"
 #include "core/interior_point/path_tuning.h"
 #include "core/problem/delassus.h"
@@ -47,63 +48,66 @@ double InteriorPoint::admissible_product(const ContactProblem& problem,
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     const ContactRow& row = problem.contacts[c];
-    const Vec3 bounds = bounds_of(problem, row, delassus_[c]);
-    double softest = delassus_[c].x();
-    if (bounds.y() > 0) softest = std::min(softest, delassus_[c].y());
-    if (bounds.z() > 0) softest = std::min(softest, delassus_[c].z() * row.arm * row.arm);
+    const Vec3 w = delassus_diagonal(row, problem.inverse_mass[row.a], problem.inverse_mass[row.b]);
+    const Vec3 bounds = bounds_of(problem, row, w);
+    double softest = w.x();
+    if (bounds.y() > 0) softest = std::min(softest, w.y());
+    if (bounds.z() > 0) softest = std::min(softest, w.z() * row.arm * row.arm);
     least = std::min({least, admissible * softest, row.gap_tolerance / problem.dt});
   }
   return admissible * least;
 }
 
-// The cones of four contacts, and the impulses they start from. A lane beyond the last contact has no pairs; what it
-// starts from only has to be finite.
-void InteriorPoint::start_block(const ContactProblem& problem, std::size_t block,
-                                const ContactState& state) {
+// The cones of four contacts, and the impulses they start from; returns by how much the worst is away from the laws. A
+// lane beyond the last contact has no pairs; what it starts from only has to be finite.
+double InteriorPoint::start_block(const ContactProblem& problem, std::size_t block,
+                                  const ContactState& state) {
   const std::size_t nc = problem.contacts.size();
   ContactCone<Lanes>& cone = cone_[block];
   Components<Lanes>&w = softness_[block], &impulse = impulse_[block];
   cone.components = problem.components;
+  double worst = 0;
   for (std::size_t k = 0; k < kLanes; ++k) {
     const std::size_t c = kLanes * block + k;
     const auto from = static_cast<std::size_t>(matrix_.order()[c < nc ? c : 0]);
-    const Vec3 &p = state.impulse[from], &of_contact = delassus_[from];
-    const Vec3 bounds = bounds_of(problem, problem.contacts[from], of_contact);
+    const ContactRow& row = problem.contacts[from];
+    const Vec3& p = state.impulse[from];
+    const Vec3 softness =
+        delassus_diagonal(row, problem.inverse_mass[row.a], problem.inverse_mass[row.b]);
+    const Vec3 bounds = bounds_of(problem, row, softness);
     cone.here[k] = c < nc ? 1 : 0;
     cone.slide.limit[k] = c < nc ? bounds.y() : 0;
     cone.roll.limit[k] = c < nc ? bounds.z() : 0;
-    w.n[k] = of_contact.x(), w.t[k] = of_contact.y(), w.r[k] = of_contact.z();
+    w.n[k] = softness.x(), w.t[k] = softness.y(), w.r[k] = softness.z();
     impulse.n[k] = p.x(), impulse.t[k] = p.y(), impulse.r[k] = p.z();
+    const Vec3 u =
+        row.offset + relative_velocity(row, state.velocity[row.a], state.velocity[row.b]);
+    worst = std::max(worst, violation(row, softness, problem.components, p, u));
   }
+  return worst;
 }
 
 void InteriorPoint::start(const ContactProblem& problem, double shift, const ContactState& state) {
   const std::size_t nc = problem.contacts.size(), blocks = lane_blocks(nc);
   proximal_ = T::kProximal;
-  delassus_.resize(nc);
-  softness_.resize(blocks);
+  set_size(softness_, blocks);
   cone_.assign(blocks, {});
-  impedance_.resize(blocks);
-  impulse_.resize(blocks);
+  set_size(impedance_, blocks);
+  set_size(impulse_, blocks);
 
   struct Worst {
     double speed = 0;
     void add(const Worst& other) { speed = std::max(speed, other.speed); }
   };
-  const double worst =
-      gather_range<Worst>(nc, [&](std::size_t begin, std::size_t end, Worst& part) {
-        for (std::size_t c = begin; c < end; ++c) {
-          const ContactRow& row = problem.contacts[c];
-          delassus_[c] =
-              delassus_diagonal(row, problem.inverse_mass[row.a], problem.inverse_mass[row.b]);
-          const Vec3 u =
-              row.offset + relative_velocity(row, state.velocity[row.a], state.velocity[row.b]);
-          part.speed = std::max(
-              part.speed, violation(row, delassus_[c], problem.components, state.impulse[c], u));
-        }
-      }).speed;
+  const double worst = gather_range<Worst>(
+                           blocks,
+                           [&](std::size_t begin, std::size_t end, Worst& part) {
+                             for (std::size_t k = begin; k < end; ++k)
+                               part.speed = std::max(part.speed, start_block(problem, k, state));
+                           },
+                           parallel::kWorthSharing / kLanes)
+                           .speed;
   const double least_speed = std::max(shift * worst, 1e-12);
-  for_lane_blocks(nc, [&](std::size_t block) { start_block(problem, block, state); });
   set_momenta(nc);
   matrix_.velocity(velocity_);
   for_lane_blocks(

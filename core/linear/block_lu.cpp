@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/lanes.h"
+#include "core/base/memory.h"
 #include "core/base/parallel.h"
 
 namespace quicksand {
@@ -212,8 +213,8 @@ void BlockLu::analyse(int n, const std::vector<Edge>& edges) {
   ready_ = !plan_.analyse(n, edges, 2 * sizeof(PaddedBlock)) && ready_;
   if (ready_) return;
   subtrees_.find(plan_);
-  lower_.resize(static_cast<std::size_t>(plan_.slots()));
-  upper_.resize(lower_.size());
+  set_size(lower_, static_cast<std::size_t>(plan_.slots()));
+  set_size(upper_, lower_.size());
   work_.resize(static_cast<std::size_t>(n));
   ready_ = true;
 }

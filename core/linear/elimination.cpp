@@ -20,8 +20,8 @@ bool Elimination::analyse(int n, const std::vector<Edge>& edges, std::size_t byt
   find_targets();
   diagonal_slot_.resize(static_cast<std::size_t>(n));
   for (int i = 0; i < n; ++i) diagonal_slot_[i] = slot(position_[i], position_[i]);
-  edge_slot_.resize(edges.size());
-  edge_flipped_.resize(edges.size());
+  set_size(edge_slot_, edges.size());
+  set_size(edge_flipped_, edges.size());
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const int p = position_[edges[e].i], q = position_[edges[e].j];
     edge_slot_[e] = slot(std::max(p, q), std::min(p, q));
@@ -65,7 +65,7 @@ void Elimination::find_columns() {
     const auto add = [&](int i) {
       if (mark[i] == k) return;
       mark[i] = k;
-      column_row_.push_back(i);
+      append(column_row_, i);
     };
     for (int i : below[k]) add(i);
     // The first row of a child is this column itself.
@@ -94,8 +94,8 @@ void Elimination::find_supernodes() {
       s.rows = rows_of(k);
       ++s.row;
     } else {
-      supernode_.push_back(
-          {.first = k, .columns = 1, .rows = rows_of(k), .row = static_cast<int>(row_.size())});
+      append(supernode_,
+             {.first = k, .columns = 1, .rows = rows_of(k), .row = static_cast<int>(row_.size())});
       row_.insert(row_.end(), column_row_.begin() + column_start_[k],
                   column_row_.begin() + column_start_[k + 1]);
     }

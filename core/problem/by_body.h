@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "core/base/memory.h"
+
 namespace quicksand {
 
 class ByBody {
@@ -15,7 +17,7 @@ class ByBody {
     start_.assign(bodies + 2, 0);
     visit([&](int body, int) { ++start_[body + 2]; });
     for (std::size_t k = 2; k < start_.size(); ++k) start_[k] += start_[k - 1];
-    items_.resize(static_cast<std::size_t>(start_.back()));
+    set_size(items_, static_cast<std::size_t>(start_.back()));
     // Moves what is the start of a body to its end, the start of the next.
     visit([&](int body, int item) { items_[start_[body + 1]++] = item; });
   }

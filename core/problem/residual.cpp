@@ -1,6 +1,7 @@
 #include "core/problem/residual.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -51,10 +52,13 @@ void velocity_from_impulses(const ContactProblem& problem, const std::vector<Vec
   });
 }
 
-Residual residual(const ContactProblem& problem, ContactState& state) {
+Residual residual(const ContactProblem& problem, ContactState& state, const Residual& most) {
   velocity_from_impulses(problem, state.impulse, state.velocity);
+  const double most_natural = most.natural * problem.force_scale * problem.dt;
+  std::atomic<bool> beyond = false;  // that of any part
   auto [worst, finite] = gather_range<WorstTerms>(
       problem.contacts.size(), [&](std::size_t begin, std::size_t end, WorstTerms& part) {
+        if (beyond) return;
         for (std::size_t c = begin; c < end; ++c) {
           const ContactRow& row = problem.contacts[c];
           const Vec3& p = state.impulse[c];
@@ -66,6 +70,10 @@ Residual residual(const ContactProblem& problem, ContactState& state) {
           if (p.x() > 0)
             part.worst.gap =
                 std::max(part.worst.gap, std::abs(u.x()) * problem.dt / row.gap_tolerance);
+          if (part.worst.natural > most_natural || part.worst.gap > most.gap) {
+            beyond = true;
+            return;
+          }
         }
       });
   // Any NaN of an impulse or a free velocity shows here; the maxima above may hide it.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/problem/contact_problem.h"
 #include "core/problem/projection.h"
@@ -27,8 +28,11 @@ inline double contact_residual(const ContactProblem& problem, const ContactRow& 
 }
 
 // Measures the impulses. The velocities are set to those that the impulses give, so that no solver can
-// mislead by velocities that do not belong to its impulses. Infinite if anything is not finite.
-Residual residual(const ContactProblem& problem, ContactState& state);
+// mislead by velocities that do not belong to its impulses. Infinite if anything is not finite. Where the worst is of
+// interest only up to `most`, part of the contacts may do to know that it is beyond: it is at least what is returned.
+Residual residual(const ContactProblem& problem, ContactState& state,
+                  const Residual& most = {.natural = std::numeric_limits<double>::infinity(),
+                                          .gap = std::numeric_limits<double>::infinity()});
 
 // Velocity that the impulses give (nb).
 void velocity_from_impulses(const ContactProblem& problem, const std::vector<Vec3>& impulse,

@@ -29,6 +29,10 @@ struct SolverSettings {
   // point goes on for a few iterations, as far as they help, until velocities have settled too.
   double distance(const Residual& r) const { return std::max(r.natural / tolerance, r.gap); }
   bool accepts(const Residual& r) const { return distance(r) <= 1; }
+  // The residual whose distance is so large.
+  Residual residual_at(double distance) const {
+    return {.natural = distance * tolerance, .gap = distance};
+  }
 };
 
 // What found the solution; see contact_solver.cpp.

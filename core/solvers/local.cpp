@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/base/memory.h"
 #include "core/problem/delassus.h"
 #include "core/problem/projection.h"
 #include "core/problem/residual.h"
@@ -41,7 +42,7 @@ bool inside_cone(const ContactRow& row, const Vec3& p, double margin) {
 
 bool LocalSolver::assign_roles(const ContactProblem& problem, double admissible,
                                ContactState& state) {
-  role_.resize(problem.contacts.size());
+  set_size(role_, problem.contacts.size());
   for (std::size_t c = 0; c < role_.size(); ++c) {
     const ContactRow& row = problem.contacts[c];
     Vec3& p = state.impulse[c];
@@ -190,15 +191,15 @@ int LocalSolver::activate_violated(const ContactProblem& problem, double admissi
 SolveReport LocalSolver::solve(const ContactProblem& problem, const SolverSettings& settings,
                                ContactState& state) {
   SolveReport report;
-  report.residual = residual(problem, state);
+  report.residual = residual(problem, state, settings.residual_at(SolverSettings::kAsItIs));
   report.converged = taken_as_it_is(problem, settings, report.residual, state);
-  // Without rolling friction no contact holds rigidly.
-  if (report.converged || problem.components < 3) return report;
+  if (report.converged) return report;
   const double admissible = settings.tolerance * problem.force_scale * problem.dt;
   start_impulse_ = state.impulse;
-  const Residual start = report.residual;
-  if (!assign_roles(problem, admissible, state)) {
+  // Without rolling friction no contact holds rigidly.
+  if (problem.components < 3 || !assign_roles(problem, admissible, state)) {
     state.impulse = start_impulse_;
+    report.residual = residual(problem, state);
     return report;
   }
   const auto accepted = [&] {
@@ -209,7 +210,7 @@ SolveReport LocalSolver::solve(const ContactProblem& problem, const SolverSettin
   budget_ = kWorth * static_cast<double>(role_.size());
   int released = 0;
   for (int round = 0; round < kMaxRounds; ++round) {
-    frozen_.resize(role_.size());
+    set_size(frozen_, role_.size());
     std::ranges::transform(role_, frozen_.begin(), [](Role r) { return r == Role::frozen; });
     clusters_.join(problem, frozen_);
     clusters_.find_mass_properties(problem, state.impulse);
@@ -224,11 +225,16 @@ SolveReport LocalSolver::solve(const ContactProblem& problem, const SolverSettin
     if (activated <= 0 || released > kMostReleased * static_cast<double>(role_.size())) break;
   }
   // Components that converged do not make a solution: the residual of the whole problem decides.
-  if (!accepted() && settings.distance(start) < settings.distance(report.residual)) {
-    state.impulse = start_impulse_;
-    report.velocity_change.reset();
-    report.measure(problem, settings, state);
+  if (accepted()) return report;
+  std::swap(state.impulse, start_impulse_);
+  SolveReport start = report;
+  if (start.measure(problem, settings, state);
+      settings.distance(start.residual) < settings.distance(report.residual)) {
+    start.velocity_change.reset();
+    return start;
   }
+  std::swap(state.impulse, start_impulse_);
+  velocity_from_impulses(problem, state.impulse, state.velocity);
   return report;
 }
 

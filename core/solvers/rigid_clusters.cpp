@@ -73,6 +73,7 @@ void RigidClusters::join(const ContactProblem& problem, const std::vector<char>&
   drift_.resize(nb);
   in_tree_.assign(problem.contacts.size(), 0);
   order_.clear();
+  order_.reserve(nb);
   first_.clear();
   for (const bool mobile : {false, true})
     for (std::size_t i = 0; i < nb; ++i)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/memory.h"
 #include "core/bodies/sorted_cursor.h"
 #include "core/step/lengths.h"
 #include "core/world/shaped_contact.h"
@@ -19,6 +20,7 @@ constexpr double kForesight = 2;
 }  // namespace
 
 void start_velocities(const World& world, std::vector<Vec3>& velocity) {
+  velocity.reserve(world.disks.velocity.size() + world.walls.size());
   velocity.assign(world.disks.velocity.begin(), world.disks.velocity.end());
   for (const Wall& wall : world.walls)
     velocity.emplace_back(wall.velocity.x(), wall.velocity.y(), 0);
@@ -132,8 +134,7 @@ void find_contacts(const World& world, const std::vector<Pair>& candidates,
       if (gap > kForesight * dt * relative_speed(world, pair, free_velocity)) continue;
     }
     if (!world.movable(pair)) continue;
-    Contact& contact = contacts.emplace_back();
-    contact.pair = pair;
+    Contact& contact = append(contacts, Contact{.pair = pair});
     contact.normal = normal;
     contact.gap = gap;
     const ContactLaw& law = world.law(pair);
@@ -278,6 +279,7 @@ void build_problem(const World& world, const std::vector<Contact>& contacts,
                    const std::vector<Vec3>& free_velocity, const StepSettings& step,
                    ContactProblem& problem) {
   problem.dt = step.dt;
+  problem.inverse_mass.reserve(free_velocity.size());
   problem.inverse_mass.assign(world.disks.inverse_mass.begin(), world.disks.inverse_mass.end());
   for (const Wall& wall : world.walls) problem.inverse_mass.push_back(wall.inverse_mass());
   if (world.drag) apply_drag(*world.drag, world.disks, step.dt, problem.inverse_mass);
@@ -291,7 +293,7 @@ void build_problem(const World& world, const std::vector<Contact>& contacts,
   if (!world.shapes.empty()) problem.components = std::max(2, problem.components);
 
   double strongest_bond = 0;
-  problem.contacts.resize(contacts.size());
+  set_size(problem.contacts, contacts.size());
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const Contact& contact = contacts[c];
     const ContactRow& row = problem.contacts[c] = row_of(world, contact, step);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/memory.h"
 #include "core/bodies/sorted_cursor.h"
 #include "core/problem/delassus.h"
 #include "core/world/shaped_contact.h"
@@ -89,7 +90,7 @@ bool EnergyCriterion::solve_unloaded(const Case& solved, double admissible) {
   start_velocities(world, velocity_);
   build_problem(world, unloaded_, velocity_, step, problem_);
   for (ContactRow& row : problem_.contacts) row.gap_tolerance = kInfinity;
-  state_.impulse.resize(unloaded_.size());
+  set_size(state_.impulse, unloaded_.size());
   for (std::size_t c = 0; c < unloaded_.size(); ++c)
     state_.impulse[c] =
         without_load(problem_.contacts[c], unloaded_[c].cohesion, unloaded_[c].impulse, step.dt);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "core/base/memory.h"
 #include "core/bodies/sorted_cursor.h"
 #include "core/problem/rest.h"
 #include "core/solvers/contact_solver.h"
@@ -91,7 +92,7 @@ void Stepper::solve_contacts(World& world, const StepSettings& step, const Solve
   const WorkClock::Span assembling(&s.clock, Work::assembly);
   for (int repeat = 0; repeat <= kMaxRepeats; ++repeat) {
     build_problem(world, s.contacts, s.free_velocity, step, s.problem);
-    s.state.impulse.resize(s.contacts.size());
+    set_size(s.state.impulse, s.contacts.size());
     for (std::size_t c = 0; c < s.contacts.size(); ++c) s.state.impulse[c] = s.contacts[c].impulse;
     report.solve.add(solve_once(world, step, settings, repeat > 0, report.solve.stage));
     report.bad_body = first_not_finite(s.state.velocity);

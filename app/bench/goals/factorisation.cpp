@@ -22,7 +22,7 @@ namespace {
 using Sparse = Eigen::SparseMatrix<double>;
 
 // Rows of bodies that cannot move are those of the unit matrix.
-Sparse assembled(const ContactProblem& problem, const std::vector<Mat3>& impedance) {
+Sparse assembled(const ContactProblem& problem, const std::vector<Impedance<double>>& impedance) {
   std::vector<Eigen::Triplet<double>> entries;
   const auto mobile = [&](int body, int k) { return problem.inverse_mass[body][k] > 0; };
   for (int i = 0; i < static_cast<int>(problem.inverse_mass.size()); ++i)
@@ -36,7 +36,9 @@ Sparse assembled(const ContactProblem& problem, const std::vector<Mat3>& impedan
       h.col(k) = relative_velocity(row, unit, none);
       h.col(3 + k) = relative_velocity(row, none, unit);
     }
-    const Eigen::Matrix<double, 6, 6> block = h.transpose() * impedance[c] * h;
+    Eigen::Matrix<double, 3, 6> answer;
+    for (int k = 0; k < 6; ++k) answer.col(k) = impedance[c] * h.col(k);
+    const Eigen::Matrix<double, 6, 6> block = h.transpose() * answer;
     const auto place = [&](int k) { return 3 * (k < 3 ? row.a : row.b) + k % 3; };
     const auto moves = [&](int k) { return mobile(k < 3 ? row.a : row.b, k % 3); };
     for (int i = 0; i < 6; ++i)
@@ -55,10 +57,10 @@ Outcome factorisation(const Options& options) {
   const Scenario scene = paper_scene(options);
   const ContactProblem problem = next_problem(at_rest(options).world, scene.step).problem;
   Random random{1};
-  std::vector<Mat3> impedance(problem.contacts.size(), Mat3::Zero());
+  std::vector<Impedance<double>> impedance(problem.contacts.size());
   std::vector<Vec3> impulse;
-  for (Mat3& d : impedance) {
-    for (int k = 0; k < 3; ++k) d(k, k) = std::pow(1e6, random.uniform());
+  for (Impedance<double>& d : impedance) {
+    for (double* own : {&d.nn, &d.tt, &d.rr}) *own = std::pow(1e6, random.uniform());
     impulse.push_back(Vec3{random.uniform(), random.uniform(), random.uniform()});
   }
   const Sparse matrix = assembled(problem, impedance);

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <vector>
+
 #include "tests/support/bounded_memory.h"
 #include "tests/support/temporary_folder.h"
 
@@ -41,6 +44,23 @@ TEST_F(Memory, IsWhatTheProcessMayStillTakeIfThatIsLess) {
   EXPECT_EQ(memory_problem(400000000), "");
   EXPECT_EQ(memory_problem(2500000000),
             "takes at least 2.5 GB of memory, and 0.5 GB is all there is");
+}
+
+// One more body than a world was made for takes little more memory, and n of them a time in proportion to n.
+TEST(VectorsThatGrow, HoldASixteenthMoreThanTheyNeedAndNoneAtFirst) {
+  std::vector<int> numbers;
+  set_size(numbers, 1600);
+  EXPECT_EQ(numbers.capacity(), 1600);
+  append(numbers, 7);
+  EXPECT_EQ(numbers.back(), 7);
+  EXPECT_EQ(numbers.capacity(), 1700);
+  int grown = 0;
+  while (numbers.size() < 100000) {
+    const std::size_t before = numbers.capacity();
+    append(numbers, 1);
+    if (numbers.capacity() > before) ++grown;
+  }
+  EXPECT_LE(grown, 1 + std::log(100000.0 / 1700) / std::log(17.0 / 16));
 }
 
 }  // namespace

@@ -34,13 +34,13 @@ Matrix dense_jacobian(const ContactProblem& problem) {
 
 // (M + H^T D H)^-1 H^T p on the directions that can move.
 std::vector<Vec3> dense_velocity_change(const ContactProblem& problem,
-                                        const std::vector<Mat3>& impedance,
+                                        const std::vector<Impedance<double>>& impedance,
                                         const std::vector<Vec3>& impulse) {
   const Matrix h = dense_jacobian(problem);
   Matrix d = Matrix::Zero(h.rows(), h.rows());
   Vector p(h.rows());
   for (std::size_t c = 0; c < impulse.size(); ++c) {
-    d.block<3, 3>(at(c), at(c)) = impedance[c];
+    for (int k = 0; k < 3; ++k) d.block<3, 1>(at(c), at(c) + k) = impedance[c] * Vec3::Unit(k);
     p.segment<3>(at(c)) = impulse[c];
   }
   const Matrix all = h.transpose() * d * h;
@@ -67,12 +67,12 @@ std::vector<Vec3> dense_velocity_change(const ContactProblem& problem,
 
 // What linearised contacts answer with: symmetric where they stick; the normal force moves the bound
 // of friction where they slide.
-std::vector<Mat3> random_impedance(std::size_t nc, double stiffest, Random& random) {
-  std::vector<Mat3> impedance(nc, Mat3::Zero());
-  for (Mat3& d : impedance) {
-    for (int k = 0; k < 3; ++k) d(k, k) = std::pow(stiffest, random.uniform());
-    d(1, 0) = (random.uniform() - 0.5) * d(0, 0);
-    d(2, 0) = 0.1 * (random.uniform() - 0.5) * d(0, 0);
+std::vector<Impedance<double>> random_impedance(std::size_t nc, double stiffest, Random& random) {
+  std::vector<Impedance<double>> impedance(nc);
+  for (Impedance<double>& d : impedance) {
+    for (double* own : {&d.nn, &d.tt, &d.rr}) *own = std::pow(stiffest, random.uniform());
+    d.tn = (random.uniform() - 0.5) * d.nn;
+    d.rn = 0.1 * (random.uniform() - 0.5) * d.nn;
   }
   return impedance;
 }
@@ -81,7 +81,7 @@ std::vector<Mat3> random_impedance(std::size_t nc, double stiffest, Random& rand
 double error(const ContactProblem& problem, double stiffest, Random& random,
              ContactMatrix& matrix) {
   const std::size_t nc = problem.contacts.size();
-  const std::vector<Mat3> impedance = random_impedance(nc, stiffest, random);
+  const std::vector<Impedance<double>> impedance = random_impedance(nc, stiffest, random);
   std::vector<Vec3> impulse(nc), found;
   for (Vec3& p : impulse) p = Vec3{random.uniform(), random.uniform(), random.uniform()};
   matrix.attach(problem);

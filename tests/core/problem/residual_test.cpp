@@ -98,6 +98,19 @@ TEST(Residual, MeasuresTheGapErrorOfLoadedContactsOnly) {
   EXPECT_EQ(residual_of(problem, {0, 0, 0}).gap, 0);
 }
 
+// Of interest only up to a bound: beyond it some contact that violates it will do, below it the worst counts.
+TEST(Residual, IsTheWorstUpToABoundAndBeyondIt) {
+  Random random{1};
+  const ContactProblem problem = random_problem({.bodies = 300, .contacts = 600}, random);
+  ContactState state = zero_state(problem);
+  const double worst = residual(problem, state).natural;
+  ASSERT_GT(worst, 0);
+  EXPECT_EQ(residual(problem, state, {.natural = worst, .gap = 1}).natural, worst);
+  const double beyond = residual(problem, state, {.natural = worst / 100, .gap = 1}).natural;
+  EXPECT_GT(beyond, worst / 100);
+  EXPECT_LT(beyond, worst) << "it looked at all contacts";
+}
+
 TEST(Residual, DoesNotTrustTheVelocityThatASolverReports) {
   const ContactProblem problem = disk_on_floor({0, -2, 0}, 0.3, 0.05);
   ContactState state{.velocity = {Vec3(9, kNan, 9), Vec3(9, 9, 9)}, .impulse = {Vec3(2, 0, 0)}};
