@@ -29,7 +29,8 @@ void make_nscd(Json& scene, const PaperScale& scale, const std::string& file) {
     const std::string type = phase["type"];
     phase.erase("solver_tolerance");
     if (phase.contains("rest_speed")) phase["rest_speed"] = kRestSpeed;
-    if (phase.contains("max_time")) phase["max_time"] = scale.nscd_wait;
+    if (phase.contains("max_time"))
+      phase["max_time"] = type == "push" ? scale.nscd_push : scale.nscd_wait;
     if (type == "deposit") {
       deposits = true;
       phase["interval"] = setting.deposit_step;
@@ -64,6 +65,7 @@ PaperScale quick_scale() {
           .shear_tolerance = 0.25,
           .shear_time = 10,
           .nscd_wait = 8,
+          .nscd_push = 30,
           .nscd_trial = 3,
           .studies = false};
 }
@@ -179,6 +181,8 @@ RunGroup PaperJobs::by(const NscdSetting& setting, std::size_t realizations,
                        const std::function<RunGroup()>& plan) {
   const PaperScale usual = scale_;
   make_nscd(scale_, setting);
+  // Settings are compared when the intruders have stopped and debris still falls.
+  scale_.nscd_push = scale_.nscd_wait;
   scale_.realizations = static_cast<int>(realizations);
   RunGroup group = plan();
   scale_ = usual;

@@ -44,8 +44,8 @@ struct PaperScale {
   double shear_time = 20;         // of a trial, at most [sqrt(d/g)]
   double interval = 1e-2;         // between the grains of a deposition [sqrt(d/g)]
   // By NSCD, whose sweeps leave a noise above most speeds of rest: the longest time of a phase that waits for rest, twice
-  // of the piston's, and of a trial [sqrt(d/g)].
-  double nscd_wait = 15, nscd_trial = 8;
+  // of the piston's, of a push, in which debris falls through all of the channel, and of a trial [sqrt(d/g)].
+  double nscd_wait = 15, nscd_push = 60, nscd_trial = 8;
   bool studies = true;  // also of what no figure of the paper shows, where none is asked for
   // Engaged: by the paper's own method.
   std::optional<NscdSetting> nscd = {};

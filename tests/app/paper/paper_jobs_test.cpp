@@ -145,6 +145,23 @@ TEST_F(PaperRuns, PushesInWaterAreGivenTheTimeInWhichDebrisSinksToTheFloor) {
   }
 }
 
+// What the intruder loosens falls to the floor, through all of the height at most, and comes to rest there.
+TEST_F(PaperRuns, PushesAreGivenTheTimeInWhichDebrisFallsByEitherMethod) {
+  for (PaperScale scale : {quick_scale(), PaperScale{}})
+    for (const bool by_nscd : {false, true}) {
+      if (by_nscd) make_nscd(scale, {});
+      PaperJobs jobs(scale, folder_.path());
+      make_penetration_experiment()->plan(jobs);
+      int pushes = 0;
+      for (const Job& job : jobs.jobs())
+        if (const auto* push = std::get_if<PushPhase>(&job.scenario.phases[0].kind)) {
+          ++pushes;
+          EXPECT_GT(push->max_time, 2 * std::sqrt(2 * scale.height)) << job.id;
+        }
+      EXPECT_GT(pushes, 0);
+    }
+}
+
 TEST_F(PaperRuns, FindingsAreReadAsTheyWereWritten) {
   const auto file = folder_.path() / "findings.json";
   const std::string known = "unperturbed.volume_fraction", single = "unperturbed.coordination";
