@@ -40,16 +40,9 @@ class Piston : public PaperExperiment {
 
     note(findings, "piston.active_of_contacts", results.mean(after_, "active_bond_fraction"));
     note(findings, "piston.remaining_of_initial", results.mean(after_, "remaining_bond_fraction"));
-    // They are the unperturbed ones: a part of the programme without the other depositions has these numbers, too.
-    note(findings, "unperturbed.volume_fraction", results.mean(before_, "volume_fraction"));
-    note(findings, "unperturbed.coordination", results.mean(before_, "coordination"));
-    note(findings, "unperturbed.active_bond_fraction",
-         results.mean(before_, "active_bond_fraction"));
-    note(findings, "piston.before.coordination", results.mean(before_, "coordination"));
+    note_specimens(findings, results, before_);
     note(findings, "piston.after.coordination", results.mean(after_, "coordination"));
-    note(findings, "piston.before.volume_fraction", results.mean(before_, "volume_fraction"));
     note(findings, "piston.after.volume_fraction", results.mean(after_, "volume_fraction"));
-    note(findings, "piston.before.height", results.mean(before_, "packing_top"));
     note(findings, "piston.after.height", results.mean(after_, "packing_top"));
   }
 

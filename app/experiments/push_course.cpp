@@ -57,13 +57,28 @@ Table table_of(const PaperResults& results, const PushCurve& curve, double heigh
   return table;
 }
 
+// The time from the push's begin up to which all runs are known: where the first was stopped while something moved, or
+// else where the last has come to rest [sqrt(d/g)].
+double known_until(const PaperResults& results, const RunGroup& pushes) {
+  double all_at_rest = 0, stopped = HUGE_VAL;
+  for (const RunResults* run : results.runs(pushes)) {
+    const std::vector<double>& times = run->column("time");
+    if (times.empty()) continue;
+    const double length = times.back() - times.front();
+    all_at_rest = std::max(all_at_rest, length);
+    if (run->summary().value("missed_rest", false)) stopped = std::min(stopped, length);
+  }
+  return std::min(all_at_rest, stopped);
+}
+
 // Means over realizations at times from the push's begin; a run that has come to rest keeps its last value.
 Curve over_time(const PaperResults& results, const RunGroup& pushes, const std::string& name) {
-  constexpr double kFirst = 0.1, kLast = 50;  // [sqrt(d/g)]
+  constexpr double kFirst = 0.1;  // [sqrt(d/g)]
   constexpr int kTimes = 60;
+  const double last = known_until(results, pushes);
   Curve curve{.name = name, .kind = Curve::Kind::line};
-  for (int k = 0; k <= kTimes; ++k) {
-    const double time = kFirst * std::pow(kLast / kFirst, static_cast<double>(k) / kTimes);
+  for (int k = 0; k <= kTimes && last > kFirst; ++k) {
+    const double time = kFirst * std::pow(last / kFirst, static_cast<double>(k) / kTimes);
     std::vector<double> values;
     for (const RunResults* run : results.runs(pushes)) {
       const std::vector<double>& times = run->column("time");
@@ -127,7 +142,8 @@ void add_push_course(Section& section, const PaperResults& results, const PushCu
       Figure{std::move(plot),
              "Active share of contacts over time, by the push force, with bands of one "
              "standard error. Symbols: when the intruder comes to 0.95 of the box's height. "
-             "The channel falls in after that."});
+             "The channel falls in after that. A line ends where all specimens have come to "
+             "rest, or where the first was stopped while something moved."});
 }
 
 }  // namespace quicksand

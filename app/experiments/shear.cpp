@@ -60,15 +60,20 @@ class Shear : public PaperExperiment {
                        {"perturbed, friction 0.6", &rough}}));
     if (loose.against_depth && !weak.depth.empty())
       section.add(Paragraph{about_weak_bonds(loose, weak)});
-    if (loose.grains + weak.grains + strong.grains > 0)
+    const std::vector<Named> unperturbed{
+        {"F_c = 10² F_g", &weak}, {"F_c = 10⁴ F_g", &loose}, {"F_c = 10⁶ F_g", &strong}};
+    const auto measured_ones =
+        std::ranges::count_if(unperturbed, [](const Named& s) { return s.second->grains > 0; });
+    const bool decades = measured_ones > 1;  // between their strengths
+    if (measured_ones > 0)
       section.add(Figure{
-          plot("shear_unperturbed", {.label = "shear strength", .unit = "F_g", .logarithmic = true},
-               {{"F_c = 10² F_g", &weak}, {"F_c = 10⁴ F_g", &loose}, {"F_c = 10⁶ F_g", &strong}}),
-          "Smallest horizontal force that moves a grain of an unperturbed specimen: means with "
-          "bars of one standard error "
-          "over "
-          "grains, and straight lines through all grains, dashed. The paper gives no numbers "
-          "here."});
+          plot("shear_unperturbed",
+               {.label = "shear strength", .unit = "F_g", .logarithmic = decades}, unperturbed),
+          std::string("Smallest horizontal force that moves a grain of an unperturbed specimen: "
+                      "means with bars of one standard error over grains, and straight lines "
+                      "through all grains, dashed") +
+              (decades ? ", which the logarithmic axis bends" : "") +
+              ". The paper gives no numbers here."});
     if (compact.grains + rough.grains > 0) {
       Plot perturbed = plot("shear_perturbed", {.label = "shear strength", .unit = "F_g", .low = 0},
                             {{"friction 0.3", &compact}, {"friction 0.6", &rough}});

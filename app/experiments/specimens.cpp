@@ -111,9 +111,7 @@ class Samples : public PaperExperiment {
     const auto find = [&](const char* id, std::size_t setting, const char* quantity) {
       note(findings, id, results.mean(groups_[setting], quantity));
     };
-    find("unperturbed.volume_fraction", 0, "volume_fraction");
-    find("unperturbed.coordination", 0, "coordination");
-    find("unperturbed.active_bond_fraction", 0, "active_bond_fraction");
+    note_specimens(findings, results, groups_.front());
     find("unperturbed.cohesion_1e2.volume_fraction", kWeakBonds, "volume_fraction");
     find("unperturbed.cohesion_1e2.coordination", kWeakBonds, "coordination");
     // Before it is let go: in a high box it falls in.

@@ -81,6 +81,18 @@ void note(Findings& findings, const std::string& id, const std::optional<Measure
   if (found) findings[id] = *found;
 }
 
+void note_specimens(Findings& findings, const PaperResults& results, const RunGroup& specimens) {
+  const auto both = [&](const char* quantity) {
+    for (const char* state : {"unperturbed.", "piston.before."})
+      note(findings, state + std::string(quantity), results.mean(specimens, quantity));
+  };
+  both("volume_fraction");
+  both("coordination");
+  note(findings, "unperturbed.active_bond_fraction",
+       results.mean(specimens, "active_bond_fraction"));
+  note(findings, "piston.before.height", results.mean(specimens, "packing_top"));
+}
+
 Curve curve_over(const PaperResults& results, const std::string& name, std::span<const double> x,
                  std::span<const RunGroup> groups, const std::string& quantity) {
   Curve curve{.name = name};

@@ -47,6 +47,9 @@ class PaperResults {
 
 // Notes a finding if there is one.
 void note(Findings& findings, const std::string& id, const std::optional<Measured>& found);
+// What the paper says of its specimens, as deposited and as they are before the piston: the same, so that a part of the
+// programme with either has both.
+void note_specimens(Findings& findings, const PaperResults& results, const RunGroup& specimens);
 
 // Points with error bars: one x a group, y a final quantity. Groups without a value are left out.
 Curve curve_over(const PaperResults& results, const std::string& name, std::span<const double> x,

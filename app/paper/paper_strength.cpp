@@ -94,6 +94,7 @@ PaperStrength paper_strength(const PaperResults& results, const RunGroup& shears
 
 void add_strength(Plot& plot, const PaperStrength& strength, const std::string& name,
                   double x_scale, double y_scale) {
+  if (strength.depth.empty()) return;
   Curve points{.name = name};
   for (std::size_t k = 0; k < strength.depth.size(); ++k) {
     points.x.push_back(strength.depth[k] * x_scale);
@@ -101,7 +102,7 @@ void add_strength(Plot& plot, const PaperStrength& strength, const std::string& 
     points.y_error.push_back(strength.error[k] * y_scale);
   }
   plot.curves.push_back(std::move(points));
-  if (!strength.against_depth || strength.depth.empty()) return;
+  if (!strength.against_depth) return;
   const auto line = [&](double depth) {
     return (strength.against_depth->intercept + strength.against_depth->slope * depth) * y_scale;
   };

@@ -11,6 +11,18 @@ namespace {
 
 std::string commit_of(const RunResults& run) { return run.summary().value("commit", "unknown"); }
 
+// All runs by one method.
+struct Totals {
+  int wanted = 0, finished = 0;
+  double unconverged = 0, halved = 0, broken = 0;
+  std::string text() const {
+    return std::to_string(finished) + " of " + std::to_string(wanted) +
+           " runs finished. Steps taken without convergence: " + number_text(unconverged) +
+           "; steps taken as two halves: " + number_text(halved) +
+           "; bonds broken in unconverged steps: " + number_text(broken) + ".";
+  }
+};
+
 // Realizations of one experiment.
 struct Group {
   std::string name;
@@ -41,31 +53,32 @@ void add_runs(Section& section, const std::string& method, std::span<const Job> 
               std::span<const JobOutcome> outcomes, const PaperResults& results) {
   std::vector<Group> groups;
   BulletList failed;
-  double unconverged = 0, halved = 0, broken = 0;
-  int finished = 0, of_others = 0;
+  Totals exact, nscd;
+  int of_others = 0;
   for (std::size_t k = 0; k < jobs.size(); ++k) {
     const std::string name = jobs[k].id.substr(0, jobs[k].id.rfind('/'));
     if (groups.empty() || groups.back().name != name) groups.push_back({.name = name});
     Group& group = groups.back();
     ++group.wanted;
+    Totals& totals = jobs[k].scenario.step.nscd ? nscd : exact;
+    ++totals.wanted;
     if (const RunResults* run = results.run(k)) {
-      ++finished;
+      ++totals.finished;
       ++group.finished;
       group.moving += run->summary().value("missed_rest", false) ? 1 : 0;
-      unconverged += run->final_value("unconverged_steps").value_or(0);
-      halved += run->final_value("halved_steps").value_or(0);
-      broken += run->final_value("bonds_broken_in_unconverged_steps").value_or(0);
+      totals.unconverged += run->final_value("unconverged_steps").value_or(0);
+      totals.halved += run->final_value("halved_steps").value_or(0);
+      totals.broken += run->final_value("bonds_broken_in_unconverged_steps").value_or(0);
       of_others += commit_of(*run) != build_info().commit ? 1 : 0;
     } else if (outcomes[k].status == JobStatus::failed) {
       failed.items.push_back(jobs[k].id + ": " + outcomes[k].failure);
     }
   }
-  section.add(Paragraph{method + ": " + std::to_string(finished) + " of " +
-                        std::to_string(jobs.size()) + " runs finished, " +
-                        commits_of(results, jobs.size()) +
-                        ". Steps taken without convergence: " + number_text(unconverged) +
-                        "; steps taken as two halves: " + number_text(halved) +
-                        "; bonds broken in unconverged steps: " + number_text(broken) +
+  // A part of the programme may push the same specimens by both methods.
+  for (const auto& [totals, name] : {std::pair{&exact, kExactMethod}, {&nscd, kNscdMethod}})
+    if (totals->wanted > 0)
+      section.add(Paragraph{method_title(std::string(name)) + ": " + totals->text()});
+  section.add(Paragraph{"Made by: " + commits_of(results, jobs.size()) +
                         ". Every run's folder holds its scene, series, summary and last state."});
   if (of_others > 0)
     section.add(
