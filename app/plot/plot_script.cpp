@@ -248,7 +248,8 @@ class Script {
                                : of_paper ? "@paper"
                                           : "@ours" + nth(place);
     const bool open = of_paper || curve.open || round % 2 == 1;
-    const std::string dash = of_paper                         ? "paper_dash"
+    constexpr std::size_t kPaperDashes = 3;
+    const std::string dash = of_paper ? "paper_dash_" + std::to_string(place % kPaperDashes + 1)
                              : curve.role == Curve::Role::fit ? "fit_dash"
                                                               : "dash" + nth(place + round);
     return pieces_.fill(kind, {{"colour", colour},

@@ -187,6 +187,20 @@ TEST(PlotScript, NoTwoOfManyCurvesLookAlike) {
   EXPECT_EQ(std::set(looks.begin(), looks.end()).size(), 20U);
 }
 
+// Black, as all that is the paper's.
+TEST(PlotScript, LinesOfThePaperDifferByTheirDash) {
+  Plot plot{.name = "lines"};
+  for (const char* name : {"friction 0.3", "friction 0.6"})
+    plot.curves.push_back({.name = name,
+                           .kind = Curve::Kind::line,
+                           .role = Curve::Role::paper,
+                           .x = {0, 1},
+                           .y = {0, 1}});
+  const std::string script = plot_script(plot);
+  EXPECT_NE(script.find("@paper_dash_1"), std::string::npos);
+  EXPECT_NE(script.find("@paper_dash_2"), std::string::npos);
+}
+
 TEST(PlotScript, AChosenLookIsThatOfNoOtherCurve) {
   Plot plot{.name = "chosen"};
   for (int k = 0; k < 3; ++k)
