@@ -27,7 +27,7 @@ struct ContactRow {
   double arm = 1;            // mean radius of the bodies at the contact, the length scale of T [d]
   double friction = 0;       // [1]
   double rolling = 0;        // [d]
-  double gap_tolerance = 0;  // admissible |gap error| where N > 0 [d]
+  double gap_tolerance = 0;  // admissible |gap error| where N > 0, and overlap [d]
   bool cohesive = false;     // whether free_velocity has an attraction of this contact
 };
 

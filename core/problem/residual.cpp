@@ -67,7 +67,8 @@ Residual residual(const ContactProblem& problem, ContactState& state, const Resi
           const double r = contact_residual(problem, row, inverse_delassus(problem, row), p, u);
           part.finite = part.finite && std::isfinite(r);
           part.worst.natural = std::max(part.worst.natural, r);
-          if (p.x() > 0)
+          // A contact that should carry and does not is as far off where it closes on.
+          if (p.x() > 0 || u.x() < 0)
             part.worst.gap =
                 std::max(part.worst.gap, std::abs(u.x()) * problem.dt / row.gap_tolerance);
           if (part.worst.natural > most_natural || part.worst.gap > most.gap) {

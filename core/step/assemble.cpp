@@ -98,6 +98,14 @@ void free_velocities(const World& world, double dt, std::vector<Vec3>& velocity)
   if (world.drag) apply_drag(*world.drag, world.disks, dt, velocity);
 }
 
+const std::vector<Vec3>& by_loads(const World& world, std::vector<Vec3>& free_velocity) {
+  const std::size_t nd = world.disks.position.size();
+  for (std::size_t i = 0; i < nd; ++i) free_velocity[i] -= world.disks.velocity[i];
+  for (std::size_t k = 0; k < world.walls.size(); ++k)
+    free_velocity[nd + k].head<2>() -= world.walls[k].velocity;
+  return free_velocity;
+}
+
 namespace {
 
 double relative_speed(const World& world, const Pair& pair, const std::vector<Vec3>& velocity) {

@@ -29,6 +29,9 @@ double fastest(const World& world, const std::vector<Vec3>& velocity);
 // included. Disks first, then walls (nd + nw).
 void free_velocities(const World& world, double dt, std::vector<Vec3>& velocity);
 
+// Turns free velocities into what the loads alone add to those of now.
+const std::vector<Vec3>& by_loads(const World& world, std::vector<Vec3>& free_velocity);
+
 // The widest gap of a contact of the step: what two bodies can close in it, and at least the ranges of the
 // bonds. [d]
 double contact_reach(const World& world, const std::vector<Vec3>& free_velocity, double dt);

@@ -217,7 +217,8 @@ StepReport Stepper::advance(World& world, const StepSettings& step,
   }
 
   const WorkClock::Span moving(&s.clock, Work::motion);
-  const bool rests = report.converged && !step.nscd && bring_to_rest(s.problem, settings, s.state);
+  const bool rests = report.converged && !step.nscd &&
+                     bring_to_rest(s.problem, settings, by_loads(world, s.free_velocity), s.state);
   if (step.nscd) report.sweeps = swept_step(s.problem, s.state, report.solve.residual);
   update_bonds(world, step, report);
   report.energy = energy_balance(world, s.contacts, s.problem, s.state.velocity, step.dt);

@@ -11,7 +11,8 @@
 namespace quicksand {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN(),
+                 kInfinity = std::numeric_limits<double>::infinity();
 
 // The grain of disk_on_floor has mass 1 and inertia 1/8, dt = 0.1, force scale 1.
 Residual residual_of(const ContactProblem& problem, const Vec3& impulse) {
@@ -91,11 +92,13 @@ TEST(Residual, MeasuresARollingTorqueThatIsTooLarge) {
   EXPECT_NEAR(natural(problem, {2, 0, 0.2}), 0.1 / 0.5 / 0.1, tolerance::rounding());
 }
 
-TEST(Residual, MeasuresTheGapErrorOfLoadedContactsOnly) {
+TEST(Residual, MeasuresTheGapErrorOfContactsThatAreLoadedOrOverlap) {
   const ContactProblem problem = disk_on_floor({0, -2, 0}, 0.3, 0.05);
   // Opening velocity 0.01 over dt 0.1 is a gap of 1e-3, the tolerance.
   EXPECT_NEAR(residual_of(problem, {2.01, 0, 0}).gap, 1, tolerance::rounding(1e3));
-  EXPECT_EQ(residual_of(problem, {0, 0, 0}).gap, 0);
+  EXPECT_NEAR(residual_of(problem, {0, 0, 0}).gap, 2 * 0.1 / 1e-3, tolerance::rounding(1e3))
+      << "nothing stops it";
+  EXPECT_EQ(residual_of(disk_on_floor({0, 2, 0}, 0.3, 0.05), {0, 0, 0}).gap, 0) << "it flies off";
 }
 
 // Of interest only up to a bound: beyond it some contact that violates it will do, below it the worst counts.
@@ -105,8 +108,8 @@ TEST(Residual, IsTheWorstUpToABoundAndBeyondIt) {
   ContactState state = zero_state(problem);
   const double worst = residual(problem, state).natural;
   ASSERT_GT(worst, 0);
-  EXPECT_EQ(residual(problem, state, {.natural = worst, .gap = 1}).natural, worst);
-  const double beyond = residual(problem, state, {.natural = worst / 100, .gap = 1}).natural;
+  EXPECT_EQ(residual(problem, state, {.natural = worst, .gap = kInfinity}).natural, worst);
+  const double beyond = residual(problem, state, {.natural = worst / 100, .gap = kInfinity}).natural;
   EXPECT_GT(beyond, worst / 100);
   EXPECT_LT(beyond, worst) << "it looked at all contacts";
 }

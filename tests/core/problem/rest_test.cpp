@@ -6,6 +6,7 @@
 #include "core/protocol/protocol.h"
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
+#include "core/step/lengths.h"
 #include "tests/support/core/scenes.h"
 #include "tests/support/core/tolerance.h"
 
@@ -48,6 +49,36 @@ TEST(Rest, IsNotThatOfAGrainInTheAir) {
   const World& world = protocol.world();
   EXPECT_NEAR(world.disks.velocity[1].y(), -world.time, tolerance::rounding(10));
   EXPECT_TRUE(world.disks.velocity[0].isZero(0)) << "bonded to the floor";
+}
+
+// The momentum that a grain gains in a step is within the error of a contact this strong.
+TEST(Rest, IsNotThatOfABondedPairThatFalls) {
+  Scenario scene;
+  scene.gravity = Vec2(0, -1);
+  scene.box = {.sides = Sides::open, .floor = false};
+  scene.grain_law.cohesion_force = 1e11;
+  scene.initial_bonds = InitialBonds::touching;
+  scene.disks = {{.position = {0, 0}}, {.position = {1, 0}}};
+  scene.phases = {{SettlePhase{.max_time = 1, .until_rest = false}, 1e-2}};
+  Protocol protocol(scene, make_world(scene));
+  while (protocol.advance() == Progress::running) {
+  }
+  for (const Vec3& v : protocol.world().disks.velocity) EXPECT_NEAR(v.y(), -1, 1e-3);
+}
+
+// Nor does a body sink into the floor because another, far away, is pressed a million million times as hard.
+TEST(Rest, IsNotInTheFloor) {
+  Scenario scene;
+  scene.gravity = Vec2(0, -1);
+  scene.box = {.sides = Sides::open};
+  scene.disks = {{.position = {3, 1}}, {.position = {3000, 5000}, .density = 1e6}};
+  World world = make_world(scene);
+  world.disks.applied[1] = {0, 1e12, 0};
+  scene.phases = {{SettlePhase{.max_time = 3, .until_rest = false}, 1e-2}};
+  Protocol protocol(scene, world);
+  while (protocol.advance() == Progress::running) {
+  }
+  EXPECT_NEAR(protocol.world().disks.position[0].y(), 0.5, kPlainGapTolerance);
 }
 
 }  // namespace
