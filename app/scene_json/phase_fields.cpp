@@ -53,7 +53,7 @@ void describe_fields(Fields& f, DepositPhase& p, const Scenario& scenario) {
 
 void describe_fields(Fields& f, SettlePhase& p, const Scenario& /*scenario*/) {
   describe_rest(f, p.rest_speed, p.rest_time, p.max_time);
-  f.flag({"until_rest", "false: lasts exactly max_time"}, p.until_rest);
+  f.flag({"until_rest", "false: lasts max_time, in whole steps"}, p.until_rest);
   describe_bonding(f, p.bonding, p.bonds);
 }
 

@@ -6,8 +6,11 @@
 
 namespace quicksand {
 
-// Times are sums of steps: a moment that is due within rounding is due.
-bool Stage::due(double moment) const { return world.time >= moment - 1e-9 * std::max(1.0, moment); }
+// Times are sums of steps: a moment that is due within the rounding of some ten thousand is due.
+bool Stage::due(double moment) const {
+  constexpr double kRounding = 1e-11;
+  return world.time >= moment - kRounding * std::max(1.0, moment);
+}
 
 void Stage::form_bonds(bool bonding, BondingTouch touch) {
   world.bonding = bonding;

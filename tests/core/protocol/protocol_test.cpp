@@ -99,6 +99,14 @@ TEST_P(RunOfPhases, SettleLastsExactlyItsTimeIfItShallNotWaitForRest) {
   EXPECT_EQ(run.protocol.world().step, 37);
 }
 
+TEST_P(RunOfPhases, AShortPhaseHasAllItsStepsHoweverLateItComes) {
+  Scenario scene =
+      with_phases(GetParam(), {{SettlePhase{.max_time = 1000, .until_rest = false}, 1},
+                               {SettlePhase{.max_time = 1e-6, .until_rest = false}, 1e-7}});
+  scene.step.max_turn.reset();
+  EXPECT_EQ(Finished(scene).protocol.world().step, 1000 + 10);
+}
+
 TEST_P(RunOfPhases, SaysWhetherAPhaseEndedBeforeItCameToRest) {
   const auto missed = [](const SettlePhase& settle) {
     const DepositPhase grains{.grains = 3, .interval = 0.02};
