@@ -15,10 +15,14 @@ namespace {
 
 constexpr std::size_t kShortText = 60;
 
+bool admits(const Limits& limits, double number) {
+  const bool inside = limits.above ? number > limits.low : number >= limits.low;
+  return inside && number <= limits.high;
+}
+
 double checked_number(const Json& value, const Limits& limits, const std::string& where) {
   const double number = value.is_number() ? value.get<double>() : std::nan("");
-  const bool inside = limits.above ? number > limits.low : number >= limits.low;
-  if (!std::isfinite(number) || !inside || number > limits.high) {
+  if (!admits(limits, number)) {
     throw InputError(where, "is " + described(value) + ", must be " + described(limits));
   }
   return number * limits.scale;
@@ -209,6 +213,14 @@ void Fields::word(const Field& field, std::span<const std::string_view> words, i
                  return Json{{"enum", names}};
                },
                true});
+}
+
+void Fields::require_within(const std::string& given, const std::string& key,
+                            const Limits& limits, double value) {
+  const double number = value / limits.scale;
+  if (!admits(limits, number))
+    refuse(given.c_str(), "makes " + key + " " + message_number(number) + ", which must be " +
+                              described(limits));
 }
 
 void Fields::json(const Field& field, const Shape& shape, Json& value) {

@@ -141,6 +141,9 @@ class Fields {
   // values to judge; it throws InputError.
   virtual void refuse(const char* /*name*/, const std::string& /*problem*/,
                       const std::string& /*nearest*/ = {}) {}
+  // Refuses `given`, from which a value of `key` follows, where that is not admissible.
+  void require_within(const std::string& given, const std::string& key, const Limits& limits,
+                      double value);
   // Whether values come from a file, so that what depends on them can be worked out after the visit.
   virtual bool reading() const { return false; }
 

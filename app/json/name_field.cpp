@@ -7,27 +7,37 @@
 
 namespace quicksand {
 
+namespace {
+
+constexpr std::size_t kLongest = 100;  // [bytes]
+
+bool can_name_a_folder(const std::string& name) {
+  return name.size() <= kLongest && name.find('/') == std::string::npos &&
+         !name.starts_with('.') && !has_control_characters(name);
+}
+
+std::string what_can_name_a_folder() {
+  return "names the output folder: at most " + std::to_string(kLongest) +
+         " bytes, no \"/\", no \".\" first, no control characters";
+}
+
+}  // namespace
+
 void describe_heading(Fields& f, std::string& name, std::string& description, const char* help) {
-  constexpr std::size_t kLongest = 100;
   std::string schema;  // for editors; means nothing to the program
   f.text({"$schema", "path of this schema, for editors"}, schema);
   f.text({"name", "short name, used for the output folder; the file's name if absent"}, name);
-  if (f.reading() && (name.size() > kLongest || name.find('/') != std::string::npos ||
-                      name.starts_with('.') || has_control_characters(name))) {
-    f.refuse("name", "names the output folder: at most " + std::to_string(kLongest) +
-                         " bytes, no \"/\", no \".\" first, no control characters");
-  }
+  if (f.reading() && !can_name_a_folder(name)) f.refuse("name", what_can_name_a_folder());
   f.text({"description", help}, description);
 }
 
 std::string name_of(const std::filesystem::path& file) {
   std::string name = file.stem().string();
-  const char* problem = !is_utf8(name)                 ? "is no UTF-8"
-                        : has_control_characters(name) ? "has control characters"
-                                                       : nullptr;
-  if (problem)
-    throw InputError("name", std::string("is missing, and the name of the file, which stands in "
-                                         "for it, ") +
+  const std::string problem = !is_utf8(name)             ? "is no UTF-8"
+                              : !can_name_a_folder(name) ? what_can_name_a_folder()
+                                                         : "";
+  if (!problem.empty())
+    throw InputError("name", "is missing, and the name of the file, which stands in for it, " +
                                  problem + "; give one, or rename the file");
   return name;
 }

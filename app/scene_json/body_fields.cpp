@@ -32,10 +32,14 @@ void describe_repeat(Fields& f, Repeat& repeat) {
            between(-kLongestOffset, kLongestOffset, "d"), repeat.offset);
 }
 
+Vec2 place_in_row(const BodyEntry& entry, std::int64_t k) {
+  return entry.disk.position + static_cast<double>(k) * entry.repeat.value_or(Repeat{}).offset;
+}
+
 void describe_entry(Fields& f, BodyEntry& e) {
   constexpr double kRadius = 0.5;
-  f.vector({"position", "of the centre", Presence::required}, between(-1e7, 1e7, "d"),
-           e.disk.position);
+  const Limits place = between(-1e7, 1e7, "d");
+  f.vector({"position", "of the centre", Presence::required}, place, e.disk.position);
   f.number({"diameter", "of the disk"}, above(0, 1e4, "d", kRadius), e.disk.radius);
   f.number({"density", "over that of a grain"}, above(0, 1e6, "1"), e.disk.density);
   f.vector({"velocity", "initial, or for good if fixed"}, between(-1e6, 1e6, "sqrt(g d)"),
@@ -46,6 +50,10 @@ void describe_entry(Fields& f, BodyEntry& e) {
   f.choice({"role", "whether it counts as a grain"}, kRoles, e.disk.role);
   f.flag({"fixed", "moves with its velocity, whatever acts on it"}, e.disk.fixed);
   f.optional_object({"repeat", "puts a row of such bodies"}, e.repeat, describe_repeat);
+  if (!f.reading() || !e.repeat) return;
+  const Vec2 last = place_in_row(e, e.repeat->count - 1);
+  f.require_within("repeat", "the last position[0]", place, last.x());
+  f.require_within("repeat", "the last position[1]", place, last.y());
 }
 
 bool same_but_for_place(const Disk& a, const Disk& b) {
@@ -108,10 +116,10 @@ void describe_bodies(Fields& f, std::vector<Disk>& disks, std::vector<Vec3>& for
   disks.reserve(static_cast<std::size_t>(total));
   forces.reserve(static_cast<std::size_t>(total));
   for (const BodyEntry& entry : entries) {
-    const Repeat repeat = entry.repeat.value_or(Repeat{});
-    for (std::int64_t i = 0; i < repeat.count; ++i) {
+    const std::int64_t count = entry.repeat ? entry.repeat->count : 1;
+    for (std::int64_t i = 0; i < count; ++i) {
       Disk disk = entry.disk;
-      disk.position += static_cast<double>(i) * repeat.offset;
+      disk.position = place_in_row(entry, i);
       disks.push_back(disk);
       forces.emplace_back(entry.force.x(), entry.force.y(), entry.torque);
     }

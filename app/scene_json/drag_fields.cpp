@@ -25,10 +25,12 @@ double form_drag(double coefficient, double density, const SiScale& si) {
 void describe_drag(Fields& f, Drag& drag, const std::optional<PhysicalScale>& physical) {
   std::optional<double> linear, quadratic, viscosity, coefficient, fluid_density;
   if (!f.reading()) linear = drag.linear, quadratic = drag.quadratic;
+  const Limits linear_limits = between(0, 1e12, "F_g/sqrt(g d)");
+  const Limits quadratic_limits = between(0, 1e12, "F_g/(g d)");
   f.number({"linear", "force over velocity, of a grain of 1 d; grows with the diameter"},
-           between(0, 1e12, "F_g/sqrt(g d)"), linear);
+           linear_limits, linear);
   f.number({"quadratic", "force over velocity squared, of a grain of 1 d; grows with its square"},
-           between(0, 1e12, "F_g/(g d)"), quadratic);
+           quadratic_limits, quadratic);
   f.number({"viscosity", "instead of linear, with physical: Stokes drag 3 pi eta d v of a sphere"},
            between(0, 1e6, "Pa s"), viscosity);
   f.number({"coefficient",
@@ -54,8 +56,14 @@ void describe_drag(Fields& f, Drag& drag, const std::optional<PhysicalScale>& ph
   }
   drag.linear = linear.value_or(0);
   drag.quadratic = quadratic.value_or(0);
-  if (viscosity) drag.linear = stokes(*viscosity, si_scale(*physical));
-  if (coefficient) drag.quadratic = form_drag(*coefficient, *fluid_density, si_scale(*physical));
+  if (viscosity) {
+    drag.linear = stokes(*viscosity, si_scale(*physical));
+    f.require_within("viscosity", "linear", linear_limits, drag.linear);
+  }
+  if (coefficient) {
+    drag.quadratic = form_drag(*coefficient, *fluid_density, si_scale(*physical));
+    f.require_within("coefficient", "quadratic", quadratic_limits, drag.quadratic);
+  }
 }
 
 }  // namespace quicksand

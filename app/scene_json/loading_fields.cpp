@@ -127,8 +127,9 @@ void describe_fields(Fields& f, PenetratePhase& p, const Scenario& scenario) {
            above(0, 1e6, "sqrt(g d)"), p.speed);
   std::optional<double> force, over_cohesion;
   if (!p.speed) force = p.force;
-  f.number({"force", "downward, besides the intruder's weight; it is free to turn"},
-           between(0, 1e12, "F_g"), force);
+  const Limits force_limits = between(0, 1e12, "F_g");
+  f.number({"force", "downward, besides the intruder's weight; it is free to turn"}, force_limits,
+           force);
   f.number({"force_over_cohesion", "the same, over the grains' cohesion force"},
            between(0, 1e6, "F_c"), over_cohesion);
   f.exactly_one({"speed", "force", "force_over_cohesion"});
@@ -141,7 +142,7 @@ void describe_fields(Fields& f, PenetratePhase& p, const Scenario& scenario) {
           "stays"},
          p.release);
   describe_bonding(f, p.bonding, p.bonds);
-  if (f.reading()) p.force = given_force(f, "force_over_cohesion", force, over_cohesion, law);
+  if (f.reading()) p.force = given_force(f, "force", force_limits, force, over_cohesion, law);
   describe_critical_drive(
       f,
       "instead of one drive, seeks the smallest force that drives it to the depth, by trials from "

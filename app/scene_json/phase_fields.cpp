@@ -90,23 +90,28 @@ void describe_rest(Fields& f, double& rest_speed, double& rest_time, double& max
   f.number({"max_time", "ends the phase in any case"}, above(0, kMaxTime, "sqrt(d/g)"), max_time);
 }
 
-double given_force(Fields& f, const char* over_key, std::optional<double> force,
-                   std::optional<double> over_cohesion, const ContactLaw& law) {
+double given_force(Fields& f, const std::string& key, const Limits& limits,
+                   std::optional<double> force, std::optional<double> over_cohesion,
+                   const ContactLaw& law) {
   if (!over_cohesion) return force.value_or(0);
+  const std::string over_key = key + "_over_cohesion";
   if (law.cohesion_force.value_or(0) == 0)
-    f.refuse(over_key, "needs contact.cohesion_force above 0; give the force itself");
-  return *over_cohesion * *law.cohesion_force;
+    f.refuse(over_key.c_str(), "needs contact.cohesion_force above 0; give the force itself");
+  const double product = *over_cohesion * *law.cohesion_force;
+  f.require_within(over_key, key, limits, product);
+  return product;
 }
 
 void describe_force(Fields& f, const char* help, double least, double& force,
                     const ContactLaw& law) {
   std::optional<double> plain = force;
   std::optional<double> over_cohesion;
-  f.number({"force", help}, between(least * 1e12, 1e12, "F_g"), plain);
+  const Limits limits = between(least * 1e12, 1e12, "F_g");
+  f.number({"force", help}, limits, plain);
   f.number({"force_over_cohesion", "the same, over the grains' cohesion force"},
            between(least * 1e6, 1e6, "F_c"), over_cohesion);
   f.exactly_one({"force", "force_over_cohesion"});
-  if (f.reading()) force = given_force(f, "force_over_cohesion", plain, over_cohesion, law);
+  if (f.reading()) force = given_force(f, "force", limits, plain, over_cohesion, law);
 }
 
 namespace {

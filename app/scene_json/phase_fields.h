@@ -28,9 +28,11 @@ void describe_rest(Fields& f, double& rest_speed, double& rest_time, double& max
 void describe_bonds(Fields& f, BondingTouch& bonds);
 void describe_bonding(Fields& f, bool& bonding, BondingTouch& bonds);
 
-// A force [F_g] that is given by itself or as `over_key` over the cohesion force of `law`; 0 if neither is.
-double given_force(Fields& f, const char* over_key, std::optional<double> force,
-                   std::optional<double> over_cohesion, const ContactLaw& law);
+// A force [F_g] that is given by itself, in `key` with these limits, or as `key`_over_cohesion over the cohesion force of
+// `law`; 0 if neither is.
+double given_force(Fields& f, const std::string& key, const Limits& limits,
+                   std::optional<double> force, std::optional<double> over_cohesion,
+                   const ContactLaw& law);
 // A force [F_g], which may be given over the cohesion force of `law` instead. `least` is -1 where it
 // may be negative, else 0.
 void describe_force(Fields& f, const char* help, double least, double& force,

@@ -54,21 +54,22 @@ double rounded(double x) { return std::strtod(format("%.12g", x).c_str(), nullpt
 
 // Given by magnitude and tilt, or as a vector: a resolved scene holds what gives back the same bits.
 void describe_gravity(Fields& f, Gravity& gravity) {
+  constexpr double kStrongest = 1e6;
   std::optional<double> magnitude, tilt;
   std::optional<Vec2> vector;
   if (!f.reading()) {
     magnitude = rounded(gravity.vector.norm());
     tilt = rounded(std::atan2(gravity.vector.x(), -gravity.vector.y()) * 180 / std::numbers::pi);
-    if (tilted_gravity(*magnitude, *tilt) != gravity.vector) {
+    if (*magnitude > kStrongest || tilted_gravity(*magnitude, *tilt) != gravity.vector) {
       magnitude.reset(), tilt.reset();
       vector = gravity.vector;
     }
   }
-  f.number({"magnitude", "strength; 1 if absent"}, between(0, 1e6, "g"), magnitude);
+  f.number({"magnitude", "strength; 1 if absent"}, between(0, kStrongest, "g"), magnitude);
   f.number({"tilt", "angle from straight down, counter-clockwise; 0 if absent"},
            between(-180, 180, "degrees"), tilt);
-  f.vector({"vector", "instead of magnitude and tilt: components [x, y]"}, between(-1e6, 1e6, "g"),
-           vector);
+  f.vector({"vector", "instead of magnitude and tilt: components [x, y]"},
+           between(-kStrongest, kStrongest, "g"), vector);
   if (!f.reading()) return;
   if (vector && (magnitude || tilt)) {
     f.refuse("vector", "is given besides magnitude or tilt; give the one or the other");

@@ -15,10 +15,11 @@ void describe_interval(Fields& f, double& tolerance) {
 }
 
 void describe_trials(Fields& f, SearchTrials& t, const ContactLaw& law) {
+  const Limits limits = above(0, 1e12, "F_g");
   std::optional<double> force = t.first_force;
   std::optional<double> force_over_cohesion;
   f.number({"first_force", "of the first trial; doubled or halved, then the interval is halved"},
-           above(0, 1e12, "F_g"), force);
+           limits, force);
   f.number({"first_force_over_cohesion", "the same, over the grains' cohesion force"},
            above(0, 1e6, "F_c"), force_over_cohesion);
   f.exactly_one({"first_force", "first_force_over_cohesion"});
@@ -33,7 +34,7 @@ void describe_trials(Fields& f, SearchTrials& t, const ContactLaw& law) {
             "no bond has failed for rest_time"},
            kTrialEnds, t.until);
   if (f.reading())
-    t.first_force = given_force(f, "first_force_over_cohesion", force, force_over_cohesion, law);
+    t.first_force = given_force(f, "first_force", limits, force, force_over_cohesion, law);
 }
 
 }  // namespace

@@ -106,6 +106,42 @@ TEST(SceneReading, AForceOverNoCohesionIsRefusedInEveryPhase) {
   }
 }
 
+// What follows from a key must be within the range of the key that it stands for.
+TEST(SceneReading, WhatFollowsFromAKeyIsRefusedBeyondItsRange) {
+  struct Derived {
+    std::vector<std::string> changes;
+    const char* answer;
+  };
+  const std::string grains = R"(physical={"grain_diameter": 1e-6, "grain_density": 1e-3})";
+  const Derived cases[] = {
+      {{"contact.cohesion_force=1e12", R"(phases[0]={"type": "push", "force_over_cohesion": -3})"},
+       "phases[0].force_over_cohesion (from --set): makes force -3e+12, which must be a number "
+       "from -1e+12 to 1e+12 F_g"},
+      {{"contact.cohesion_force=1e12", R"(phases[0]={"type": "piston", "mass": 1,
+         "force_over_cohesion": 3})"},
+       "phases[0].force_over_cohesion (from --set): makes force 3e+12, which must be a number "
+       "from 0 to 1e+12 F_g"},
+      {{"contact.cohesion_force=1e12", R"(phases[0]={"type": "penetrate", "depth": 1,
+         "force_over_cohesion": 3})"},
+       "phases[0].force_over_cohesion (from --set): makes force 3e+12, which must be a number "
+       "from 0 to 1e+12 F_g"},
+      {{"contact.cohesion_force=1e-300", R"(phases[0]={"type": "shear", "depths": [1],
+         "first_force_over_cohesion": 1e-300})"},
+       "phases[0].first_force_over_cohesion (from --set): makes first_force 0, which must be a "
+       "number above 0 and at most 1e+12 F_g"},
+      {{"bodies[0]={\"position\": [9.5e6, 2], \"repeat\": {\"count\": 2, \"offset\": [1e6, 0]}}"},
+       "bodies[0].repeat (from --set): makes the last position[0] 1.05e+07, which must be a number "
+       "from -1e+07 to 1e+07 d"},
+      {{grains, R"(drag={"viscosity": 1e6})"}, "drag.viscosity (from --set): makes linear "},
+      {{grains, R"(drag={"coefficient": 1e6, "fluid_density": 1e6})"},
+       "drag.coefficient (from --set): makes quadratic "},
+  };
+  for (const auto& [changes, answer] : cases) {
+    const std::string message = refusal(kSceneReadingScene, changes);
+    EXPECT_NE(message.find(answer), std::string::npos) << message << "\n  lacks: " << answer;
+  }
+}
+
 TEST(SceneReading, APlainSceneIsRead) { EXPECT_EQ(refusal(kSceneReadingScene), ""); }
 
 struct Mistake {

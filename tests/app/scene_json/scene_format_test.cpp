@@ -35,6 +35,26 @@ TEST(SceneFormat, ResolvedScenesReadBackTheSame) {
   }
 }
 
+// Values that follow from others reach the ends of their ranges, or are refused where they are beyond.
+TEST(SceneFormat, WhateverIsReadCanBeWrittenAndReadAgain) {
+  const char* const at_the_ends[] = {
+      R"("contact": {"cohesion_force": 1e12},
+         "phases": [{"type": "push", "force_over_cohesion": -1}])",
+      R"("contact": {"cohesion_force": 1e-300},
+         "phases": [{"type": "shear", "depths": [1], "first_force_over_cohesion": 1e-6}])",
+      R"("bodies": [{"position": [-1e7, 2], "repeat": {"count": 21, "offset": [1e6, 0]}}])",
+      R"("bodies": [{"position": [1, 2], "repeat": {"count": 4, "offset": [1e-9, 1e6]}}])",
+      R"("physical": {"grain_diameter": 1e-6, "grain_density": 1000}, "drag": {"viscosity": 1}})",
+      R"("gravity": {"vector": [1e6, -1e6]})", R"("gravity": {"vector": [-1e-300, 1e-310]})",
+      R"("walls": [{"point": [0, 0], "normal": [-1e6, 1e-300]}])"};
+  for (const char* const keys : at_the_ends) {
+    const Scenario scene = scenario(R"({"box": {"width": 9}, )" + std::string(keys) + "}");
+    std::string again;
+    EXPECT_NO_THROW(again = to_text(scenario_from_json(to_json(scene)))) << keys;
+    EXPECT_EQ(again, to_text(scene)) << keys;
+  }
+}
+
 TEST(SceneFormat, ATiltedGravityReadsBackBitByBit) {
   const Scenario scene =
       scenario(R"({"box": {"width": 5}, "gravity": {"magnitude": 0.7, "tilt": 17.3}})");
@@ -257,6 +277,10 @@ TEST(SceneFormat, ASceneWithoutNameIsCalledAfterItsFile) {
   const TemporaryFolder folder;
   EXPECT_EQ(read_scene({folder.write("beam.json", R"({"box": {"width": 5}})"), {}, {}}).name,
             "beam");
+  for (const std::string& stem : {std::string(".beam"), std::string(101, 'b')})
+    EXPECT_THROW(read_scene({folder.write(stem + ".json", R"({"box": {"width": 5}})"), {}, {}}),
+                 InputError)
+        << stem;
 }
 
 }  // namespace
