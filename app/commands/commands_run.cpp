@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "app/commands/command_definition.h"
+#include "app/scene/scene_file.h"
 #include "app/scene_json/phase_fields.h"
 #include "app/scene_json/scene_fields.h"
 #include "app/session/condition.h"
@@ -194,8 +195,17 @@ void check_phase(const Session& session, const Phase& phase, const std::string& 
   } catch (const InputError& error) {
     throw InputError(place, error.what());
   }
-  if (std::holds_alternative<PullPhase>(phase.kind) && session.world().intruder() < 0)
-    throw InputError(place, "needs an intruder, and there is none; push one in before");
+  const World& world = session.world();
+  const Phase* present = session.protocol().phase();
+  const auto* piston = present && now.entered ? std::get_if<PistonPhase>(&present->kind) : nullptr;
+  // The phase under way ends, and takes its piston with it.
+  const std::size_t leaving = piston && piston->remove ? 1 : 0;
+  const std::string problem = problem_of_beginning(
+      phase, world, {.phase = "this phase", .walls = world.walls.size() - leaving});
+  if (!problem.empty()) throw InputError(place, "cannot begin: the world " + problem);
+  scenario.disks.clear();
+  scenario.phases.assign(1, phase);
+  require_memory(scenario, world.disks.size(), place);
 }
 
 template <class Kind>

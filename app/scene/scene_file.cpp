@@ -55,71 +55,70 @@ void require_same_box(const Scenario& scenario, const World& state) {
                        " d), other sides or another floor than the scene that starts from it");
 }
 
-// validate() could not know what the state holds.
-void require_intruder(const Scenario& scenario, const World& state) {
-  if (state.intruder() >= 0) return;
-  for (std::size_t k = 0; k < scenario.phases.size(); ++k) {
-    const Phase& phase = scenario.phases[k];
-    if (brings_intruder(phase)) return;
-    if (!std::holds_alternative<PullPhase>(phase.kind) &&
-        !std::holds_alternative<VanePhase>(phase.kind))
-      continue;
-    throw InputError(scenario.start_from, "has no intruder, which phases[" + std::to_string(k) +
-                                              "], a " + std::string(phase_name(phase)) + ", needs");
-  }
-}
-
-// A scene has one intruder of several parts.
-void refuse_second_intruder(const Scenario& scenario, const World& state) {
-  if (state.intruder() < 0) return;
-  for (std::size_t k = 0; k < scenario.phases.size(); ++k) {
-    const Phase& phase = scenario.phases[k];
-    const bool second = brings_intruder(phase) &&
-                        (!state.shapes.empty() || !std::holds_alternative<PushPhase>(phase.kind));
-    const bool dropped = !state.shapes.empty() && std::holds_alternative<DepositPhase>(phase.kind);
-    if (second || dropped)
-      throw InputError(scenario.start_from,
-                       "has an intruder, and phases[" + std::to_string(k) +
-                           (second ? "] brings another" : "] drops grains on it"));
-  }
-}
-
-// Of a state that has the scene's box: the floor and sides of the box are in nobody's way, nor are other floors.
-std::string wall_in_the_way(const World& state) {
-  const int of_box = (state.box.floor ? 1 : 0) + (state.box.sides == Sides::walls ? 2 : 0);
-  for (int k = of_box; k < static_cast<int>(state.walls.size()); ++k) {
-    const Wall& wall = state.walls[static_cast<std::size_t>(k)];
+// Of a world that has the scene's box: the floor and sides of the box are in nobody's way, nor are other floors.
+std::string wall_in_the_way(const World& world, std::size_t walls) {
+  const std::size_t of_box = (world.box.floor ? 1 : 0) + (world.box.sides == Sides::walls ? 2 : 0);
+  for (std::size_t k = of_box; k < walls; ++k) {
+    const Wall& wall = world.walls[k];
     if (wall.role == WallRole::piston) return "a piston";
-    if (!is_floor(wall)) return "a wall (" + message_name(state, kWallBase + k) + " of its scene)";
+    if (!is_floor(wall))
+      return "a wall (" + message_name(world, kWallBase + static_cast<int>(k)) + " of its scene)";
   }
   return {};
 }
 
-void require_way_down(const Scenario& scenario, const World& state) {
-  const std::string wall = wall_in_the_way(state);
-  if (wall.empty()) return;
+bool places_from_above(const Phase& phase) {
+  return std::holds_alternative<PushPhase>(phase.kind) ||
+         std::holds_alternative<PenetratePhase>(phase.kind) ||
+         std::holds_alternative<DepositPhase>(phase.kind);
+}
+
+bool needs_intruder(const Phase& phase) {
+  return std::holds_alternative<PullPhase>(phase.kind) ||
+         (std::holds_alternative<VanePhase>(phase.kind) && !brings_intruder(phase));
+}
+
+// validate() could not know what the state holds.
+void require_beginnings(const Scenario& scenario, const World& state) {
+  bool brought = false;  // an intruder, by an earlier phase
   for (std::size_t k = 0; k < scenario.phases.size(); ++k) {
     const Phase& phase = scenario.phases[k];
-    if (!std::holds_alternative<PushPhase>(phase.kind) &&
-        !std::holds_alternative<PenetratePhase>(phase.kind) &&
-        !std::holds_alternative<DepositPhase>(phase.kind))
-      continue;
-    throw InputError(scenario.start_from, "has " + wall + " in the way of phases[" +
-                                              std::to_string(k) +
-                                              "], which places bodies from above");
+    const std::string problem =
+        problem_of_beginning(phase, state, {.phase = "phases[" + std::to_string(k) + "]",
+                                            .walls = state.walls.size(),
+                                            .intruder_comes = brought});
+    if (!problem.empty()) throw InputError(scenario.start_from, problem);
+    brought = brought || brings_intruder(phase);
   }
 }
 
-// For the bodies of the scene besides those that are there already.
-void require_memory(const Scenario& scenario, int present) {
+}  // namespace
+
+void require_memory(const Scenario& scenario, int present, const std::string& where) {
   const std::int64_t bodies = size_of(scenario).bodies() + present;
   const std::string problem = memory_problem(bytes_to_compute(bodies));
-  if (problem.empty()) return;
-  throw InputError(scenario.name,
-                   "to compute about " + std::to_string(bodies) + " bodies " + problem);
+  if (!problem.empty())
+    throw InputError(where, "to compute about " + std::to_string(bodies) + " bodies " + problem);
 }
 
-}  // namespace
+std::string problem_of_beginning(const Phase& phase, const World& world,
+                                 const Beginning& beginning) {
+  const bool has_intruder = world.intruder() >= 0;
+  if (needs_intruder(phase) && !has_intruder && !beginning.intruder_comes)
+    return "has no intruder, which " + beginning.phase + ", a " + std::string(phase_name(phase)) +
+           ", needs";
+  if (places_from_above(phase))
+    if (const std::string wall = wall_in_the_way(world, beginning.walls); !wall.empty())
+      return "has " + wall + " in the way of " + beginning.phase +
+             ", which places bodies from above";
+  // A scene has one intruder of several parts.
+  if (has_intruder && brings_intruder(phase) &&
+      (!world.shapes.empty() || !std::holds_alternative<PushPhase>(phase.kind)))
+    return "has an intruder, and " + beginning.phase + " brings another";
+  if (has_intruder && !world.shapes.empty() && std::holds_alternative<DepositPhase>(phase.kind))
+    return "has an intruder, and " + beginning.phase + " drops grains on it";
+  return {};
+}
 
 fs::path scene_named(const std::string& word, const fs::path& folder) {
   const bool is_name = word.find_first_of("/.") == std::string::npos;
@@ -202,7 +201,7 @@ void refuse_swept_shapes(const Scenario& scenario, const World& world, const std
 
 World start_world(const Scenario& scenario) {
   if (scenario.start_from.empty()) {
-    require_memory(scenario, 0);
+    require_memory(scenario, 0, scenario.name);
     return make_world(scenario);
   }
   World world = make_world(scenario);
@@ -213,11 +212,9 @@ World start_world(const Scenario& scenario) {
                      "was left within a trial of a search, whose force still acts; go on with its "
                      "run to the end first, by `quicksand resume`");
   World state = std::move(start.world);
-  require_memory(scenario, state.disks.size());
+  require_memory(scenario, state.disks.size(), scenario.name);
   require_same_box(scenario, state);
-  require_intruder(scenario, state);
-  require_way_down(scenario, state);
-  refuse_second_intruder(scenario, state);
+  require_beginnings(scenario, state);
   refuse_swept_shapes(scenario, state, scenario.start_from);
   world.disks = std::move(state.disks);
   world.shapes = std::move(state.shapes);

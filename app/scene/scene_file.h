@@ -46,6 +46,20 @@ std::string read_scene_text(const std::filesystem::path& file);
 // be read or its box is another one.
 World start_world(const Scenario& scenario);
 
+// Throws InputError, `where`, if the memory does not suffice for the bodies of the scene besides those that are present.
+void require_memory(const Scenario& scenario, int present, const std::string& where);
+
+// How a phase begins in a world that other phases have made.
+struct Beginning {
+  std::string phase;            // what messages call it
+  std::size_t walls = 0;        // of the world's, the first so many; the others leave before
+  bool intruder_comes = false;  // before it
+};
+// What of the world a phase cannot begin in, as a sentence about the world: "has a piston in the way of ..."; empty if it
+// can. validate() knows of the scene alone.
+std::string problem_of_beginning(const Phase& phase, const World& world,
+                                 const Beginning& beginning);
+
 // Throws InputError, `where`, if the scene's method sweeps and the world has an intruder of several parts.
 void refuse_swept_shapes(const Scenario& scenario, const World& world, const std::string& where);
 

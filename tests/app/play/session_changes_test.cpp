@@ -209,5 +209,38 @@ TEST_F(SessionTest, APistonNeedsSomethingToPressWhereItBegins) {
       << played.err;
 }
 
+// The state's piston is in no phase of the scene that starts from it.
+TEST_F(SessionTest, APhaseBegunByHandMustFitTheWorldThatAStateHasBrought) {
+  folder_.write("pressed.json", R"({"gravity": {}, "box": {"width": 6, "height": 8},
+    "bodies": [{"position": [3, 0.5]}], "phases": [
+    {"type": "piston", "mass": 5, "force": 10, "max_time": 1.1, "remove": false}]})");
+  ASSERT_EQ(quicksand({"run", "pressed.json", "--no-frames", "--out", "pressed"}).exit_code, 0);
+  const std::string start = R"({"command": "load", "scene": {"gravity": {},
+    "box": {"width": 6, "height": 8}, "start_from": "pressed/state.cbor", "phases": []}})";
+  for (const auto& [phase, problem] : std::vector<std::pair<std::string, std::string>>{
+           {R"({"command": "push", "force": 10, "max_time": 0.2})", "has a piston in the way"},
+           {R"({"command": "deposit", "grains": 3})", "has a piston in the way"},
+           {R"({"command": "vane", "angular_velocity": 1})", "has no intruder"},
+           {R"({"command": "pull", "first_force": 1})", "has no intruder"}}) {
+    const Outcome played = play({start, phase});
+    EXPECT_EQ(played.exit_code, 2) << phase;
+    EXPECT_NE(played.err.find("commands[1]"), std::string::npos) << played.err;
+    EXPECT_NE(played.err.find("cannot begin: the world " + problem), std::string::npos)
+        << played.err;
+  }
+}
+
+// That of the phase under way leaves with it.
+TEST_F(SessionTest, APistonThatIsRemovedIsInNobodysWayAfterItsPhase) {
+  const Outcome played =
+      play({R"({"command": "load", "scene": {"gravity": {}, "box": {"width": 6, "height": 8},
+              "bodies": [{"position": [3, 0.5]}], "phases": [
+              {"type": "piston", "mass": 5, "force": 10, "max_time": 1.1}]}})",
+            R"({"command": "run", "steps": 2})",
+            R"({"command": "push", "diameter": 1, "force": 10, "max_time": 0.2})",
+            R"({"command": "run", "steps": 2})"});
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+}
+
 }  // namespace
 }  // namespace quicksand::test
