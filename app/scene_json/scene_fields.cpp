@@ -241,6 +241,11 @@ void describe_scene(Fields& f, Scenario& s) {
     if (!s.start_from.empty() && !s.walls.empty()) {
       f.refuse("walls", "are listed, but start_from brings the walls already; give only one");
     }
+    if (!s.start_from.empty() && s.initial_bonds != InitialBonds::none) {
+      f.refuse("initial_bonds",
+               "is \"touching\", but start_from brings the bonds already; a heal phase bonds what "
+               "touches");
+    }
   }
 }
 
