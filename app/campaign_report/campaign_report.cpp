@@ -89,6 +89,7 @@ class Writer {
     for (const Job& job : jobs_) records_.push_back(read_record(job));
     points_ = points_of(jobs_, records_);
     paths_ = parameter_paths(campaign_);
+    for (const std::string& path : paths_) digits_[path] = digits_that_tell_apart(points_, path);
     if (campaign_.report.plots.empty() && campaign_.report.histories.empty())
       campaign_.report.plots = of_packing();
     choose_axis();
@@ -174,13 +175,14 @@ class Writer {
   std::string value_name(const CampaignPoint& point, const std::string& path) const {
     const Json value = value_of(point, path);
     const ReportParameter* known = parameter(path);
-    if (!known || !known->names.is_array()) return value_text(value);
+    const std::string text = value_text(value, digits_.at(path));
+    if (!known || !known->names.is_array()) return text;
     std::vector<Json> values;  // each once, in their order
     for (const CampaignPoint& other : points_)
       if (const Json v = value_of(other, path); std::ranges::find(values, v) == values.end())
         values.push_back(v);
     const auto k = static_cast<std::size_t>(std::ranges::find(values, value) - values.begin());
-    return k < known->names.size() ? known->names[k].get<std::string>() : value_text(value);
+    return k < known->names.size() ? known->names[k].get<std::string>() : text;
   }
 
   // Whether this is not over all realizations that have finished.
@@ -218,11 +220,6 @@ class Writer {
     return table;
   }
 
-  static Json value_of(const CampaignPoint& point, const std::string& path) {
-    const auto found = std::ranges::find(point.values, path, &ParameterValues::value_type::first);
-    return found == point.values.end() ? Json() : found->second;
-  }
-
   // Parameters that tell curves apart: those that have several values at one place of the axis. Others follow from it.
   void find_curves() {
     for (const std::string& path : paths_) {
@@ -233,6 +230,13 @@ class Writer {
       });
       if (path != x().path && varies) curve_paths_.push_back(path);
     }
+  }
+
+  static std::vector<Json> values_of(const CampaignPoint& point,
+                                     const std::vector<std::string>& paths) {
+    std::vector<Json> values;
+    for (const std::string& path : paths) values.push_back(value_of(point, path));
+    return values;
   }
 
   // What a curve is called by these parameters of its point: "speed 3 √(g d)", or by the names of their values.
@@ -275,26 +279,27 @@ class Writer {
               .y = {.label = shown.label, .unit = shown.unit, .logarithmic = shown.logarithmic}};
     bool some_lack = false;
     for (const ReportedValue& value : shown.values) {
-      std::map<std::string, std::multimap<double, Measured>> curves;  // by what else varies
-      std::vector<std::string> order;
+      std::map<std::vector<Json>, std::multimap<double, Measured>> curves;  // by what else varies
+      std::vector<const CampaignPoint*> firsts;                             // of the curves
       std::vector<double> numbers;
       for (const CampaignPoint& point : points_) {
         const Json place = value_of(point, x().path);
         const std::optional<Measured> found = measured_at(point, records_, value);
         some_lack = some_lack || lacks_runs(point, found);
         if (!place.is_number() || !found) continue;
-        const std::string others = name_by(point, curve_paths_);
-        const auto [curve, is_new] = curves.try_emplace(others);
+        const auto [curve, is_new] = curves.try_emplace(values_of(point, curve_paths_));
         if (is_new) {
-          order.push_back(others);
+          firsts.push_back(&point);
           add_number(numbers, point, curve_paths_);
         }
         curve->second.emplace(place.get<double>(), *found);
       }
       std::vector<Curve> named;
-      for (const std::string& others : order) {
+      for (const CampaignPoint* first : firsts) {
         Curve curve{.kind = Curve::Kind::line_points};
-        for (const auto& [place, found] : curves[others]) add_point(curve, place, found);
+        for (const auto& [place, found] : curves[values_of(*first, curve_paths_)])
+          add_point(curve, place, found);
+        const std::string others = name_by(*first, curve_paths_);
         // The axis has said what a single curve shows.
         const bool alone =
             shown.values.size() == 1 && (!others.empty() || shown.references.empty());
@@ -364,6 +369,7 @@ class Writer {
   std::vector<RunRecord> records_;
   std::vector<CampaignPoint> points_;
   std::vector<std::string> paths_, curve_paths_;
+  std::map<std::string, int> digits_;  // by which the values of a parameter are told apart
 };
 
 }  // namespace

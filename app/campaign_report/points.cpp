@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "app/plot/typeset_number.h"
 #include "app/scene/scene_override.h"
@@ -121,15 +122,32 @@ MeanHistory mean_history(std::span<const RunResults> runs, const ReportHistory& 
   return mean;
 }
 
-std::string value_text(const Json& value) {
+std::string value_text(const Json& value, int digits) {
   if (value.is_string()) return value.get<std::string>();
-  if (value.is_number()) return typeset(value.get<double>());
+  if (value.is_number()) return typeset(value.get<double>(), digits);
   if (!value.is_object()) return value.dump();
   // What an object is comes first.
-  std::string text = value.contains("type") ? value_text(value["type"]) : std::string();
+  std::string text = value.contains("type") ? value_text(value["type"], digits) : std::string();
   for (const auto& [key, inside] : value.items())
-    if (key != "type") text += (text.empty() ? "" : ", ") + key + " " + value_text(inside);
+    if (key != "type") text += (text.empty() ? "" : ", ") + key + " " + value_text(inside, digits);
   return text;
+}
+
+int digits_that_tell_apart(std::span<const CampaignPoint> points, const std::string& path) {
+  constexpr int kFew = 4, kAll = 17;  // those of a double
+  std::set<Json> values;
+  for (const CampaignPoint& point : points) values.insert(value_of(point, path));
+  for (int digits = kFew; digits < kAll; ++digits) {
+    std::set<std::string> texts;
+    for (const Json& value : values) texts.insert(value_text(value, digits));
+    if (texts.size() == values.size()) return digits;
+  }
+  return kAll;
+}
+
+Json value_of(const CampaignPoint& point, const std::string& path) {
+  const auto found = std::ranges::find(point.values, path, &ParameterValues::value_type::first);
+  return found == point.values.end() ? Json() : found->second;
 }
 
 }  // namespace quicksand

@@ -38,7 +38,12 @@ struct MeanHistory {
 // noise is smoothed and slopes are kept; over the centres of the bins stands the mean of these lines.
 MeanHistory mean_history(std::span<const RunResults> runs, const ReportHistory& history);
 
-// "cone, angle 30": a parameter's value as a reader wants it.
-std::string value_text(const Json& value);
+// "cone, angle 30": a parameter's value as a reader wants it, numbers to so many digits.
+std::string value_text(const Json& value, int digits);
+// Digits, 4 or more, by which the values of this parameter can be told apart.
+int digits_that_tell_apart(std::span<const CampaignPoint> points, const std::string& path);
+
+// Null where the point has no such parameter.
+Json value_of(const CampaignPoint& point, const std::string& path);
 
 }  // namespace quicksand

@@ -77,6 +77,23 @@ TEST_F(CampaignReportTest, HasTheMeansOfItsRealizationsWithTheirErrors) {
   EXPECT_EQ(std::get<Table>(report.sections[0].blocks[0]).columns[1].title, "specimen");
 }
 
+TEST_F(CampaignReportTest, TellsValuesApartThatDifferInTheirFifthDigit) {
+  std::string text = kDroppedCampaign;
+  text.replace(text.find("[0.2, 0.4]"), 10, "[0.30001, 0.30002]");
+  text.replace(text.find(", \"names\": [\"smooth\", \"rough\"]"), 30, "");
+  folder_.write("dropping.json", text);
+  compute();
+  double seconds = 0;
+  const Report report = campaign_report(at("out"), seconds);
+  const auto& table = std::get<Table>(report.sections[0].blocks[0]);
+  EXPECT_EQ(table.rows[0][1].text, "0.30001");
+  EXPECT_EQ(table.rows[1][1].text, "0.30002");
+  const auto& plot = std::get<Figure>(report.sections[0].blocks.at(1)).plot;
+  ASSERT_EQ(plot.curves.size(), 3U) << "a curve for each friction, and the reference";
+  EXPECT_EQ(plot.curves[0].name, "specimen 0.30001");
+  EXPECT_EQ(plot.curves[1].name, "specimen 0.30002");
+}
+
 TEST_F(CampaignReportTest, ShowsEachNumberOfThePackingOnAnAxisOfItsOwnWhereNothingIsChosen) {
   folder_.write("dropping.json",
                 R"({"scene": "dropped.json", "grid": {"phases[1].speed": [1, 2]}})");
@@ -308,9 +325,21 @@ TEST_F(CampaignReportTest, RefusesAnAxisThatDoesNotVary) {
 }
 
 TEST(CampaignPoint, TellsAValueAsAReaderWantsIt) {
-  EXPECT_EQ(value_text(parse_json(R"({"angle": 30, "type": "cone"})")), "cone, angle 30");
-  EXPECT_EQ(value_text(0.25), "0.25");
-  EXPECT_EQ(value_text(parse_json("[4, 7]")), "[4,7]");
+  EXPECT_EQ(value_text(parse_json(R"({"angle": 30, "type": "cone"})"), 4), "cone, angle 30");
+  EXPECT_EQ(value_text(0.25, 4), "0.25");
+  EXPECT_EQ(value_text(0.123456, 4), "0.1235");
+  EXPECT_EQ(value_text(parse_json("[4, 7]"), 4), "[4,7]");
+}
+
+TEST(CampaignPoint, HasAsManyDigitsAsTellTheValuesApart) {
+  const auto digits = [](const std::vector<double>& values) {
+    std::vector<CampaignPoint> points;
+    for (const double value : values) points.push_back({.values = {{"dt", value}}});
+    return digits_that_tell_apart(points, "dt");
+  };
+  EXPECT_EQ(digits({0.1, 0.123456}), 4);
+  EXPECT_EQ(digits({12345.1, 12345.2, 12345.1}), 6);
+  EXPECT_EQ(digits({1, std::nextafter(1, 2)}), 17);
 }
 
 }  // namespace
