@@ -96,6 +96,18 @@ TEST_F(PlotTest, NoTextBreaksTheScript) {
   EXPECT_EQ(svg.find("& "), std::string::npos);
 }
 
+TEST_F(PlotTest, QuotesAreDrawnWhereverTheyStand) {
+  Plot plot = small_plot();
+  plot.title = "'tis ''quoted'' by the sieve's 5\"";
+  plot.x.label = "5\" sieve";
+  plot.curves[0].name = "'tis";
+  plot.curves[1].name = "5\" sieve";
+  plot.references[0].name = "''";
+  const PlotFiles files = write_plot(plot, folder_.path());
+  ASSERT_TRUE(files.drawn) << files.problem;
+  EXPECT_NE(file("small.svg").find("’tis"), std::string::npos);
+}
+
 TEST_F(PlotTest, EveryKindOfCurveIsDrawn) {
   using enum Curve::Kind;
   for (const Curve::Kind kind : {points, line, line_points, steps, band}) {
