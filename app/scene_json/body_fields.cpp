@@ -50,7 +50,11 @@ void describe_entry(Fields& f, BodyEntry& e) {
   f.choice({"role", "whether it counts as a grain"}, kRoles, e.disk.role);
   f.flag({"fixed", "moves with its velocity, whatever acts on it"}, e.disk.fixed);
   f.optional_object({"repeat", "puts a row of such bodies"}, e.repeat, describe_repeat);
-  if (!f.reading() || !e.repeat) return;
+  if (!f.reading()) return;
+  const char* idle = e.force != Vec2(0, 0) ? "force" : e.torque != 0 ? "torque" : nullptr;
+  if (e.disk.fixed && idle)
+    f.refuse(idle, "acts on a fixed body, which moves with its velocity, whatever acts on it");
+  if (!e.repeat) return;
   const Vec2 last = place_in_row(e, e.repeat->count - 1);
   f.require_within("repeat", "the last position[0]", place, last.x());
   f.require_within("repeat", "the last position[1]", place, last.y());

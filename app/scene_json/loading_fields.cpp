@@ -110,6 +110,19 @@ void describe_shape(Fields& f, IntruderShape& shape) {
   });
 }
 
+// What says where a vane is put in, of one that is there.
+void refuse_places(Fields& f, const VanePhase& p) {
+  const VanePhase usual;
+  const char* key = p.density != usual.density ? "density"
+                    : p.x                      ? "x"
+                    : p.depth != usual.depth   ? "depth"
+                    : p.clear                  ? "clear"
+                                               : nullptr;
+  if (key)
+    f.refuse(key, "is of a vane that is put in, and without shape the intruder is turned that is "
+                  "there; give shape, or leave it out");
+}
+
 void describe_ramp(Fields& f, const char* help, double& ramp_time) {
   f.number({"ramp_time", help}, between(0, kMaxTime, "sqrt(d/g)"), ramp_time);
 }
@@ -148,6 +161,7 @@ void describe_fields(Fields& f, PenetratePhase& p, const Scenario& scenario) {
       "instead of one drive, seeks the smallest force that drives it to the depth, by trials from "
       "one state; force is that of the first",
       p.force, p.speed.has_value(), p.ramp_time, p.threshold);
+  if (p.threshold) refuse_release(f, p.release);
 }
 
 void describe_fields(Fields& f, VanePhase& p, const Scenario& /*scenario*/) {
@@ -182,6 +196,8 @@ void describe_fields(Fields& f, VanePhase& p, const Scenario& /*scenario*/) {
       "instead of one drive, seeks the smallest torque that turns it by the angle, by trials from "
       "one state; torque is that of the first",
       p.torque, p.angular_velocity.has_value(), p.ramp_time, p.threshold);
+  if (p.threshold) refuse_release(f, p.release);
+  if (f.reading() && !p.shape) refuse_places(f, p);
 }
 
 }  // namespace quicksand

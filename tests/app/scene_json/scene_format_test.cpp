@@ -145,6 +145,22 @@ TEST(SceneFormat, ThresholdsOfDrivesReadBackTheSameAndNeedADriveThatCanFail) {
   EXPECT_EQ(
       refused(R"({"type": "vane", "shape": {}, "torque": 1, "ramp_time": 1, "threshold": {}})"),
       "phases[0].ramp_time");
+  for (const char* phase : {R"({"type": "penetrate", "force": 1, "threshold": {}, "release": true})",
+                            R"({"type": "vane", "shape": {}, "torque": 1, "threshold": {},
+                                "release": true})"})
+    EXPECT_EQ(refused(phase), "phases[0].release");
+}
+
+TEST(SceneFormat, WhereAVaneIsPutInIsRefusedOfTheIntruderThatIsThere) {
+  const auto turned = [](const std::string& keys) {
+    return scenario(R"({"box": {"width": 9}, "phases": [
+      {"type": "vane", "angular_velocity": 1)" + keys + "}]}");
+  };
+  EXPECT_EQ(scenario_from_json(to_json(turned(""))).phases, turned("").phases);
+  for (const std::string key : {"\"x\": 2", "\"depth\": 3", "\"density\": 2", "\"clear\": true"}) {
+    EXPECT_THROW(turned(", " + key), InputError) << key;
+    EXPECT_NO_THROW(turned(R"(, "shape": {}, )" + key)) << key;
+  }
 }
 
 // One blade would turn about its middle.
