@@ -21,7 +21,8 @@ Answer answer_to(Console& console, const Json& command, const std::string& place
     answer.ok = true;
   } catch (const InputError& error) {
     answer.malformed = true;
-    answer.where = error.where();
+    // Who reads an answer tells wrong input from a failure by its place.
+    answer.where = error.where().empty() ? place : error.where();
     answer.problem = error.what();
     answer.nearest = error.nearest();
     answer.file = error.file();

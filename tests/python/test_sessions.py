@@ -53,6 +53,9 @@ class Sessions(InFolder):
         with self.assertRaises(quicksand.InputError) as misspelt:
             self.session.load(SMALL, set={"contact.frction": 1})
         self.assertEqual((misspelt.exception.path, misspelt.exception.nearest), ("set.contact.frction", "friction"))
+        with self.assertRaisesRegex(quicksand.InputError, "^load: \"collaps\" is neither") as no_scene:
+            self.session.load("collaps")
+        self.assertEqual((no_scene.exception.path, no_scene.exception.nearest), (None, "collapse"))
         with self.assertRaises(quicksand.InputError) as inside:
             self.session.load("chain", set={"contact.frction": 1})
         with self.assertRaisesRegex(quicksand.InputError, "^run: time: is nan, must be a finite number") as no_number:
