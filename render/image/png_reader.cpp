@@ -16,6 +16,16 @@
 
 namespace quicksand {
 
+namespace {
+
+std::uint8_t on_white(unsigned channel, unsigned opacity) {
+  constexpr unsigned kWhole = 255;
+  return static_cast<std::uint8_t>(
+      (channel * opacity + kWhole * (kWhole - opacity) + kWhole / 2) / kWhole);
+}
+
+}  // namespace
+
 Image read_png(const std::filesystem::path& path) {
   int width = 0, height = 0, channels = 0;
   std::error_code ignored;
@@ -27,10 +37,13 @@ Image read_png(const std::filesystem::path& path) {
     throw InputError(path.string(), "is " + std::to_string(width) + " x " + std::to_string(height) +
                                         " pixels, more than " + std::to_string(kLargestPicture));
   const std::unique_ptr<unsigned char, void (*)(void*)> pixels(
-      stbi_load(path.c_str(), &width, &height, &channels, 3), stbi_image_free);
+      stbi_load(path.c_str(), &width, &height, &channels, 4), stbi_image_free);
   if (!pixels) throw InputError(path.string(), std::string("is damaged: ") + stbi_failure_reason());
   Image image(width, height);
-  std::copy_n(pixels.get(), image.rgb.size(), image.rgb.begin());
+  for (std::size_t k = 0; k < image.rgb.size(); ++k) {
+    const unsigned char* const pixel = pixels.get() + 4 * (k / 3);
+    image.rgb[k] = on_white(pixel[k % 3], pixel[3]);
+  }
   return image;
 }
 
