@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/options/number_range.h"
+
 namespace quicksand {
 
 void add_scene_options(CLI::App& command, SceneRequest& request) {
@@ -21,7 +23,7 @@ void add_scene_options(CLI::App& command, SceneRequest& request) {
       ->allow_extra_args(false);
   command.add_option("--seed", request.seed, "of the random numbers, instead of the scene's")
       ->type_name("N")
-      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 53U).description(""));
+      ->check(whole_in_range(0, std::int64_t{1} << 53U));
   command.option_defaults()->group("Options");
 }
 

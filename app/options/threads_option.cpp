@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <thread>
 
+#include "app/options/number_range.h"
+
 namespace quicksand {
 
 namespace {
@@ -15,7 +17,7 @@ constexpr std::int64_t kMostThreads = 1024;  // more is taken for a mistake
 void add_threads_option(CLI::App& command, std::int64_t& threads, const char* meaning) {
   command.add_option("--threads", threads, std::string(meaning) + " [number of cores]")
       ->type_name("N")
-      ->check(CLI::Range(std::int64_t{1}, kMostThreads).description(""));
+      ->check(whole_in_range(1, kMostThreads));
 }
 
 int thread_count(std::int64_t asked) {

@@ -180,11 +180,12 @@ void describe_wall(Fields& f, Wall& wall) {
            wall.force);
   f.choice({"role", "how reports and pictures name it"}, kWallRoles, wall.role);
   if (!f.reading()) return;
-  const double length = wall.normal.norm();
-  if (length == 0) f.refuse("normal", "is [0, 0], must have a direction");
+  // Squares of small components would vanish.
+  const double largest = wall.normal.lpNorm<Eigen::Infinity>();
+  if (largest == 0) f.refuse("normal", "is [0, 0], must have a direction");
   // A unit vector stays what it is, bit by bit.
   constexpr double kRounding = 1e-15;
-  if (std::abs(length - 1) > kRounding) wall.normal /= length;
+  if (std::abs(wall.normal.norm() - 1) > kRounding) wall.normal = (wall.normal / largest).normalized();
   if (wall.mass == 0 && wall.force != 0) {
     f.refuse("force", "acts on a wall of mass 0, whose motion is prescribed; give it a mass");
   }

@@ -14,6 +14,7 @@
 #include "app/bench/problems/record.h"
 #include "app/bench/results.h"
 #include "app/cli/commands.h"
+#include "app/options/number_range.h"
 #include "app/options/scene_options.h"
 #include "app/report/provenance.h"
 #include "app/run_folder/run_folder.h"
@@ -226,7 +227,7 @@ std::pair<CLI::App*, std::function<int()>> add_record(CLI::App& bench) {
       ->type_name("DIR");
   command->add_option("--count", request->count, "of each phase, 3 to 1000, evenly over it [100]")
       ->type_name("N")
-      ->check(CLI::Range(3, 1000).description(""));
+      ->check(whole_in_range(3, 1000));
   command->add_flag("--quiet", *quiet, "no progress");
   command->footer(
       "Example:\n  quicksand bench record assets/scenes/collapse.json --out out/problems\n"
@@ -255,7 +256,7 @@ Command add_bench(CLI::App& program) {
       ->add_option("--repeats", request->options.repeats,
                    "of each measurement, 1 to 1000 [each case's own]")
       ->type_name("N")
-      ->check(CLI::Range(1, 1000).description(""));
+      ->check(whole_in_range(1, 1000));
   command
       ->add_option("--method", request->options.method,
                    "contact solver of the goals and the recorded problems [auto]")

@@ -4,6 +4,7 @@
 
 #include "app/base/exit_code.h"
 #include "app/cli/commands.h"
+#include "app/options/number_range.h"
 #include "app/options/picture_options.h"
 #include "app/view/image_comparison.h"
 #include "core/base/errors.h"
@@ -49,7 +50,7 @@ Command add_compare(CLI::App& program) {
       ->add_option("--tolerance", options->tolerance,
                    "largest difference of a channel of a pixel, 0 to 255")
       ->type_name("N")
-      ->check(CLI::Range(0, 255).description(""))
+      ->check(whole_in_range(0, 255))
       ->capture_default_str();
   command
       ->add_option("--difference", options->difference,

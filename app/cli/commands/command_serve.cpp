@@ -4,6 +4,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/error_message.h"
 #include "app/commands/command_table.h"
+#include "app/options/number_range.h"
 #include "app/options/threads_option.h"
 #include "app/serve/serve.h"
 #include "core/base/parallel.h"
@@ -25,7 +26,7 @@ Command add_serve(CLI::App& program) {
   command->add_flag("--open", options->open, "open the browser of this machine");
   command->add_option("--port", options->port, "of the server; 0: any that is free")
       ->type_name("N")
-      ->check(CLI::Range(0, kLastPort).description(""))
+      ->check(whole_in_range(0, kLastPort))
       ->capture_default_str();
   command
       ->add_option("--listen", options->address,

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/options/number_range.h"
 #include "app/options/threads_option.h"
 #include "app/play/play.h"
 #include "core/base/parallel.h"
@@ -25,7 +26,7 @@ Command add_session(CLI::App& program) {
                     "go on after a command failed, and list all failures at the end");
   command->add_option("--stop-after", options->stop_after, "stop after so many commands")
       ->type_name("N")
-      ->check(CLI::Range(0, std::numeric_limits<int>::max()).description(""));
+      ->check(whole_in_range(0, std::numeric_limits<int>::max()));
   add_threads_option(*command, *threads, kThreadsOfOneRun);
   command->add_flag("--quiet", options->quiet, "show no progress");
   command->footer(

@@ -46,6 +46,13 @@ TEST_F(RefusedInput, DifferencesReplaceNoFileButAPicture) {
   EXPECT_EQ(contents(at("notes.txt")), "mine");
 }
 
+TEST_F(RefusedInput, AnOptionThatCountsSaysThatItWantsAWholeNumber) {
+  for (const char* given : {"1e1", "2.5", "256", "-1", "many"})
+    expect_refused({"compare", "a.png", "b.png", "--tolerance", given},
+                   "--tolerance: is " + std::string(given) +
+                       ", must be a whole number from 0 to 255 (see `quicksand compare --help`)");
+}
+
 TEST_F(RefusedInput, OneSourceThatIsNoneLeavesNoHalfOfAnExport) {
   run();
   EXPECT_EQ(quicksand({"export", "r", "r/series.csv", "--format", "csv", "--out", "e"}).exit_code,

@@ -55,6 +55,18 @@ TEST(SceneFormat, WhateverIsReadCanBeWrittenAndReadAgain) {
   }
 }
 
+TEST(SceneFormat, ANormalMayBeOfAnyLength) {
+  const auto normal = [](const std::string& given) {
+    return scenario(R"({"box": {"width": 9}, "walls": [{"point": [0, 0], "normal": )" + given +
+                    "}]}")
+        .walls[0]
+        .normal;
+  };
+  EXPECT_EQ(normal("[-0.0, 1e-300]"), Vec2(0, 1));
+  EXPECT_EQ(normal("[0, -5e-324]"), Vec2(0, -1));
+  EXPECT_LT((normal("[3e5, 4e5]") - Vec2(0.6, 0.8)).norm(), 1e-15);
+}
+
 TEST(SceneFormat, ATiltedGravityReadsBackBitByBit) {
   const Scenario scene =
       scenario(R"({"box": {"width": 5}, "gravity": {"magnitude": 0.7, "tilt": 17.3}})");
