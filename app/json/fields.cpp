@@ -215,12 +215,12 @@ void Fields::word(const Field& field, std::span<const std::string_view> words, i
                true});
 }
 
-void Fields::require_within(const std::string& given, const std::string& key,
-                            const Limits& limits, double value) {
+void Fields::require_within(const std::string& given, const std::string& key, const Limits& limits,
+                            double value) {
   const double number = value / limits.scale;
   if (!admits(limits, number))
-    refuse(given.c_str(), "makes " + key + " " + message_number(number) + ", which must be " +
-                              described(limits));
+    refuse(given.c_str(),
+           "makes " + key + " " + message_number(number) + ", which must be " + described(limits));
 }
 
 void Fields::json(const Field& field, const Shape& shape, Json& value) {

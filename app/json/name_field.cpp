@@ -12,8 +12,8 @@ namespace {
 constexpr std::size_t kLongest = 100;  // [bytes]
 
 bool can_name_a_folder(const std::string& name) {
-  return name.size() <= kLongest && name.find('/') == std::string::npos &&
-         !name.starts_with('.') && !has_control_characters(name);
+  return name.size() <= kLongest && name.find('/') == std::string::npos && !name.starts_with('.') &&
+         !has_control_characters(name);
 }
 
 std::string what_can_name_a_folder() {

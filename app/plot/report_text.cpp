@@ -125,7 +125,8 @@ std::string markdown_text(std::string_view text) {
 
 std::string gnuplot_text(std::string_view text) {
   // In single quotes nothing is expanded; the enhanced mode has its own special characters.
-  // gnuplot 5.4 reads no doubled quote at the beginning of a string, nor two of them, so a single one is typographic.
+  // gnuplot 5.4 reads no doubled quote at the beginning of a string, nor two of them, and expands no macro after a lone
+  // quote of the other kind, so all are typographic.
   constexpr std::string_view kSpecial = "\\_^{}@~";
   std::string valid = clean(text);
   // gnuplot 5.4 writes an ampersand into SVG as it is, which breaks the file.
@@ -138,8 +139,8 @@ std::string gnuplot_text(std::string_view text) {
           const std::string_view letter = plain.substr(i, 1);
           if (is_quantity(plain, i))
             script.append("{/:Italic ").append(letter).append("}");
-          else if (letter == "'")
-            script += "’";
+          else if (letter == "'" || letter == "\"")
+            script += letter == "'" ? "’" : "”";
           else
             script += with_backslashes(letter, kSpecial);
         }

@@ -19,7 +19,7 @@ std::string html_attribute(std::string_view text);
 // In a line or a table cell of GitHub's Markdown.
 std::string markdown_text(std::string_view text);
 
-// A gnuplot string in quotes, in its enhanced mode; an ampersand becomes a plus sign, a single quote a typographic one.
+// A gnuplot string in quotes, in its enhanced mode; an ampersand becomes a plus sign, quotes become typographic.
 // Quantities of one letter are italic: d, g, v, F, k, r, t, n, Z.
 std::string gnuplot_text(std::string_view text);
 

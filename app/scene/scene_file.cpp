@@ -55,24 +55,6 @@ void require_same_box(const Scenario& scenario, const World& state) {
                        " d), other sides or another floor than the scene that starts from it");
 }
 
-// Of a world that has the scene's box: the floor and sides of the box are in nobody's way, nor are other floors.
-std::string wall_in_the_way(const World& world, std::size_t walls) {
-  const std::size_t of_box = (world.box.floor ? 1 : 0) + (world.box.sides == Sides::walls ? 2 : 0);
-  for (std::size_t k = of_box; k < walls; ++k) {
-    const Wall& wall = world.walls[k];
-    if (wall.role == WallRole::piston) return "a piston";
-    if (!is_floor(wall))
-      return "a wall (" + message_name(world, kWallBase + static_cast<int>(k)) + " of its scene)";
-  }
-  return {};
-}
-
-bool places_from_above(const Phase& phase) {
-  return std::holds_alternative<PushPhase>(phase.kind) ||
-         std::holds_alternative<PenetratePhase>(phase.kind) ||
-         std::holds_alternative<DepositPhase>(phase.kind);
-}
-
 bool needs_intruder(const Phase& phase) {
   return std::holds_alternative<PullPhase>(phase.kind) ||
          (std::holds_alternative<VanePhase>(phase.kind) && !brings_intruder(phase));
@@ -83,10 +65,10 @@ void require_beginnings(const Scenario& scenario, const World& state) {
   bool brought = false;  // an intruder, by an earlier phase
   for (std::size_t k = 0; k < scenario.phases.size(); ++k) {
     const Phase& phase = scenario.phases[k];
-    const std::string problem =
-        problem_of_beginning(phase, state, {.phase = "phases[" + std::to_string(k) + "]",
-                                            .walls = state.walls.size(),
-                                            .intruder_comes = brought});
+    const std::string problem = problem_of_beginning(phase, state,
+                                                     {.phase = "phases[" + std::to_string(k) + "]",
+                                                      .walls = state.walls.size(),
+                                                      .intruder_comes = brought});
     if (!problem.empty()) throw InputError(scenario.start_from, problem);
     brought = brought || brings_intruder(phase);
   }

@@ -119,8 +119,9 @@ void refuse_places(Fields& f, const VanePhase& p) {
                     : p.clear                  ? "clear"
                                                : nullptr;
   if (key)
-    f.refuse(key, "is of a vane that is put in, and without shape the intruder is turned that is "
-                  "there; give shape, or leave it out");
+    f.refuse(key,
+             "is of a vane that is put in, and without shape the intruder is turned that is "
+             "there; give shape, or leave it out");
 }
 
 void describe_ramp(Fields& f, const char* help, double& ramp_time) {
@@ -152,7 +153,7 @@ void describe_fields(Fields& f, PenetratePhase& p, const Scenario& scenario) {
   describe_rest(f, p.rest_speed, p.rest_time, p.max_time);
   f.flag({"release",
           "whether what drives it ends with the phase; else it is held, or the force "
-          "stays"},
+          "stays. With threshold nothing stays"},
          p.release);
   describe_bonding(f, p.bonding, p.bonds);
   if (f.reading()) p.force = given_force(f, "force", force_limits, force, over_cohesion, law);
@@ -161,7 +162,6 @@ void describe_fields(Fields& f, PenetratePhase& p, const Scenario& scenario) {
       "instead of one drive, seeks the smallest force that drives it to the depth, by trials from "
       "one state; force is that of the first",
       p.force, p.speed.has_value(), p.ramp_time, p.threshold);
-  if (p.threshold) refuse_release(f, p.release);
 }
 
 void describe_fields(Fields& f, VanePhase& p, const Scenario& /*scenario*/) {
@@ -187,7 +187,7 @@ void describe_fields(Fields& f, VanePhase& p, const Scenario& /*scenario*/) {
   describe_rest(f, p.rest_speed, p.rest_time, p.max_time);
   f.flag({"release",
           "whether what turns it ends with the phase; else it is held, or the torque "
-          "stays"},
+          "stays. With threshold nothing stays"},
          p.release);
   describe_bonding(f, p.bonding, p.bonds);
   if (f.reading()) p.torque = torque.value_or(0);
@@ -196,7 +196,6 @@ void describe_fields(Fields& f, VanePhase& p, const Scenario& /*scenario*/) {
       "instead of one drive, seeks the smallest torque that turns it by the angle, by trials from "
       "one state; torque is that of the first",
       p.torque, p.angular_velocity.has_value(), p.ramp_time, p.threshold);
-  if (p.threshold) refuse_release(f, p.release);
   if (f.reading() && !p.shape) refuse_places(f, p);
 }
 

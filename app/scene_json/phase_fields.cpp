@@ -66,8 +66,9 @@ void describe_fields(Fields& f, PushPhase& p, const Scenario& scenario) {
   describe_rest(f, p.rest_speed, p.rest_time, p.max_time);
   f.choice({"until", "rest of all bodies, or of the intruder alone"}, kPushEnds, p.until);
   describe_threshold(f, p);
-  f.flag({"release", "whether the force ends with the phase; else it stays"}, p.release);
-  if (p.threshold) refuse_release(f, p.release);
+  f.flag({"release",
+          "whether the force ends with the phase; else it stays. With threshold nothing stays"},
+         p.release);
   describe_bonding(f, p.bonding, p.bonds);
 }
 

@@ -46,8 +46,6 @@ void describe_threshold(Fields& f, PushPhase& push);
 // The same of a phase that drives an intruder; `first`: its force or torque.
 void describe_critical_drive(Fields& f, const char* help, double first, bool at_given_speed,
                              double ramp_time, std::optional<CriticalDrive>& threshold);
-// For where a threshold is sought: nothing is left of its trials that could be released.
-void refuse_release(Fields& f, bool release);
 // loading_fields.cpp
 void describe_fields(Fields& f, HealPhase& phase, const Scenario& scenario);
 void describe_fields(Fields& f, PistonPhase& phase, const Scenario& scenario);

@@ -180,12 +180,14 @@ void describe_wall(Fields& f, Wall& wall) {
            wall.force);
   f.choice({"role", "how reports and pictures name it"}, kWallRoles, wall.role);
   if (!f.reading()) return;
-  // Squares of small components would vanish.
   const double largest = wall.normal.lpNorm<Eigen::Infinity>();
   if (largest == 0) f.refuse("normal", "is [0, 0], must have a direction");
+  constexpr double kVanish = 1e-100;  // the squares of what is smaller lose digits, or all
+  if (largest < kVanish) wall.normal /= largest;
   // A unit vector stays what it is, bit by bit.
   constexpr double kRounding = 1e-15;
-  if (std::abs(wall.normal.norm() - 1) > kRounding) wall.normal = (wall.normal / largest).normalized();
+  const double length = wall.normal.norm();
+  if (std::abs(length - 1) > kRounding) wall.normal /= length;
   if (wall.mass == 0 && wall.force != 0) {
     f.refuse("force", "acts on a wall of mass 0, whose motion is prescribed; give it a mass");
   }

@@ -82,12 +82,6 @@ void describe_threshold(Fields& f, PushPhase& p) {
     f.refuse("threshold", "needs a force above 0, that of the first trial");
 }
 
-void refuse_release(Fields& f, bool release) {
-  if (f.reading() && release)
-    f.refuse("release", "is true, but with threshold the phase ends with the state before its "
-                        "trials, without what drove them; leave it out");
-}
-
 void describe_adiabatic(Fields& f, DepositPhase& p) {
   f.optional_object(
       {"adiabatic",

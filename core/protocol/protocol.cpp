@@ -5,6 +5,7 @@
 
 #include "core/base/errors.h"
 #include "core/scene/make_world.h"
+#include "core/scene/validate.h"
 #include "core/step/assemble.h"
 
 namespace quicksand {
@@ -49,8 +50,22 @@ Progress Protocol::go_on() {
   return running_->finished(stage_) ? end_phase() : Progress::running;
 }
 
+namespace {
+
+// A scene is checked without the phases that are begun by hand, and what they leave is in the way of its own.
+void require_way_down(const Phase& phase, const Stage& stage) {
+  if (!places_from_above(phase)) return;
+  const std::string wall = wall_in_the_way(stage.world, stage.world.walls.size());
+  if (!wall.empty())
+    throw InputError("phases[" + std::to_string(stage.state.phase) + "]",
+                     "places bodies from above, and " + wall + " is in their way");
+}
+
+}  // namespace
+
 // A phase that refuses the world as it is leaves it so, and is not entered.
 void Protocol::enter() {
+  require_way_down(*phase(), stage_);
   const World world_before = world_;
   const ProtocolState state_before = state_;
   state_.entered = true;

@@ -22,6 +22,23 @@ bool brings_intruder(const Phase& phase) {
          std::holds_alternative<PenetratePhase>(phase.kind) || brings_shaped_intruder(phase);
 }
 
+bool places_from_above(const Phase& phase) {
+  return std::holds_alternative<PushPhase>(phase.kind) ||
+         std::holds_alternative<PenetratePhase>(phase.kind) ||
+         std::holds_alternative<DepositPhase>(phase.kind);
+}
+
+std::string wall_in_the_way(const World& world, std::size_t walls) {
+  const std::size_t of_box = (world.box.floor ? 1 : 0) + (world.box.sides == Sides::walls ? 2 : 0);
+  for (std::size_t k = of_box; k < walls; ++k) {
+    const Wall& wall = world.walls[k];
+    if (wall.role == WallRole::piston) return "a piston";
+    if (!is_floor(wall))
+      return "a wall (" + message_name(world, kWallBase + static_cast<int>(k)) + " of its scene)";
+  }
+  return {};
+}
+
 namespace {
 
 // Overlaps up to this are rounding of touching bodies. [d]

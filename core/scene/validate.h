@@ -1,7 +1,10 @@
 // What a scene must not ask for.
 #pragma once
 
+#include <string>
+
 #include "core/scene/scenario.h"
+#include "core/world/world.h"
 
 namespace quicksand {
 
@@ -13,5 +16,11 @@ void validate(const Scenario& scenario);
 // Whether the phase puts an intruder into the world, and one that is no disk.
 bool brings_intruder(const Phase& phase);
 bool brings_shaped_intruder(const Phase& phase);
+
+// Whether the phase places bodies above all others, which come straight down.
+bool places_from_above(const Phase& phase);
+// The first of the world's first `walls` walls that may be in their way, as messages call it; empty if none is. The floor
+// and sides of the box are not, nor are other floors.
+std::string wall_in_the_way(const World& world, std::size_t walls);
 
 }  // namespace quicksand

@@ -20,8 +20,8 @@ namespace {
 
 std::uint8_t on_white(unsigned channel, unsigned opacity) {
   constexpr unsigned kWhole = 255;
-  return static_cast<std::uint8_t>(
-      (channel * opacity + kWhole * (kWhole - opacity) + kWhole / 2) / kWhole);
+  return static_cast<std::uint8_t>((channel * opacity + kWhole * (kWhole - opacity) + kWhole / 2) /
+                                   kWhole);
 }
 
 }  // namespace

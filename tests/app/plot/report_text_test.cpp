@@ -15,7 +15,7 @@ TEST(ReportText, IsNeverMarkup) {
   EXPECT_EQ(html_text("<b>\"x\"_{}|&'"), "&lt;b&gt;&quot;x&quot;_{}|&amp;&#39;");
   EXPECT_EQ(markdown_text("<b>\"x\"_{}|&`*[a](b)$\\~"),
             "&lt;b&gt;\"x\"\\_{}\\|&amp;\\`\\*\\[a\\](b)\\$\\\\\\~");
-  EXPECT_EQ(gnuplot_text("<b>\"x\"_{}|'@^~\\"), "'<b>\"x\"\\_\\{\\}|’\\@\\^\\~\\\\'");
+  EXPECT_EQ(gnuplot_text("<b>\"x\"_{}|'@^~\\"), "'<b>”x”\\_\\{\\}|’\\@\\^\\~\\\\'");
   EXPECT_EQ(csv_text("a \"b\", c"), "\"a \"\"b\"\", c\"");
 }
 

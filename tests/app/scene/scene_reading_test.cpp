@@ -143,8 +143,8 @@ TEST(SceneReading, WhatFollowsFromAKeyIsRefusedBeyondItsRange) {
 }
 
 TEST(SceneReading, BondsOfListedBodiesAreRefusedWhereAStateBringsItsOwn) {
-  const std::string message = refusal(
-      kSceneReadingScene, {"bodies=null", "start_from=a.cbor", "initial_bonds=touching"});
+  const std::string message =
+      refusal(kSceneReadingScene, {"bodies=null", "start_from=a.cbor", "initial_bonds=touching"});
   EXPECT_NE(message.find("initial_bonds (from --set): is \"touching\", but start_from brings"),
             std::string::npos)
       << message;
@@ -262,9 +262,6 @@ const Mistake kMistakes[] = {
     {"ThresholdFromNoForce",
      "phases[0]={\"type\": \"push\", \"force\": -1, \"threshold\": {}}",
      {"phases[0].threshold", "force above 0"}},
-    {"ReleaseOfAThreshold",
-     "phases[0]={\"type\": \"push\", \"force\": 1, \"threshold\": {}, \"release\": true}",
-     {"phases[0].release", "threshold"}},
     {"ForceOnAFixedBody",
      "bodies[0]={\"position\": [5, 0.5], \"fixed\": true, \"force\": [0, 1]}",
      {"bodies[0].force", "fixed body"}},

@@ -44,8 +44,9 @@ TEST(SceneFormat, WhateverIsReadCanBeWrittenAndReadAgain) {
          "phases": [{"type": "shear", "depths": [1], "first_force_over_cohesion": 1e-6}])",
       R"("bodies": [{"position": [-1e7, 2], "repeat": {"count": 21, "offset": [1e6, 0]}}])",
       R"("bodies": [{"position": [1, 2], "repeat": {"count": 4, "offset": [1e-9, 1e6]}}])",
-      R"("physical": {"grain_diameter": 1e-6, "grain_density": 1000}, "drag": {"viscosity": 1}})",
-      R"("gravity": {"vector": [1e6, -1e6]})", R"("gravity": {"vector": [-1e-300, 1e-310]})",
+      R"("physical": {"grain_diameter": 1e-6, "grain_density": 1000}, "drag": {"viscosity": 1})",
+      R"("gravity": {"vector": [1e6, -1e6]})",
+      R"("gravity": {"vector": [-1e-300, 1e-310]})",
       R"("walls": [{"point": [0, 0], "normal": [-1e6, 1e-300]}])"};
   for (const char* const keys : at_the_ends) {
     const Scenario scene = scenario(R"({"box": {"width": 9}, )" + std::string(keys) + "}");
@@ -53,6 +54,46 @@ TEST(SceneFormat, WhateverIsReadCanBeWrittenAndReadAgain) {
     EXPECT_NO_THROW(again = to_text(scenario_from_json(to_json(scene)))) << keys;
     EXPECT_EQ(again, to_text(scene)) << keys;
   }
+}
+
+// Two at a time, so that products and quotients of what is accepted leave their ranges.
+TEST(SceneFormat, NumbersOfAnySizeThatAreReadAreReadAgain) {
+  const Json scene = parse_json(R"({"box": {"width": 9}, "gravity": {"magnitude": 1, "tilt": 3},
+    "physical": {"grain_diameter": 1e-3, "grain_density": 2500},
+    "drag": {"viscosity": 1, "coefficient": 1, "fluid_density": 1},
+    "contact": {"cohesion_force": 1, "cohesion_range": 1e-3},
+    "bodies": [{"position": [1, 2], "repeat": {"count": 3, "offset": [1, 0]}}],
+    "walls": [{"point": [0, 0], "normal": [0, 1]}],
+    "phases": [{"type": "push", "force_over_cohesion": 1},
+               {"type": "pull", "first_force_over_cohesion": 1},
+               {"type": "piston", "mass": 1, "force_over_cohesion": 1},
+               {"type": "penetrate", "force_over_cohesion": 1}]})")
+                         .flatten();
+  std::vector<std::string> places;
+  for (const auto& [place, value] : scene.items())
+    if (value.is_number_float() || value == 1) places.push_back(place);
+  const std::vector<double> sizes{-1e6, 1e-300, 1e-6, 1, 1e6, 1e12};
+  int read = 0;
+  for (std::size_t k = 1; k < places.size(); ++k)
+    for (std::size_t j = 0; j < k; ++j)
+      for (const double size : sizes)
+        for (const double other : sizes) {
+          Json changed = scene;
+          changed[places[k]] = size;
+          changed[places[j]] = other;
+          Scenario resolved;
+          try {
+            resolved = scenario_from_json(changed.unflatten());
+          } catch (const InputError&) {
+            continue;
+          }
+          ++read;
+          std::string again;
+          EXPECT_NO_THROW(again = to_text(scenario_from_json(to_json(resolved))))
+              << changed.unflatten();
+          EXPECT_EQ(again, to_text(resolved));
+        }
+  EXPECT_GT(read, 1000);
 }
 
 TEST(SceneFormat, ANormalMayBeOfAnyLength) {
@@ -157,16 +198,13 @@ TEST(SceneFormat, ThresholdsOfDrivesReadBackTheSameAndNeedADriveThatCanFail) {
   EXPECT_EQ(
       refused(R"({"type": "vane", "shape": {}, "torque": 1, "ramp_time": 1, "threshold": {}})"),
       "phases[0].ramp_time");
-  for (const char* phase : {R"({"type": "penetrate", "force": 1, "threshold": {}, "release": true})",
-                            R"({"type": "vane", "shape": {}, "torque": 1, "threshold": {},
-                                "release": true})"})
-    EXPECT_EQ(refused(phase), "phases[0].release");
 }
 
 TEST(SceneFormat, WhereAVaneIsPutInIsRefusedOfTheIntruderThatIsThere) {
   const auto turned = [](const std::string& keys) {
     return scenario(R"({"box": {"width": 9}, "phases": [
-      {"type": "vane", "angular_velocity": 1)" + keys + "}]}");
+      {"type": "vane", "angular_velocity": 1)" +
+                    keys + "}]}");
   };
   EXPECT_EQ(scenario_from_json(to_json(turned(""))).phases, turned("").phases);
   for (const std::string key : {"\"x\": 2", "\"depth\": 3", "\"density\": 2", "\"clear\": true"}) {

@@ -60,9 +60,9 @@ TEST_F(Files, PngComesBackExactly) {
 // So that a picture that cannot be seen is not taken for one of the same colours.
 TEST_F(Files, ATransparentPngIsReadAsItLooksOnWhite) {
   constexpr std::array<std::uint8_t, 5> kRgba8{8, 6, 0, 0, 0};
-  constexpr std::array<std::uint8_t, 13> kRow{kUnfiltered, 200, 100, 0, 255,  // opaque
-                                              200,         100, 0,   51,      // a fifth
-                                              200,         100, 0,   0};      // nothing
+  constexpr std::array<std::uint8_t, 13> kRow{kUnfiltered, 200, 100, 0,  255,  // opaque
+                                              200,         100, 0,   51,       // a fifth
+                                              200,         100, 0,   0};       // nothing
   PngBytes head, all;
   head.number(3).number(1).bytes(kRgba8);
   all.bytes(kPngSignature).bytes(png_chunk("IHDR", head.all()));
@@ -71,8 +71,7 @@ TEST_F(Files, ATransparentPngIsReadAsItLooksOnWhite) {
       .write(reinterpret_cast<const char*>(all.all().data()),
              static_cast<std::streamsize>(all.all().size()));
   const Image image = read_png(folder_ / "clear.png");
-  EXPECT_EQ(image.rgb,
-            (std::vector<std::uint8_t>{200, 100, 0, 244, 224, 204, 255, 255, 255}));
+  EXPECT_EQ(image.rgb, (std::vector<std::uint8_t>{200, 100, 0, 244, 224, 204, 255, 255, 255}));
 }
 
 TEST_F(Files, PngOnAnUnwritablePathIsTheUsersError) {
