@@ -13,9 +13,10 @@ namespace quicksand {
 
 namespace {
 
-// A coordinate in steps of 2^-exponent [d].
-constexpr int kCoordinateBits = 30;
-constexpr int kFinestExponent = 60;
+// A coordinate in steps of 2^-exponent [d]: the same wherever other bodies are, but for those that no integer of that
+// step reaches. High bytes that do not vary take no place once they are packed.
+constexpr int kExponent = 25;
+constexpr int kCoordinateBits = 62;
 
 // Bits of the flags of a pair and of a disk.
 constexpr std::uint8_t kBond = 1, kBroken = 2, kInitial = 4, kContact = 8;
@@ -25,7 +26,7 @@ constexpr std::uint8_t kIntruder = 1, kFixed = 2;
 // and that of its second body from its first; or -1 - k for wall k.
 struct Columns {
   int exponent = 0;
-  std::vector<std::int32_t> x, y;
+  std::vector<std::int64_t> x, y;
   std::vector<float> angle, vx, vy, spin, radius, fx, fy, torque;
   std::vector<double> density;
   std::vector<std::uint8_t> disk_flags;
@@ -120,7 +121,7 @@ int exponent_for(const Disks& disks) {
   for (const Vec2& centre : disks.position) extent = std::max(extent, centre.cwiseAbs().maxCoeff());
   int above = 0;
   std::frexp(extent, &above);
-  return std::min(kCoordinateBits - above, kFinestExponent);
+  return std::min(kExponent, kCoordinateBits - above);
 }
 
 float narrow(double x) { return static_cast<float>(x); }
@@ -128,7 +129,7 @@ float narrow(double x) { return static_cast<float>(x); }
 void add_disks(const Disks& disks, Columns& c) {
   c.exponent = exponent_for(disks);
   const auto steps = [&](double x) {
-    return static_cast<std::int32_t>(std::lround(std::ldexp(x, c.exponent)));
+    return std::int64_t{std::llround(std::ldexp(x, c.exponent))};
   };
   for (int i = 0; i < disks.size(); ++i) {
     const auto k = static_cast<std::size_t>(i);
@@ -203,8 +204,11 @@ void take_disks(const Columns& c, Disks& disks) {
                   c.torque, c.disk_flags),
           "the columns of the disks differ in length");
   require(std::abs(c.exponent) < std::numeric_limits<double>::max_exponent, "no such coordinates");
+  const auto place = [&](std::int64_t steps) {
+    return std::ldexp(static_cast<double>(steps), -c.exponent);
+  };
   for (std::size_t k = 0; k < c.x.size(); ++k) {
-    disks.add({.position = {std::ldexp(c.x[k], -c.exponent), std::ldexp(c.y[k], -c.exponent)},
+    disks.add({.position = {place(c.x[k]), place(c.y[k])},
                .radius = c.radius[k],
                .density = c.density[k],
                .velocity = {c.vx[k], c.vy[k]},

@@ -1,8 +1,8 @@
 // A world as a history keeps it: all that a picture, an inspection or an export reads of it, in few bytes.
 //
-// Coordinates are 32-bit integers in steps of a power of two, as fine as the packing's extent allows (below 1e-7 d up
-// to 100 d), so that what touches still touches; angles, velocities and forces are 32-bit floats. Contacts without
-// impulse and cohesion and random numbers are left out: nothing can be computed on from it.
+// Coordinates are 64-bit integers in steps of 2^-25 d (3e-8 d), coarser ones only beyond 1e11 d, so that what touches
+// still touches; angles, velocities and forces are 32-bit floats. Contacts without impulse and cohesion and random
+// numbers are left out: nothing can be computed on from it.
 #pragma once
 
 #include <span>

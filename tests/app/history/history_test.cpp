@@ -145,6 +145,32 @@ TEST(Snapshot, OfAShapedBodyReadsBackWithItsOutlineAndWhatItTouches) {
     EXPECT_THROW(world_from_snapshot(std::span(whole).first(size)), std::runtime_error);
 }
 
+// A grain that left an open box long ago is no reason for the others to lose their contacts.
+TEST(Snapshot, KeepsThePlacesOfTheOthersHoweverFarOneBodyIs) {
+  for (const double far : {1e3, 1e6, 1e9, 1e11}) {
+    World world;
+    world.box = {.sides = Sides::open};
+    for (int k = 0; k < 4; ++k) world.disks.add({.position = {0.3 + 0.6 * k, 0.5 + 0.8 * k}});
+    world.disks.add({.position = {far, -far}});
+    const World read = world_from_snapshot(snapshot_of(world));
+    for (int i = 0; i < 4; ++i)
+      EXPECT_LT((read.disks.position[i] - world.disks.position[i]).norm(), 5e-8) << far;
+    EXPECT_EQ(touching_pairs(read), touching_pairs(world)) << far;
+    EXPECT_EQ(touching_pairs(read).size(), 3U);
+  }
+}
+
+TEST(Snapshot, OfABodyAtAnyDistanceReadsBack) {
+  for (const double far : {1e12, 1e18, 1e300}) {
+    World world;
+    world.box = {.sides = Sides::open};
+    world.disks.add({.position = {far, -far}});
+    const World read = world_from_snapshot(snapshot_of(world));
+    EXPECT_NEAR(read.disks.position[0].x() / far, 1, 1e-15);
+    EXPECT_NEAR(read.disks.position[0].y() / far, -1, 1e-15);
+  }
+}
+
 TEST_F(HistoryTest, MomentsAreThoseOfTheSamples) {
   record(0, rows());
   const History history(path_);
