@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::array<char, 8> kFormat{'q', 's', 'h', 'i', 's', 't', 'o', 'r'};
 constexpr std::array<char, 8> kRecord{'q', 's', 'r', 'e', 'c', 'o', 'r', 'd'};
-constexpr std::uint64_t kVersion = 2;
+constexpr std::uint64_t kVersion = 3;
 constexpr std::size_t kNameSize = 16;
 constexpr std::int64_t kLongestStride = std::int64_t{1} << 40U;
 constexpr int kLevel = 1;  // more takes longer and saves a hundredth: most bytes are noise

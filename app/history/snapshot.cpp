@@ -106,6 +106,7 @@ void archive_scene(Archive& archive, AnyWorld& world) {
   archive.value(world.bonding), archive.value(world.rebonding);
   archive.value(world.impulse_dt), archive.value(world.time), archive.value(world.step);
   archive.value(world.trajectory.surface);
+  archive.value(world.specimen);
   auto walls = static_cast<std::uint32_t>(world.walls.size());
   archive.value(walls);
   if constexpr (Archive::kReads) {

@@ -119,6 +119,7 @@ void describe_world(Archive& archive, World& world) {
   archive.added("rebonding", world.rebonding);
   archive.array("way", world.trajectory.places);
   archive.value("way_surface", world.trajectory.surface);
+  archive.added("specimen", world.specimen);
   archive.optional_array("gravity", world.gravity);
   archive.optional_array("drag", world.drag);
   archive.optional_random("sweep_random", world.sweep_random);

@@ -49,7 +49,9 @@ std::vector<int> count_per_disk(const std::vector<Pair>& pairs, int rows) {
 
 bool same_specimen(const World& before, const World& now) {
   constexpr double kStored = 1e-6;  // relative: histories keep radii in single precision
-  if (before.box.width != now.box.width || before.box.sides != now.box.sides) return false;
+  if (before.specimen != now.specimen || before.box.width != now.box.width ||
+      before.box.sides != now.box.sides)
+    return false;
   for (int i = 0; i < common_rows(before, now); ++i) {
     const double radius = before.disks.radius[i];
     if (std::abs(now.disks.radius[i] - radius) > kStored * radius) return false;

@@ -30,7 +30,8 @@ struct Changes {
   std::vector<GrainChange> grains;  // those that are in both states
 };
 
-// Whether one of two states can have come from the other: the same box, and in each row that both have the same disk.
+// Whether one of two states can have come from the other: the same box, and in each row that both have the same disk,
+// with none taken away or replaced in between.
 bool same_specimen(const World& before, const World& now);
 
 // Both of the same specimen.

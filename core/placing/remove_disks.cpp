@@ -9,6 +9,8 @@ void remove_disks(World& world, const std::vector<char>& marked) {
   int left = 0;
   for (std::size_t i = 0; i < nd; ++i) row[i] = marked[i] ? kGone : left++;
 
+  if (left < static_cast<int>(nd)) ++world.specimen;
+
   const auto compact = [&](auto& values) {
     for (std::size_t i = 0; i < nd; ++i)
       if (row[i] != kGone) values[static_cast<std::size_t>(row[i])] = values[i];

@@ -32,9 +32,13 @@ void begin_search_on(Stage& stage, SearchKind kind, int body, double first) {
 void return_to_base(Stage& stage) {
   const double time = stage.world.time;
   const std::int64_t step = stage.world.step;
+  // What the trial has added gives its rows to what the next one adds.
+  const bool replaced = stage.world.disks.size() != stage.state.search.base->disks.size();
+  const std::int64_t specimen = stage.world.specimen + (replaced ? 1 : 0);
   stage.world = *stage.state.search.base;
   stage.world.time = time;
   stage.world.step = step;
+  stage.world.specimen = specimen;
 }
 
 void begin_trial(Stage& stage) {

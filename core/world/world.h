@@ -37,7 +37,10 @@ struct World {
   std::int64_t step = 0;
   Random random;
   std::optional<Random> sweep_random;  // of the order of sweeps, from the first that draws on
-  IntruderTrajectory trajectory;       // decides nothing of the future, so it is not in the hash
+  // These decide nothing of the future, so they are not in the hash.
+  IntruderTrajectory trajectory;
+  // Another one once disks were taken away or replaced: rows are of other bodies since.
+  std::int64_t specimen = 0;
 
   const ContactLaw& law(Pair pair) const;
   // Centre of b seen from the centre of a, through the nearest periodic image [d] (disks only).

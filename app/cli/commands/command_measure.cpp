@@ -78,7 +78,9 @@ Changes changes_since(const MeasureArguments& options, const World& now) {
   const World before = earlier_world(options);
   const std::string where = "--since " + *options.since;
   if (!same_specimen(before, now))
-    throw InputError(where, "is of another specimen: box or disks differ");
+    throw InputError(where,
+                     "is of another specimen: box or disks differ, or some were taken away or "
+                     "replaced in between");
   if (before.time > now.time)
     throw InputError(where, "is later, at " + message_number(before.time) +
                                 " sqrt(d/g), than the state that is measured, at " +

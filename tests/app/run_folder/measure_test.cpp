@@ -245,5 +245,23 @@ TEST_F(MeasureTest, RefusesToCompareWhatIsNoEarlierStateOfTheSpecimen) {
   refused({"out/pierced", "--since", "out/wider/state.cbor"}, "another specimen");
 }
 
+// All grains are alike: by their numbers alone they would be taken for those that were there before.
+TEST_F(MeasureTest, RefusesToCompareMomentsBetweenWhichGrainsWereTakenAwayOrReplaced) {
+  run_scene({"--set", R"(phases[1]={"type": "vane", "shape": {"radius": 1.5,
+                         "thickness": 0.3}, "depth": 2, "clear": true, "angular_velocity": 2,
+                         "angle": 0.2, "sample_every": 0.05})"});
+  const double begin = columns_of(at("out/pierced")).at("time").back() - 0.06;
+  const Outcome cleared = quicksand({"measure", "out/pierced", "--since", "0"});
+  EXPECT_EQ(cleared.exit_code, 2);
+  EXPECT_NE(cleared.err.find("taken away or replaced in between"), std::string::npos)
+      << cleared.err;
+  EXPECT_EQ(quicksand({"measure", "out/pierced", "--since", std::to_string(begin)}).exit_code, 0);
+  run_scene({"--set", R"(phases=[{"type": "deposit", "grains": 20, "interval": 0.01, "adiabatic":
+                         {"tolerance": 1e-9, "factor": 2, "max_interval": 0.02}}])"});
+  const Outcome replaced = quicksand({"measure", "out/pierced", "--since", "0.1"});
+  EXPECT_EQ(replaced.exit_code, 2) << replaced.out;
+  EXPECT_EQ(quicksand({"measure", "out/pierced", "--since", "0.4"}).exit_code, 0);
+}
+
 }  // namespace
 }  // namespace quicksand::test

@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "core/placing/remove_disks.h"
 #include "core/scene/make_world.h"
 #include "tests/support/core/scenes.h"
 
@@ -69,6 +70,12 @@ TEST(Changes, AreOfOneSpecimen) {
   other = world;
   other.disks.role[4] = DiskRole::intruder;
   EXPECT_FALSE(same_specimen(world, other));
+  other = world;
+  remove_disks(other, {0, 0, 0, 0, 0});
+  EXPECT_TRUE(same_specimen(world, other)) << "none was taken away";
+  remove_disks(other, {0, 1, 0, 0, 0});
+  other.disks.add({.position = {6, 0.5}});
+  EXPECT_FALSE(same_specimen(world, other)) << "each row has such a disk, but not the same";
   other = world;
   other.box.width += 1;
   EXPECT_FALSE(same_specimen(world, other));
