@@ -6,6 +6,7 @@
 #include "app/json/json_reader.h"
 #include "app/run_folder/run_folder.h"
 #include "app/run_folder/summary.h"
+#include "core/base/errors.h"
 #include "core/base/format.h"
 #include "core/base/whole_file.h"
 
@@ -146,7 +147,11 @@ Measurements measure_state(const StateFile& state, const MeasureChoices& choices
     m.regions.push_back({"intact", m.row.sample.around_intruder.intact});
     m.regions.push_back({"kept_bonds", kept_all_bonds(world, touching)});
   }
-  m.profile = height_profile(world, touching, slice);
+  try {
+    m.profile = height_profile(world, touching, slice);
+  } catch (const InputError& problem) {
+    m.profile_left_out = problem.where() + " " + problem.what() + " with --slice";
+  }
   m.histograms = {
       {"bond_angles", "rad", "between neighbouring active bonds of a grain", bond_angles(world)},
       {"contact_orientations", "rad", "of touching grains against the horizontal",
@@ -178,6 +183,7 @@ std::string text_of(const Measurements& m) {
   for (const CountValue& count : kCountValues)
     text += padded(std::string(count.name), kName) +
             padded(short_text(m.counts.*count.value), kColumn) + std::string(count.help) + "\n";
+  if (!m.profile_left_out.empty()) text += "\nno profile: " + m.profile_left_out + "\n";
   if (!m.changes) return text;
   text += "\nsince the earlier state\n";
   for (const ChangeValue& value : kChangeValues)
@@ -206,6 +212,7 @@ Json to_json(const Measurements& m) {
     json["contact_counts"][std::string(count.name)] = m.counts.*count.value;
   json["profile"] = Json::array();
   for (const Slice& slice : m.profile) json["profile"].push_back(slice_json(slice));
+  if (!m.profile_left_out.empty()) json["profile_left_out"] = m.profile_left_out;
   for (const NamedHistogram& known : m.histograms)
     json["distributions"][std::string(known.name)] = {{"unit", known.unit},
                                                       {"help", known.help},
@@ -223,7 +230,11 @@ Json to_json(const Measurements& m) {
 void write_measurements(const std::filesystem::path& folder, const Measurements& m) {
   make_writable({folder});
   write_whole(folder / "measures.json", to_json(m).dump(2) + "\n");
-  write_whole(folder / "profile.csv", profile_csv(m));
+  const std::filesystem::path profile = folder / "profile.csv";
+  if (m.profile_left_out.empty())
+    write_whole(profile, profile_csv(m));
+  else
+    std::filesystem::remove(profile);  // of an earlier state
   for (const NamedHistogram& known : m.histograms)
     write_whole(folder / (std::string(known.name) + ".csv"), histogram_csv(known.histogram));
   const std::filesystem::path displacements = folder / "displacements.csv";

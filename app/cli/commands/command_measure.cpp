@@ -156,6 +156,7 @@ Command add_measure(CLI::App& program) {
       "a region by the share of its grains in it.\n"
       "DIR receives measures.json, profile.csv, bond_angles.csv, contact_orientations.csv,\n"
       "contact_forces.csv and bond_tensions.csv; with --since displacements.csv, a row a grain.\n"
+      "A profile of more than 10000 slices is left out, and the answer says so.\n"
       "Displaced are grains that moved by more than d/2.\n\n"
       "Examples:\n"
       "  quicksand measure out/collapse --time 13 --since 5.96\n"

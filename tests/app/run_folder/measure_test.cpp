@@ -174,6 +174,32 @@ TEST_F(MeasureTest, OfAPlateTheRegionsBeginByItsWidth) {
       << at_distance("0.6").err;
 }
 
+// A grain that flies away from an open box takes the profile along, and nothing else.
+TEST_F(MeasureTest, OfAStateWithAGrainFarAwayLacksTheProfileAlone) {
+  folder_.write("far.json", R"({"name": "far", "gravity": {}, "box": {"sides": "open"},
+    "bodies": [{"position": [0, 0.5]}, {"position": [1, 0.5]}, {"position": [0, 60000]}],
+    "phases": [{"type": "settle", "max_time": 0.1, "until_rest": false}]})");
+  ASSERT_EQ(quicksand({"run", "far.json", "--no-frames"}).exit_code, 0);
+  const auto measured = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"measure", "out/far/state.cbor", "--out", "numbers"});
+    const Outcome outcome = quicksand(more);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.out;
+  };
+  EXPECT_EQ(measured({"--slice", "10"}).find("no profile"), std::string::npos);
+  EXPECT_TRUE(fs::exists(at("numbers/profile.csv")));
+  EXPECT_NE(measured({}).find("no profile: slices would be more than 10000; choose thicker ones "
+                              "with --slice"),
+            std::string::npos);
+  EXPECT_FALSE(fs::exists(at("numbers/profile.csv"))) << "of the slices of 10 d";
+  const Json json = parse_json(measured({"--json"}));
+  EXPECT_EQ(json["profile"], Json::array());
+  EXPECT_NE(json["profile_left_out"].get<std::string>().find("--slice"), std::string::npos);
+  EXPECT_EQ(json["regions"]["whole"]["grains"], 3);
+  EXPECT_EQ(json["regions"]["whole"]["contacts"],
+            parse_json(measured({"--slice", "10", "--json"}))["regions"]["whole"]["contacts"]);
+}
+
 TEST_F(MeasureTest, OfARunIsThatOfItsLastState) {
   run_scene();
   const Outcome of_run = quicksand({"measure", "out/pierced", "--json"});
