@@ -13,8 +13,8 @@ namespace quicksand {
 
 namespace {
 
-// Of a run: x, and y times the factor, of the samples of the phase. Times count from its beginning, as phases of
-// different seeds begin at different moments.
+// Of a run: x, and y times the factor, of the samples of the phase, the first of that name. Times count from its
+// beginning, as phases of different seeds begin at different moments.
 struct Samples {
   std::vector<double> x, y;
 };
@@ -24,7 +24,10 @@ Samples samples_of(const RunResults& run, const ReportHistory& history) {
   Samples samples;
   std::optional<double> begin;
   for (std::size_t i = 0; i < all_x.size(); ++i) {
-    if (run.phases()[i] != history.phase) continue;
+    if (run.phases()[i] != history.phase) {
+      if (begin) break;
+      continue;
+    }
     // Each sample names the phase that it ends in: a phase begins at the sample before its first.
     if (!begin) begin = is_over_time(history) ? all_x[i > 0 ? i - 1 : 0] : 0;
     if (!std::isfinite(all_x[i]) || !std::isfinite(all_y[i])) continue;

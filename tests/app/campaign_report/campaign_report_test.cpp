@@ -274,6 +274,23 @@ TEST_F(MeanHistoryTest, IsOverTheSameRealizationsEverywhere) {
   }
 }
 
+// Between two phases of one type, and in the later one, there is nothing of what the first one showed.
+TEST_F(MeanHistoryTest, IsOfTheFirstPhaseOfItsType) {
+  for (const int length : {20, 30}) {
+    std::string rows;
+    for (int t = 1; t <= length; ++t) rows += series_row(t, "push", t);
+    for (int t = 1; t <= 10; ++t) rows += series_row(length + t, "settle", 0);
+    for (int t = 1; t <= 30; ++t) rows += series_row(length + 10 + t, "push", 100);
+    add_run(rows);
+  }
+  const auto [curve, n] = mean();
+  EXPECT_EQ(n, 2U);
+  ASSERT_FALSE(curve.x.empty());
+  EXPECT_GT(curve.x.back(), 18);
+  EXPECT_LT(curve.x.back(), 20) << "where the shorter one ends";
+  for (std::size_t k = 0; k < curve.x.size(); ++k) EXPECT_NEAR(curve.y[k], curve.x[k], 1e-9);
+}
+
 TEST_F(MeanHistoryTest, CountsTheRealizationsThatHaveSamples) {
   add_run(series_row(1, "settle", 0) + series_row(2, "push", 1) + series_row(3, "push", 2));
   add_run(series_row(1, "settle", 0));
