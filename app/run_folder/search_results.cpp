@@ -45,17 +45,23 @@ Json json_of(const AdiabaticDeposit& sample) {
 
 // A vane also tells what strength field practice would compute from its torque.
 Json json_of(const DriveResult& found) {
-  Json json = {
-      {"phase", found.phase},       {"drive", found.drive == Drive::vane ? "vane" : "penetrate"},
-      {"peak", found.peak},         {"peak_at", found.peak_at},
-      {"residual", found.residual}, {"sensitivity", sensitivity(found)},
-      {"mean", found.mean},         {"way", found.way},
-      {"cleared", found.cleared}};
+  Json json = {{"phase", found.phase},
+               {"drive", found.drive == Drive::vane ? "vane" : "penetrate"},
+               {"peak", or_null(found.peak)},
+               {"peak_at", or_null(found.peak_at)},
+               {"residual", or_null(found.residual)},
+               {"sensitivity", or_null(sensitivity(found))},
+               {"mean", or_null(found.mean)},
+               {"way", found.way},
+               {"cleared", found.cleared}};
   if (found.drive != Drive::vane) return json;
   json["radius"] = found.radius;
-  json["peak_strength"] = vane_strength(found.peak, found.radius);
-  json["residual_strength"] = vane_strength(found.residual, found.radius);
-  json["mean_strength"] = vane_strength(found.mean, found.radius);
+  const auto strength = [&](const std::optional<double>& torque) {
+    return torque ? Json(vane_strength(*torque, found.radius)) : Json(nullptr);
+  };
+  json["peak_strength"] = strength(found.peak);
+  json["residual_strength"] = strength(found.residual);
+  json["mean_strength"] = strength(found.mean);
   return json;
 }
 

@@ -98,7 +98,8 @@ bool possible(const AdiabaticDeposit& sample) {
 
 bool possible(const DriveResult& found) {
   return found.phase >= 0 && found.drive <= Drive::vane &&
-         finite(found.peak, found.peak_at, found.residual, found.mean, found.way) &&
+         finite(found.peak.value_or(0), found.peak_at.value_or(0), found.residual.value_or(0),
+                found.mean.value_or(0), found.way) &&
          positive(found.radius) && found.cleared >= 0;
 }
 

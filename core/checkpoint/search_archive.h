@@ -57,10 +57,10 @@ void describe_search_results(Archive& archive, State& state) {
   archive.list("drive_results", state.drive_results, [](auto& a, auto& found) {
     a.value("phase", found.phase);
     a.word("drive", found.drive);
-    a.value("peak", found.peak);
-    a.value("peak_at", found.peak_at);
-    a.value("residual", found.residual);
-    a.value("mean", found.mean);
+    a.optional("peak", found.peak);
+    a.optional("peak_at", found.peak_at);
+    a.optional("residual", found.residual);
+    a.optional("mean", found.mean);
     a.value("way", found.way);
     a.value("radius", found.radius);
     a.value("cleared", found.cleared);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 
 namespace quicksand {
 
@@ -14,10 +15,12 @@ enum class Drive : std::uint8_t { penetrate, vane };
 struct DriveResult {
   int phase = 0;  // index
   Drive drive = Drive::penetrate;
-  double peak = 0;           // largest mean of a window
-  double peak_at = 0;        // end of that window
-  double residual = 0;       // mean in time over the last quarter of the way
-  double mean = 0;           // over the way: the work against the load, by the way
+  // Largest mean of a window, and the end of that window; none without a step.
+  std::optional<double> peak = {}, peak_at = {};
+  // Mean in time over the last quarter of the way that was to be; none where it was not reached.
+  std::optional<double> residual = {};
+  // Over the way: the work against the load, by the way; none where it did not move.
+  std::optional<double> mean = {};
   double way = 0;            // in all
   double radius = 0;         // of a vane, to its tips; farthest point of other bodies [d]
   std::int64_t cleared = 0;  // grains that made room
@@ -25,10 +28,12 @@ struct DriveResult {
   bool operator==(const DriveResult&) const = default;
 };
 
-// Peak over residual; 0 without a residual, or with one that is rounding.
-inline double sensitivity(const DriveResult& found) {
+// Peak over residual; none without a residual, or with one that is rounding.
+inline std::optional<double> sensitivity(const DriveResult& found) {
   constexpr double kNegligible = 1e-9;
-  return std::abs(found.residual) > kNegligible * found.peak ? found.peak / found.residual : 0;
+  if (!found.peak || !found.residual) return std::nullopt;
+  if (std::abs(*found.residual) <= kNegligible * std::abs(*found.peak)) return std::nullopt;
+  return *found.peak / *found.residual;
 }
 // Shear strength on the circle of the tips that a torque tells, T/(2 pi R^2) [F_g/d].
 inline double vane_strength(double torque, double radius) {

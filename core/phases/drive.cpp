@@ -33,19 +33,41 @@ void prescribe(World& world, int body, const Vec3& velocity) {
   world.disks.velocity[body] = velocity;
 }
 
+using Memory = std::map<std::string, double>;
+
+void take_window(Memory& memory, double load, double time, double way) {
+  const double mean = load / time;
+  if (const auto peak = memory.find("peak"); peak != memory.end() && mean <= peak->second) return;
+  memory["peak"] = mean;
+  memory["peak_at"] = way;
+}
+
+// What is left at the end is shorter than a window, which therefore reaches back into the one before; the load counts
+// as even over that.
+void take_last_window(Memory& memory, double window, double way) {
+  if (memory["window_time"] <= 0) return;
+  const double open = way - memory["window_begin"];
+  const double share = std::clamp(1 - open / window, 0.0, 1.0);
+  take_window(memory, memory["window_load"] + share * memory["last_load"],
+              memory["window_time"] + share * memory["last_time"], way);
+}
+
 DriveResult drive_result(const Stage& stage, Drive drive, double way, int body) {
   const auto& memory = stage.state.memory;
-  const auto number = [&](const char* key) {
+  const auto known = [&](const char* key) -> std::optional<double> {
     const auto found = memory.find(key);
-    return found == memory.end() ? 0 : found->second;
+    return found == memory.end() ? std::nullopt : std::optional(found->second);
   };
-  const double late = number("late_time"), driven = way - number("way_begins");
+  const auto number = [&](const char* key) { return known(key).value_or(0); };
+  const auto ratio = [](double load, double by) {
+    return by > 0 ? std::optional(load / by) : std::nullopt;
+  };
   return {.phase = stage.state.phase,
           .drive = drive,
-          .peak = number("peak"),
-          .peak_at = number("peak_at"),
-          .residual = late > 0 ? number("late_load") / late : 0,
-          .mean = driven > 0 ? number("work") / driven : 0,
+          .peak = known("peak"),
+          .peak_at = known("peak_at"),
+          .residual = ratio(number("late_load"), number("late_time")),
+          .mean = ratio(number("work"), way - number("way_begins")),
           .way = way,
           .radius = reach_of(stage.world, body),
           .cleared = static_cast<std::int64_t>(number("cleared"))};
@@ -141,16 +163,15 @@ void record_load(Stage& stage, const DriveSetup& setup, double load, double time
     memory["late_time"] += time;
   }
   if (way < memory["window_begin"] + setup.window) return;
-  const double mean = memory["window_load"] / memory["window_time"];
-  if (mean > memory["peak"]) {
-    memory["peak"] = mean;
-    memory["peak_at"] = way;
-  }
+  take_window(memory, memory["window_load"], memory["window_time"], way);
+  memory["last_load"] = memory["window_load"];
+  memory["last_time"] = memory["window_time"];
   memory["window_begin"] = way;
   memory["window_load"] = memory["window_time"] = 0;
 }
 
 void end_way(Stage& stage, const DriveSetup& setup, double way, int body, bool release) {
+  take_last_window(stage.state.memory, setup.window, way);
   stage.state.drive_results.push_back(drive_result(stage, setup.drive, way, body));
   if (setup.rate) prescribe(stage.world, body, {0, 0, 0});
   if (!release) return;
