@@ -69,15 +69,16 @@ Part changed(const Image& shown, const Image& now) {
   return part.left < part.right ? part : Part{0, 0, 1, 1};
 }
 
-// Rows of a part for a PNG that turn what is shown into the picture: transparent where it stays.
-std::vector<std::uint8_t> turn(Image& shown, const Image& now, const Part& part) {
+// Rows of a part for a PNG that turn what is shown into the picture: transparent where it stays. Nothing does in the
+// first frame, whose dark pixels would let the page behind them through.
+std::vector<std::uint8_t> turn(Image& shown, const Image& now, const Part& part, bool first) {
   std::vector<std::uint8_t> rows;
   rows.reserve(static_cast<std::size_t>(part.bottom - part.top) *
                (1 + kChannels * static_cast<std::size_t>(part.right - part.left)));
   for (int y = part.top; y < part.bottom; ++y) {
     rows.push_back(kUnfiltered);
     for (int x = part.left; x < part.right; ++x) {
-      if (!differs(shown, now, x, y)) {
+      if (!first && !differs(shown, now, x, y)) {
         rows.insert(rows.end(), kChannels, 0);
         continue;
       }
@@ -150,7 +151,7 @@ VideoReport write_animation(const std::filesystem::path& frames,
     const std::size_t count = std::min(files.size(), kMostAnimatedFrames);
     const Image first = read_png(files.front());
     const int side = (std::max(first.width, first.height) - 1) / kLongestAnimatedSide + 1;
-    Image shown(first.width / side, first.height / side);  // black
+    Image shown(first.width / side, first.height / side);
     AnimationFile film(path, shown.width, shown.height, count);
     const std::size_t last = std::max<std::size_t>(count - 1, 1);
     // Reading and packing take the time, and each frame's its own.
@@ -167,8 +168,9 @@ VideoReport write_animation(const std::filesystem::path& frames,
       });
       for (std::size_t k = 0; k < steps.size(); ++k) {
         const Image& now = steps[k].now;
-        steps[k].part = begin + k == 0 ? Part{0, 0, now.width, now.height} : changed(shown, now);
-        steps[k].rows = turn(shown, now, steps[k].part);
+        const bool is_first = begin + k == 0;
+        steps[k].part = is_first ? Part{0, 0, now.width, now.height} : changed(shown, now);
+        steps[k].rows = turn(shown, now, steps[k].part, is_first);
       }
       share_parts(static_cast<int>(steps.size()), [&](int part) {
         std::vector<std::uint8_t>& rows = steps[static_cast<std::size_t>(part)].rows;
