@@ -16,7 +16,7 @@ namespace quicksand {
 // Distance of a state from the contact laws; see residual.h.
 struct Residual {
   double natural = 0;  // worst projection residual over force_scale dt [1]
-  double gap = 0;      // worst |gap error| over gap_tolerance where N > 0, or where bodies overlap [1]
+  double gap = 0;  // worst |gap error| over gap_tolerance where N > 0, or where bodies overlap [1]
 };
 
 // The largest of the three of one contact with impulse p and relative velocity u = H v + offset, given

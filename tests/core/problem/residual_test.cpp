@@ -109,7 +109,8 @@ TEST(Residual, IsTheWorstUpToABoundAndBeyondIt) {
   const double worst = residual(problem, state).natural;
   ASSERT_GT(worst, 0);
   EXPECT_EQ(residual(problem, state, {.natural = worst, .gap = kInfinity}).natural, worst);
-  const double beyond = residual(problem, state, {.natural = worst / 100, .gap = kInfinity}).natural;
+  const double beyond =
+      residual(problem, state, {.natural = worst / 100, .gap = kInfinity}).natural;
   EXPECT_GT(beyond, worst / 100);
   EXPECT_LT(beyond, worst) << "it looked at all contacts";
 }
