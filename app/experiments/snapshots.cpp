@@ -22,7 +22,7 @@ constexpr double kAbovePack = 1.5;  // room for the piston [d]
 
 // As wide as the box, as high as the packing: all pictures of one box have one scale.
 View view_of_packing(const World& world, const Scenario& scenario) {
-  View view = view_of(scenario, {.broken_bonds = false, .text_size = kText});
+  View view = still_of(scenario, {.broken_bonds = false, .text_size = kText});
   const double width = world.box.width + 2 * kBeyond;
   const double scale = std::min(kWidth / width, kTallest / std::max(1.0, world.box.height));
   view.width = std::max(kLeastWidth, static_cast<int>(scale * width));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <utility>
 
 #include "core/base/format.h"
 #include "core/base/whole_file.h"
@@ -33,6 +34,12 @@ View view_of(const Scenario& scenario, View view) {
   });
   view.method =
       scenario.step.nscd ? "NSCD, " + count_text(scenario.step.nscd->sweeps, "sweep") : "";
+  return view;
+}
+
+View still_of(const Scenario& scenario, View view) {
+  view = view_of(scenario, std::move(view));
+  view.expects_intruder = view.names_reaction = view.names_applied_force = false;
   return view;
 }
 

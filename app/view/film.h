@@ -17,6 +17,8 @@ namespace quicksand {
 // The view of a scene's whole box, or of its bodies where the box has no size, with SI units where the
 // scene gives physical values.
 View view_of(const Scenario& scenario, View view);
+// The same for a state by itself, of no film: its key names nothing that is yet to come, or has gone.
+View still_of(const Scenario& scenario, View view);
 
 // Joins the frames of a folder: an animation that a browser plays, and a film where there is ffmpeg. Returns what
 // went wrong, in a sentence, or nothing.

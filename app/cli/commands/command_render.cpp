@@ -70,7 +70,7 @@ void render_states(const RenderArguments& options, const View& view) {
   for (const fs::path& source : options.sources) {
     StateFile state = read_state(source);
     shown.push_back({std::move(state.checkpoint.world), state.scenario.name, state.phase,
-                     view_of(state.scenario, view)});
+                     still_of(state.scenario, view)});
   }
   write_picture(options, shown);
 }

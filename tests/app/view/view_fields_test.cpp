@@ -102,5 +102,14 @@ TEST(ViewOfAScene, ExpectsTheIntruderThatAPhaseBrings) {
   EXPECT_FALSE(expects(SettlePhase{}));
 }
 
+// An intruder that was let go has no force on it, and a key names no arrow that is not drawn.
+TEST(ViewOfAScene, ExpectsNothingOfAStateByItself) {
+  Scenario scenario;
+  scenario.phases = {{.kind = PushPhase{.release = true}}};
+  ASSERT_TRUE(view_of(scenario, {}).names_applied_force);
+  const View still = still_of(scenario, {});
+  EXPECT_FALSE(still.names_applied_force || still.names_reaction || still.expects_intruder);
+}
+
 }  // namespace
 }  // namespace quicksand::test
