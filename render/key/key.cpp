@@ -52,7 +52,7 @@ void add_colours(Legend& key, const KeyContent& content, bool all) {
 }
 
 Legend::Word arrow_word(const Font& font, const std::string& label, const Vec2& along, Colour ink) {
-  const double half = 0.6 * font.size();
+  const double half = 0.5 * font.size();
   return labelled(font, 2 * half, label, ink, [=](DrawList& list, const Vec2& at) {
     const Vec2 centre = at + Vec2(half, 0);
     const Vec2 tip = centre + half * along;
