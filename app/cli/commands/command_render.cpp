@@ -55,6 +55,7 @@ void write_picture(const RenderArguments& options, const std::vector<Shown>& sho
     throw InputError("a picture of " + std::to_string(shown.size()) + " panels",
                      "has more than there are letters; draw a film");
   std::vector<SideBySide> panels;
+  panels.reserve(shown.size());
   for (const Shown& one : shown)
     panels.push_back({one.world, one.view,
                       std::string(1, static_cast<char>('a' + panels.size())) + "  " + one.phase});
