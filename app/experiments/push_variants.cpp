@@ -46,7 +46,7 @@ class Density : public PaperExperiment {
                 : by_interval_
                     ? jobs.samples(kDenseDeposition, {}, dense_deposition())
                     : jobs.samples("rolling_0.02", {{"contact.rolling_friction", 0.02}})};
-    for (const RunGroup& sample : samples_) curves_.push_back(jobs.push_curve(sample));
+    curves_ = {jobs.push_curve(samples_[0]), jobs.push_curve_below_strongest(samples_[1])};
   }
 
   void report(const PaperResults& results, Section& section, Findings& findings) const override {
@@ -75,10 +75,10 @@ class Density : public PaperExperiment {
             {name + ", " + number_text(curves_[s].forces[k]) + " F_c", curves_[s].pushes[k]});
     }
     if (!is_denser(results))
-      section.add(
-          Remark{Remark::Kind::warning,
-                 "The specimens' volume fractions do not differ by more than 0.01 and two standard "
-                 "errors: what their density does is not measured."});
+      section.add(Remark{
+          Remark::Kind::warning,
+          "The volume fractions do not differ by more than 2.5 % and two standard errors, seed "
+          "by seed: what the density does is not measured."});
     else
       note(findings, "penetration.density_shift", shift(results));
     section.add(outcome_table(results, "Pushes of both specimens, after everything rests.",
@@ -89,14 +89,12 @@ class Density : public PaperExperiment {
   }
 
  private:
+  // Seed by seed, since both are made of the same grains: their scatter over seeds is larger than what a deposition
+  // changes.
   bool is_denser(const PaperResults& results) const {
-    constexpr double kLeast = 0.01;
-    const auto usual = results.mean(samples_[0], "volume_fraction"),
-               denser = results.mean(samples_[1], "volume_fraction");
-    if (!usual || !denser) return false;
-    const double error =
-        std::hypot(usual->standard_error.value_or(0), denser->standard_error.value_or(0));
-    return denser->value - usual->value > std::max(kLeast, 2 * error);
+    constexpr double kLeast = 0.025;  // relative
+    const auto change = results.change(samples_[0], samples_[1], "volume_fraction");
+    return change && change->value > std::max(kLeast, 2 * change->standard_error.value_or(0));
   }
 
   // Seed by seed: by the depth, or, where no depth above the floor is reached in both, by the velocity.

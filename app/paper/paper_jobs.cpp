@@ -1,5 +1,6 @@
 #include "app/paper/paper_jobs.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/base/assets.h"
@@ -147,10 +148,20 @@ RunGroup PaperJobs::pushes(const RunGroup& samples, double force_over_cohesion,
        {"step.dt", dt.value_or(scale_.push_step)}});
 }
 
-PushCurve PaperJobs::push_curve(const RunGroup& samples) {
-  PushCurve curve{scale_.push_forces, {}};
+PushCurve PaperJobs::push_curve(const RunGroup& samples, std::vector<double> forces) {
+  PushCurve curve{std::move(forces), {}};
   for (const double force : curve.forces) curve.pushes.push_back(pushes(samples, force));
   return curve;
+}
+
+PushCurve PaperJobs::push_curve(const RunGroup& samples) {
+  return push_curve(samples, scale_.push_forces);
+}
+
+PushCurve PaperJobs::push_curve_below_strongest(const RunGroup& samples) {
+  std::vector<double> forces = scale_.push_forces;
+  if (forces.size() > 1) forces.erase(std::ranges::max_element(forces));
+  return push_curve(samples, std::move(forces));
 }
 
 RunGroup PaperJobs::thresholds(const RunGroup& samples, double distance) {

@@ -106,6 +106,8 @@ class PaperJobs {
                   const ParameterValues& laws = {}, std::optional<double> dt = {});
   // With each of the scale's forces.
   PushCurve push_curve(const RunGroup& samples);
+  // The same without the strongest, with which an intruder passes specimens of any density.
+  PushCurve push_curve_below_strongest(const RunGroup& samples);
   // Searches for the smallest force with which the intruder enters by `distance` [d].
   RunGroup thresholds(const RunGroup& samples, double distance);
   // After bonds were restored: all, or so many of them, drawn at random. [1]
@@ -120,6 +122,7 @@ class PaperJobs {
               const std::function<RunGroup()>& plan);
 
  private:
+  PushCurve push_curve(const RunGroup& samples, std::vector<double> forces);
   RunGroup add(const std::string& scene, const std::string& name, const RunGroup* after,
                ParameterValues laws, const ParameterValues& set);
 

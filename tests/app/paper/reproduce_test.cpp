@@ -114,53 +114,6 @@ TEST_F(Reproduce, BondsAreCountedOnTheIntrudersWayAndAtRest) {
   EXPECT_EQ(table.rows[2][2].text, "0.40 ± 0.10") << "at rest";
 }
 
-class DensityOfSamples : public Reproduce {
- protected:
-  // The shift that is found if the second sample has this density, and intruders come down to these depths.
-  std::optional<double> shift(double denser, const std::vector<double>& depths,
-                              const std::vector<double>& denser_depths) const {
-    PaperScale scale = small();
-    scale.realizations = 1;
-    PaperJobs jobs(scale, folder_.path());
-    const auto density = make_density_experiment();
-    density->plan(jobs);
-    const RunGroup samples[] = {jobs.samples(),
-                                jobs.samples("rolling_0.02", {{"contact.rolling_friction", 0.02}})};
-    for (std::size_t s = 0; s < 2; ++s) {
-      const Json sample = {{"volume_fraction", s == 0 ? 0.38 : denser}, {"packing_top", 20}};
-      leave_results(jobs.jobs()[samples[s].runs[0]], sample);
-      const PushCurve curve = jobs.push_curve(samples[s]);
-      for (std::size_t k = 0; k < curve.pushes.size(); ++k)
-        leave_results(jobs.jobs()[curve.pushes[k].runs[0]],
-                      {{"depth", (s == 0 ? depths : denser_depths)[k]},
-                       {"active_bond_fraction", 0.5},
-                       {"remaining_bond_fraction", 0.6},
-                       {"coordination", 2.5}},
-                      "time,step,phase,depth,intruder_velocity_y\n0,0,push,0,0\n");
-    }
-    Section section;
-    Findings findings;
-    density->report(PaperResults(jobs.jobs()), section, findings);
-    const auto found = findings.find("penetration.density_shift");
-    return found == findings.end() ? std::nullopt : std::optional(found->second.value);
-  }
-};
-
-// Forces of 0.1, 0.33, 1, 3; the denser sample takes one that is 3 times as large to 5 d.
-TEST_F(DensityOfSamples, ShiftsTheForceThatIsNeededForADepth) {
-  const auto found = shift(0.43, {5, 10, 15, 20}, {0, 5, 10, 20});
-  ASSERT_TRUE(found);
-  EXPECT_NEAR(*found, 3, 0.2);
-}
-
-TEST_F(DensityOfSamples, SaysNothingIfTheSamplesDoNotDiffer) {
-  EXPECT_FALSE(shift(0.385, {5, 10, 15, 20}, {0, 5, 10, 20}));
-}
-
-TEST_F(DensityOfSamples, SaysNothingIfAllIntrudersLieOnTheGround) {
-  EXPECT_FALSE(shift(0.43, {19.2, 19.4, 19.6, 19.8}, {19.1, 19.3, 19.5, 19.7}));
-}
-
 // Two runs with the strengths 10 + 2 depth: the line is found, and grains that no force moved are counted.
 TEST_F(Reproduce, StrengthIsPooledOverTheGrainsOfAllRuns) {
   PaperJobs jobs(small(), folder_.path());
