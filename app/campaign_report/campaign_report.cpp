@@ -175,7 +175,7 @@ class Writer {
   std::string value_name(const CampaignPoint& point, const std::string& path) const {
     const Json value = value_of(point, path);
     const ReportParameter* known = parameter(path);
-    const std::string text = value_text(value, digits_.at(path));
+    std::string text = value_text(value, digits_.at(path));
     if (!known || !known->names.is_array()) return text;
     std::vector<Json> values;  // each once, in their order
     for (const CampaignPoint& other : points_)
@@ -235,6 +235,7 @@ class Writer {
   static std::vector<Json> values_of(const CampaignPoint& point,
                                      const std::vector<std::string>& paths) {
     std::vector<Json> values;
+    values.reserve(paths.size());
     for (const std::string& path : paths) values.push_back(value_of(point, path));
     return values;
   }

@@ -114,6 +114,7 @@ MeanHistory mean_history(std::span<const RunResults> runs, const ReportHistory& 
         static_cast<std::size_t>(std::ranges::count_if(samples.x, is_inside)), 1, bins);
   const double width = (high - low) / static_cast<double>(bins);
   std::vector<Course> courses;
+  courses.reserve(all.size());
   for (const Samples& samples : all) courses.emplace_back(samples, low, width);
   for (std::size_t k = 0; k < bins; ++k) {
     const double place = low + (static_cast<double>(k) + 0.5) * width;

@@ -50,8 +50,11 @@ struct Measure {
       const StateFile state{{session.world(), session.protocol().state(), {}},
                             session.protocol().scenario(),
                             session.phase_name()};
-      write_measurements(path, measure_state(state, {}, kSlice));
+      const Measurements measured = measure_state(state, {}, kSlice);
+      write_measurements(path, measured);
       result["folder"] = path.string();
+      if (!measured.profile_left_out.empty())
+        result["profile_left_out"] = measured.profile_left_out;
     }
     return result;
   }

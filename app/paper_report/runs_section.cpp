@@ -4,6 +4,7 @@
 
 #include "app/base/build_info.h"
 #include "app/json/json_reader.h"
+#include "app/paper_report/programme.h"
 
 namespace quicksand {
 

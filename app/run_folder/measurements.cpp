@@ -150,7 +150,7 @@ Measurements measure_state(const StateFile& state, const MeasureChoices& choices
   try {
     m.profile = height_profile(world, touching, slice);
   } catch (const InputError& problem) {
-    m.profile_left_out = problem.where() + " " + problem.what() + " with --slice";
+    m.profile_left_out = problem.where() + " of " + number_text(slice) + " d " + problem.what();
   }
   m.histograms = {
       {"bond_angles", "rad", "between neighbouring active bonds of a grain", bond_angles(world)},
@@ -183,7 +183,8 @@ std::string text_of(const Measurements& m) {
   for (const CountValue& count : kCountValues)
     text += padded(std::string(count.name), kName) +
             padded(short_text(m.counts.*count.value), kColumn) + std::string(count.help) + "\n";
-  if (!m.profile_left_out.empty()) text += "\nno profile: " + m.profile_left_out + "\n";
+  if (!m.profile_left_out.empty())
+    text += "\nno profile: " + m.profile_left_out + "; choose thicker ones with --slice\n";
   if (!m.changes) return text;
   text += "\nsince the earlier state\n";
   for (const ChangeValue& value : kChangeValues)

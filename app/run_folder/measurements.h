@@ -38,7 +38,7 @@ struct Measurements {
   ContactCounts counts;              // over all grains
   std::vector<NamedRegion> regions;  // the whole first; only that where there is no intruder
   std::vector<Slice> profile;
-  std::string profile_left_out;  // why there is no profile, and what to do; empty: there is one
+  std::string profile_left_out;  // why there is no profile; empty: there is one
   std::vector<NamedHistogram> histograms;
   std::optional<Changes> changes = {};  // since an earlier state
 };

@@ -207,6 +207,7 @@ World start_world(const Scenario& scenario) {
   world.impulse_dt = state.impulse_dt;
   world.time = state.time;
   world.step = state.step;
+  world.specimen = state.specimen;
   return world;
 }
 

@@ -103,7 +103,11 @@ struct PhaseText {
   }
 
   std::string operator()(const PenetratePhase& p) const {
-    return shape_name(p.shape) + " of density " + number(p.density) + ", driven down " +
+    const std::string intruder = shape_name(p.shape) + " of density " + number(p.density);
+    if (p.threshold)
+      return intruder + ", smallest downward force that drives it to a depth of " +
+             number(p.depth) + " d; " + drives(p, *p.threshold, force_text(p.force));
+    return intruder + ", driven down " +
            (p.speed ? "at " + number(*p.speed) + " sqrt(g d)" : "with " + force_text(p.force)) +
            ramp(p.ramp_time) + ", to a depth of " + number(p.depth) + " d" +
            (p.speed
@@ -117,6 +121,9 @@ struct PhaseText {
                                        number(p.shape->radius) + " d, " + number(p.depth) +
                                        " d deep" + (p.clear ? ", grains in its way taken out" : "")
                                  : std::string("the intruder that is there");
+    if (p.threshold)
+      return what + ", smallest torque that turns it by " + number(p.angle) + " rad; " +
+             drives(p, *p.threshold, number(p.torque) + " F_g d");
     return what + ", turned by " + number(p.angle) + " rad " +
            (p.angular_velocity ? "at " + number(*p.angular_velocity) + " sqrt(g/d)"
                                : "with a torque of " + number(p.torque) + " F_g d") +
@@ -144,10 +151,21 @@ struct PhaseText {
            trials(p.trials, moving(p.trials.until, "the grain"));
   }
 
+  // Trials of a drive, which are as the drive itself would be.
+  template <class Drive>
+  static std::string drives(const Drive& p, const CriticalDrive& threshold,
+                            const std::string& first) {
+    return trials_with(first, threshold.tolerance) +
+           rest(p.rest_speed, p.rest_time, p.max_time, "the intruder is not") +
+           bonding(p.bonding, p.bonds);
+  }
   static std::string trials(const SearchTrials& t, const std::string& moving = "nothing is") {
-    return "trials from one state, first with " + number(t.first_force) +
-           " F_g, until the interval is " + number(t.tolerance) + " of its upper end; each " +
+    return trials_with(number(t.first_force) + " F_g", t.tolerance) +
            rest(t.rest_speed, t.rest_time, t.max_time, moving);
+  }
+  static std::string trials_with(const std::string& first, double tolerance) {
+    return "trials from one state, first with " + first + ", until the interval is " +
+           number(tolerance) + " of its upper end; each ";
   }
   std::string force_text(double force) const {
     const auto& cohesion = scenario.grain_law.cohesion_force;

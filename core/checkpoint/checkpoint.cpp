@@ -27,7 +27,7 @@ using Reader = CheckpointReader;
 static_assert(std::endian::native == std::endian::little, "arrays are stored little-endian");
 
 constexpr const char* kFormat = "quicksand checkpoint";
-constexpr int kVersion = 7, kOldestVersion = 4;
+constexpr int kVersion = 8, kOldestVersion = 4;
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{4} << 30U;  // [bytes]
 // Memory that reading takes: the bytes are there as they are, as JSON and as a world.
 constexpr double kBytesPerByte = 4;

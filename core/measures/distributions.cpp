@@ -153,8 +153,7 @@ std::vector<Slice> height_profile(const World& world, std::span<const Pair> touc
   if (highest <= bottom || !std::isfinite(highest)) return {};
   const double first = std::floor(bottom / thickness), last = std::ceil(highest / thickness);
   constexpr double kMostSlices = 10000;
-  if (last - first > kMostSlices)
-    throw InputError("slices", "would be more than 10000; choose thicker ones");
+  if (last - first > kMostSlices) throw InputError("slices", "would be more than 10000");
   const int count = static_cast<int>(last - first);
 
   // What rounding puts outside belongs to the slice at the end.

@@ -43,7 +43,7 @@ class Deposit final : public RunningPhaseOf<DepositPhase> {
     const double limit = static_cast<double>(settings().grains);
     const auto drops = [&] {
       return full(stage) == 0 && (limit == 0 || dropped(stage) < limit) &&
-             stage.due(next_drop(stage));
+             stage.due(next_drop(stage), interval(stage));
     };
     if (!drops()) return;
     LandingSite site(stage.world);
@@ -61,7 +61,7 @@ class Deposit final : public RunningPhaseOf<DepositPhase> {
   bool finished(Stage& stage) override {
     const double limit = static_cast<double>(settings().grains);
     const bool all = full(stage) != 0 || (limit > 0 && dropped(stage) >= limit);
-    if (!all || !stage.due(next_drop(stage))) return false;
+    if (!all || !stage.due(next_drop(stage), interval(stage))) return false;
     return !settings().adiabatic || is_adiabatic(stage);
   }
 

@@ -9,7 +9,10 @@ void remove_disks(World& world, const std::vector<char>& marked) {
   int left = 0;
   for (std::size_t i = 0; i < nd; ++i) row[i] = marked[i] ? kGone : left++;
 
-  if (left < static_cast<int>(nd)) ++world.specimen;
+  std::vector<std::uint64_t> taken;
+  for (std::size_t i = 0; i < nd; ++i)
+    if (marked[i]) taken.push_back(i);
+  if (!taken.empty()) become_another_specimen(world, taken);
 
   const auto compact = [&](auto& values) {
     for (std::size_t i = 0; i < nd; ++i)

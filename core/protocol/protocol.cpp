@@ -58,7 +58,8 @@ void require_way_down(const Phase& phase, const Stage& stage) {
   const std::string wall = wall_in_the_way(stage.world, stage.world.walls.size());
   if (!wall.empty())
     throw InputError("phases[" + std::to_string(stage.state.phase) + "]",
-                     "places bodies from above, and " + wall + " is in their way");
+                     "is of type " + std::string(phase_name(phase)) +
+                         ", which places bodies from above, and " + wall + " is in their way");
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ class RunningPhaseOf : public RunningPhase {
     if constexpr (requires { settings_.rest_time; })
       return stage.lasted(settings_.max_time) &&
              (stage.state.rest_since < 0 ||
-              !stage.due(stage.state.rest_since + settings_.rest_time));
+              !stage.due(stage.state.rest_since + settings_.rest_time, settings_.rest_time));
     return false;
   }
   void settings_changed(Stage& stage, const Phase&) override {

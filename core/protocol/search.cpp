@@ -34,7 +34,8 @@ void return_to_base(Stage& stage) {
   const std::int64_t step = stage.world.step;
   // What the trial has added gives its rows to what the next one adds.
   const bool replaced = stage.world.disks.size() != stage.state.search.base->disks.size();
-  const std::int64_t specimen = stage.world.specimen + (replaced ? 1 : 0);
+  if (replaced) become_another_specimen(stage.world);
+  const std::int64_t specimen = stage.world.specimen;
   stage.world = *stage.state.search.base;
   stage.world.time = time;
   stage.world.step = step;

@@ -6,10 +6,12 @@
 
 namespace quicksand {
 
-// Times are sums of steps: a moment that is due within the rounding of some ten thousand is due.
-bool Stage::due(double moment) const {
-  constexpr double kRounding = 1e-11;
-  return world.time >= moment - kRounding * std::max(1.0, moment);
+// Times are sums of steps, whose roundings add up to less than 1e-9 of it over ten million of them. But no step of a span
+// is left out, however late it comes.
+bool Stage::due(double moment, double span) const {
+  constexpr double kRounding = 1e-9, kPart = 0.25;
+  return world.time >= moment - std::min(kRounding * std::max(1.0, moment),
+                                         kPart * std::min(world.impulse_dt, span));
 }
 
 void Stage::form_bonds(bool bonding, BondingTouch touch) {
@@ -17,7 +19,7 @@ void Stage::form_bonds(bool bonding, BondingTouch touch) {
   world.rebonding = bonding && touch == BondingTouch::every;
 }
 
-bool Stage::lasted(double duration) const { return due(state.trial_start + duration); }
+bool Stage::lasted(double duration) const { return due(state.trial_start + duration, duration); }
 
 bool Stage::at_rest(double speed, double duration) {
   const auto slow = [&](const auto& v) {
@@ -46,7 +48,7 @@ bool Stage::rested(bool slow, double duration) {
   // Nothing has moved yet before the first step of a phase or trial.
   else if (state.rest_since < 0 && world.time > state.trial_start)
     state.rest_since = world.time;
-  return state.rest_since >= 0 && due(state.rest_since + duration);
+  return state.rest_since >= 0 && due(state.rest_since + duration, duration);
 }
 
 }  // namespace quicksand

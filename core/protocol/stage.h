@@ -13,7 +13,8 @@ struct Stage {
 
   // Whether touches form bonds from now on, and which.
   void form_bonds(bool bonding, BondingTouch touch = BondingTouch::first);
-  bool due(double moment) const;       // whether the world's time has reached it
+  // Whether the world's time has reached the moment, which ends a span of time that began before.
+  bool due(double moment, double span) const;
   bool lasted(double duration) const;  // whether the present phase has, or its trial
   // Since the phase began, whatever the trial. [sqrt(d/g)]
   double since_start() const { return world.time - state.phase_start; }

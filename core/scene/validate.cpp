@@ -32,9 +32,9 @@ std::string wall_in_the_way(const World& world, std::size_t walls) {
   const std::size_t of_box = (world.box.floor ? 1 : 0) + (world.box.sides == Sides::walls ? 2 : 0);
   for (std::size_t k = of_box; k < walls; ++k) {
     const Wall& wall = world.walls[k];
+    if (is_floor(wall)) continue;
     if (wall.role == WallRole::piston) return "a piston";
-    if (!is_floor(wall))
-      return "a wall (" + message_name(world, kWallBase + static_cast<int>(k)) + " of its scene)";
+    return "a wall (" + message_name(world, kWallBase + static_cast<int>(k)) + " of its scene)";
   }
   return {};
 }

@@ -92,6 +92,13 @@ void remove_last_wall(World& world) {
   std::erase_if(world.contacts, [&](const Contact& contact) { return contact.pair.b == body; });
 }
 
+void become_another_specimen(World& world, const std::vector<std::uint64_t>& rows) {
+  std::uint64_t hash = fnv1a(kFnvStart, static_cast<std::uint64_t>(world.specimen));
+  hash = fnv1a(hash, static_cast<std::uint64_t>(world.step));
+  for (const std::uint64_t row : rows) hash = fnv1a(hash, row);
+  world.specimen = static_cast<std::int64_t>(hash);
+}
+
 bool same_but_for_time(const World& one, const World& other) {
   const auto state = [](const World& w) {
     return std::tie(w.bonding, w.rebonding, w.impulse_dt, w.gravity, w.drag, w.grain_law,

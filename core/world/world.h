@@ -39,7 +39,7 @@ struct World {
   std::optional<Random> sweep_random;  // of the order of sweeps, from the first that draws on
   // These decide nothing of the future, so they are not in the hash.
   IntruderTrajectory trajectory;
-  // Another one once disks were taken away or replaced: rows are of other bodies since.
+  // Tells specimens apart whose rows are of other bodies, since disks were taken away or replaced; 0 before.
   std::int64_t specimen = 0;
 
   const ContactLaw& law(Pair pair) const;
@@ -82,6 +82,10 @@ std::string message_name(const World& world, int body);
 // Takes away the last wall, of which there must be one, with its bonds and contacts. Its bonds do not
 // count as broken.
 void remove_last_wall(World& world);
+
+// Its disks of these rows are about to be taken away, or others will get their rows: the same change of the same specimen
+// makes the same one of it.
+void become_another_specimen(World& world, const std::vector<std::uint64_t>& rows = {});
 
 // Whether they differ in nothing that a step reads or changes but the time.
 bool same_but_for_time(const World& one, const World& other);

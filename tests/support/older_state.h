@@ -10,7 +10,7 @@ namespace quicksand::test {
 
 // `state` is what is in the file.
 inline std::string of_an_older_version(std::string state) {
-  const std::size_t version = state.find("gversion\x07");
+  const std::size_t version = state.find("gversion\x08");
   EXPECT_NE(version, std::string::npos) << "this version's number is another one";
   if (version == std::string::npos) return state;
   state[version + 8] = '\x03';

@@ -47,7 +47,7 @@ TEST_F(RefusedInput, DifferencesReplaceNoFileButAPicture) {
 }
 
 TEST_F(RefusedInput, AnOptionThatCountsSaysThatItWantsAWholeNumber) {
-  for (const char* given : {"1e1", "2.5", "256", "-1", "many"})
+  for (const char* given : {"1e1", "2.5", "256", "-1", "many", "010", "0x10"})
     expect_refused({"compare", "a.png", "b.png", "--tolerance", given},
                    "--tolerance: is " + std::string(given) +
                        ", must be a whole number from 0 to 255 (see `quicksand compare --help`)");

@@ -239,7 +239,8 @@ TEST_F(SessionTest, APistonByHandThatStaysIsInTheWayOfTheScenesPush) {
                        "ramp_time": 0, "max_time": 0.02})",
             R"({"command": "run"})"});
   EXPECT_EQ(played.exit_code, 1);
-  EXPECT_NE(played.err.find("places bodies from above, and a piston is in their way"),
+  EXPECT_NE(played.err.find("is of type push, which places bodies from above, and a piston is in "
+                            "their way"),
             std::string::npos)
       << played.err;
 }

@@ -193,7 +193,7 @@ TEST_F(ResumeTest, AnotherVersionOfTheFormatIsRefusedAndNothingIsLost) {
   const auto before = files_of(at("whole"));
   const Outcome resumed = quicksand({"resume", "whole"});
   EXPECT_EQ(resumed.exit_code, 2);
-  EXPECT_NE(resumed.err.find("format version is 3, this program reads versions 4 to 7"),
+  EXPECT_NE(resumed.err.find("format version is 3, this program reads versions 4 to 8"),
             std::string::npos)
       << resumed.err;
   EXPECT_EQ(files_of(at("whole")), before);

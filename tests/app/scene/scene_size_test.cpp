@@ -68,6 +68,23 @@ TEST(SceneReport, WarnsOfStepsBelowWhichTheEnergyCriterionNeverActs) {
   EXPECT_EQ(report("1.1e-3").find(warning), std::string::npos);
 }
 
+TEST(SceneReport, AThresholdIsSoughtInTrialsAndNothingIsReleased) {
+  const std::string report = scene_report(scenario_from_json(parse_json(
+      R"({"name": "a", "box": {"width": 10}, "gravity": {}, "phases": [
+          {"type": "penetrate", "force": 5, "depth": 3, "threshold": {"tolerance": 0.2},
+           "release": true},
+          {"type": "vane", "torque": 7, "threshold": {"tolerance": 0.1}}]})")));
+  EXPECT_NE(report.find("smallest downward force that drives it to a depth of 3 d; trials from one "
+                        "state, first with 5 F_g, until the interval is 0.2 of its upper end"),
+            std::string::npos)
+      << report;
+  EXPECT_NE(report.find("smallest torque that turns it by 1.5 rad; trials from one state, first "
+                        "with 7 F_g d, until the interval is 0.1"),
+            std::string::npos)
+      << report;
+  EXPECT_EQ(report.find("released"), std::string::npos) << report;
+}
+
 TEST(SceneSize, WhatCannotBeListedIsRefused) {
   if (!kMemoryCanBeBounded) GTEST_SKIP() << "not under the address sanitizer";
   const BoundedMemory bound(kRoom);

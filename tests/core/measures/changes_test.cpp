@@ -76,6 +76,11 @@ TEST(Changes, AreOfOneSpecimen) {
   remove_disks(other, {0, 1, 0, 0, 0});
   other.disks.add({.position = {6, 0.5}});
   EXPECT_FALSE(same_specimen(world, other)) << "each row has such a disk, but not the same";
+  World likewise = world, elsewhere = world;
+  remove_disks(likewise, {0, 1, 0, 0, 0});
+  EXPECT_TRUE(same_specimen(likewise, other));
+  remove_disks(elsewhere, {0, 0, 1, 0, 0});
+  EXPECT_FALSE(same_specimen(elsewhere, likewise)) << "another was taken away";
   other = world;
   other.box.width += 1;
   EXPECT_FALSE(same_specimen(world, other));

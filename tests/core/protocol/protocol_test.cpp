@@ -45,6 +45,13 @@ TEST_P(RunOfPhases, DepositEndsByNumber) {
   EXPECT_GE(world.bonds.formed, 12) << "every grain sticks where it lands";
 }
 
+// Whatever it is called: it is in nobody's way.
+TEST_P(RunOfPhases, GrainsFallOnAFloor) {
+  Scenario scene = with_phases(GetParam(), {{DepositPhase{.grains = 2, .interval = 0.02}}});
+  scene.walls = {{.point = {0, 0.5}, .normal = {0, 1}, .role = WallRole::piston}};
+  EXPECT_EQ(Finished(scene).last, Progress::finished);
+}
+
 // Grains come at multiples of the interval, not of the steps that happen to follow them.
 TEST_P(RunOfPhases, DepositKeepsItsRateWhenTheStepDoesNotDivideTheInterval) {
   const Finished run(
@@ -97,6 +104,27 @@ TEST_P(RunOfPhases, SettleLastsExactlyItsTimeIfItShallNotWaitForRest) {
   const Finished run(
       with_phases(GetParam(), {{SettlePhase{.max_time = 0.37, .until_rest = false}, 1e-2}}));
   EXPECT_EQ(run.protocol.world().step, 37);
+}
+
+// A million steps of 1e-3 add up to 1000 - 1.7e-8.
+TEST(StageOfALongRun, AMomentIsDueWithTheStepThatReachesIt) {
+  World world;
+  ProtocolState state;
+  const Stage stage{world, state};
+  const auto steps = [&](int count, double dt) {
+    world.impulse_dt = dt;
+    for (int k = 0; k < count; ++k) world.time += dt;
+  };
+  steps(999'999, 1e-3);
+  EXPECT_FALSE(stage.due(1000, 1000));
+  steps(1, 1e-3);
+  EXPECT_TRUE(stage.due(1000, 1000));
+  const double begin = world.time, span = 1e-5;
+  EXPECT_FALSE(stage.due(begin + span, span));
+  steps(999, 1e-8);
+  EXPECT_FALSE(stage.due(begin + span, span));
+  steps(1, 1e-8);
+  EXPECT_TRUE(stage.due(begin + span, span));
 }
 
 TEST_P(RunOfPhases, AShortPhaseHasAllItsStepsHoweverLateItComes) {
