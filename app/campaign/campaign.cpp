@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "app/base/nearest_name.h"
 #include "app/json/json_reader.h"
 #include "app/json/json_schema.h"
 #include "app/json/json_writer.h"
@@ -115,11 +116,25 @@ void make_self_contained(Campaign& campaign, const fs::path& file) {
 
 }  // namespace
 
+namespace {
+
+// Before anything is computed, not when the report is asked for.
+void require_axis(const Campaign& campaign) {
+  const std::string& path = campaign.report.x.path;
+  const std::vector<std::string> paths = parameter_paths(campaign);
+  if (!path.empty())
+    named(paths, path, std::identity(), "report.x.path",
+          "is \"" + path + "\", which is no parameter that varies");
+}
+
+}  // namespace
+
 Campaign read_campaign(const fs::path& file) {
   return in_file(file, [&] {
     Campaign campaign;
     read_fields(read_json(file), "a campaign", [&](Fields& f) { describe_campaign(f, campaign); });
     if (campaign.name.empty()) campaign.name = name_of(file);
+    require_axis(campaign);
     make_self_contained(campaign, file);
     return campaign;
   });

@@ -55,6 +55,9 @@ std::vector<std::string> parameter_paths(const Campaign& campaign);
 std::vector<Job> campaign_jobs(const Campaign& campaign, const std::filesystem::path& file,
                                const std::filesystem::path& out);
 
+// What their scenes ask for and will not get, a sentence each, with the number of runs that it is of.
+std::vector<std::string> warnings_of(std::span<const Job> jobs);
+
 // JSON Schema, draft 07, of campaign files.
 Json campaign_schema();
 

@@ -9,6 +9,7 @@
 #include "app/json/json_reader.h"
 #include "app/scene/scene_file.h"
 #include "app/scene/scene_override.h"
+#include "app/scene/scene_report.h"
 #include "app/scene_json/scenario_json.h"
 #include "core/base/errors.h"
 #include "core/base/format.h"
@@ -224,6 +225,17 @@ class Expansion {
 std::vector<Job> campaign_jobs(const Campaign& campaign, const fs::path& file,
                                const fs::path& out) {
   return Expansion(campaign, file, out).jobs();
+}
+
+std::vector<std::string> warnings_of(std::span<const Job> jobs) {
+  std::map<std::string, std::size_t> runs;
+  for (const Job& job : jobs)
+    for (const std::string& warning : scene_warnings(job.scenario)) ++runs[warning];
+  std::vector<std::string> warnings;
+  for (const auto& [warning, count] : runs)
+    warnings.push_back(std::to_string(count) + " of " + count_text(std::ssize(jobs), "run") + ", " +
+                       warning);
+  return warnings;
 }
 
 }  // namespace quicksand

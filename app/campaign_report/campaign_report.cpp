@@ -128,12 +128,7 @@ class Writer {
   ReportAxis& x() { return campaign_.report.x; }
 
   void choose_axis() {
-    if (x().path.empty()) {
-      if (!paths_.empty()) x().path = paths_.front();
-    } else {
-      named(paths_, x().path, std::identity(), "report.x.path",
-            "is \"" + x().path + "\", which is no parameter that varies");
-    }
+    if (x().path.empty() && !paths_.empty()) x().path = paths_.front();
     if (x().label.empty()) x().label = last_words(x().path);
   }
 
@@ -152,6 +147,16 @@ class Writer {
           Remark{Remark::Kind::note, count_text(moved, "run") +
                                          " ended a phase by its max_time where rest was to "
                                          "end it (missed_rest in results.csv)."});
+    if (finished > 0)
+      for (const std::string& path : reported_paths(campaign_.report))
+        if (std::ranges::none_of(points_, [&](const CampaignPoint& point) {
+              return measured_at(point, records_, {.path = path}).has_value();
+            }))
+          page.lead.emplace_back(Remark{
+              Remark::Kind::warning,
+              "No run has a number `" + path + "` in its summary.json" + meant_by(path, records_)});
+    for (const std::string& warning : warnings_of(jobs_))
+      page.lead.emplace_back(Remark{Remark::Kind::warning, warning + "."});
   }
 
   const ReportParameter* parameter(const std::string& path) const {

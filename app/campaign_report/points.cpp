@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "app/base/nearest_name.h"
 #include "app/plot/typeset_number.h"
 #include "app/scene/scene_override.h"
 
@@ -152,6 +153,16 @@ int digits_that_tell_apart(std::span<const CampaignPoint> points, const std::str
 Json value_of(const CampaignPoint& point, const std::string& path) {
   const auto found = std::ranges::find(point.values, path, &ParameterValues::value_type::first);
   return found == point.values.end() ? Json() : found->second;
+}
+
+std::string meant_by(const std::string& path, std::span<const RunRecord> records) {
+  std::vector<std::string> names;
+  for (const RunRecord& record : records)
+    if (record.summary.is_object() && names.empty())
+      for (const auto& [name, value] : record.summary.items())
+        if (value.is_number()) names.push_back(name);
+  const std::string nearest = nearest_name(path, names);
+  return nearest.empty() ? "." : "; did you mean `" + nearest + "`?";
 }
 
 }  // namespace quicksand

@@ -27,6 +27,9 @@ std::vector<CampaignPoint> points_of(std::span<const Job> jobs, std::span<const 
 std::optional<Measured> measured_at(const CampaignPoint& point, std::span<const RunRecord> records,
                                     const ReportedValue& value);
 
+// "; did you mean `depth`?", a number of these summaries that a path may have been meant for, or ".".
+std::string meant_by(const std::string& path, std::span<const RunRecord> records);
+
 // Whether x is the time since the phase began.
 inline bool is_over_time(const ReportHistory& history) { return history.x == "time"; }
 struct MeanHistory {

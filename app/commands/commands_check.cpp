@@ -100,6 +100,11 @@ struct ExpectHash {
 
   void describe(Fields& f) {
     f.text({"hash", "16 hexadecimal digits, as transcripts show it", Presence::required}, hash);
+    constexpr std::size_t kDigits = 16;
+    if (f.reading() &&
+        (hash.size() != kDigits || hash.find_first_not_of("0123456789abcdef") != std::string::npos))
+      f.refuse("hash",
+               "is \"" + hash + "\", must be 16 digits from 0 to f, as transcripts show it");
   }
   Json perform(Console& console, const std::string&) {
     const std::string now = world_hash_text(console.session().world());

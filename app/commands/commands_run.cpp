@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "app/commands/command_definition.h"
+#include "app/run_folder/search_results.h"
 #include "app/scene/scene_file.h"
 #include "app/scene_json/phase_fields.h"
 #include "app/scene_json/scene_fields.h"
@@ -18,6 +19,21 @@ namespace {
 
 constexpr std::string_view kRunGroup = "Run";
 constexpr std::int64_t kMostSteps = 1'000'000'000'000;
+
+// Entries of lists that were not there before, or were others.
+Json new_entries(const Json& before, const Json& now) {
+  Json entries = Json::object();
+  for (const auto& [key, list] : now.items()) {
+    const Json old = before.value(key, Json::array());
+    for (std::size_t k = 0; k < list.size(); ++k)
+      if (k >= old.size() || old[k] != list[k]) entries[key].push_back(list[k]);
+  }
+  return entries;
+}
+
+Json results_so_far(const Session& session) {
+  return search_results(session.protocol().scenario(), session.protocol().state());
+}
 
 // Throws if the simulation stopped because a step failed.
 void require_success(const Session& session) {
@@ -43,6 +59,7 @@ struct RunCommand {
   Json perform(Console& console, const std::string& place) {
     Session& session = console.session();
     const std::int64_t first = session.world().step;
+    const Json found_before = results_so_far(session);
     RunUntil end;
     if (steps > 0) end.steps = steps;
     end.time = time;
@@ -59,9 +76,15 @@ struct RunCommand {
                            words_of(*until) + "; at the end it " +
                            (reached ? "was " + message_number(*reached) : "had no value"));
     }
-    return {{"ended_by", word_of(stop)},
-            {"steps", session.world().step - first},
-            {"phase", session.phase_name()}};
+    Json result = {{"ended_by", word_of(stop)},
+                   {"steps", session.world().step - first},
+                   {"phase", session.phase_name()}};
+    const Json found = new_entries(found_before, results_so_far(session));
+    result.update(found);
+    if (console.print)
+      for (const std::string& warning : search_warnings(found, session.protocol().state().phase))
+        console.print(warning);
+    return result;
   }
 };
 

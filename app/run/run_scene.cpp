@@ -15,6 +15,7 @@
 #include "app/run_folder/folder_lock.h"
 #include "app/run_folder/search_results.h"
 #include "app/scene/scene_file.h"
+#include "app/scene/scene_report.h"
 #include "app/scene_json/scenario_json.h"
 #include "app/series/sampled_run.h"
 #include "app/series/series.h"
@@ -102,6 +103,7 @@ class Run {
         result.notes.push_back("the last phase (" +
                                std::string(phase_name(scenario_.phases.back())) +
                                ") ended at its max_time, before it came to rest");
+      std::ranges::move(scene_warnings(scenario_), std::back_inserter(result.notes));
       const std::string method =
           nscd_note(scenario_, protocol().state(), sampled_run_.world().step - first_step_);
       if (!method.empty()) result.notes.push_back(method);

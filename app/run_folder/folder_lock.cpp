@@ -10,11 +10,26 @@
 
 namespace quicksand {
 
+namespace {
+
+OpenFile lock_file(const std::filesystem::path& folder, int flags) {
+  return OpenFile(open((folder / ".lock").c_str(), O_RDWR | O_CLOEXEC | flags, 0666));
+}
+
+bool take(const OpenFile& file) {
+  return file.number() < 0 || flock(file.number(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+}
+
+}  // namespace
+
 FolderLock::FolderLock(const std::filesystem::path& folder) {
   make_writable({folder});
-  file_ = OpenFile(open((folder / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
-  held_ =
-      file_.number() < 0 || flock(file_.number(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+  file_ = lock_file(folder, O_CREAT);
+  held_ = take(file_);
+}
+
+bool is_computed_elsewhere(const std::filesystem::path& folder) {
+  return !take(lock_file(folder, 0));
 }
 
 FolderLock lock_run(const std::filesystem::path& folder) {

@@ -21,6 +21,9 @@ class FolderLock {
   bool held_ = false;
 };
 
+// Whether another process computes in the folder. Makes nothing; for the moment of the question the lock is taken.
+bool is_computed_elsewhere(const std::filesystem::path& folder);
+
 // The lock of a run's folder. Throws InputError if another process computes in it.
 FolderLock lock_run(const std::filesystem::path& folder);
 

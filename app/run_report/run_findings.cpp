@@ -54,9 +54,20 @@ std::vector<Block> found_by_searches(std::span<const RunResults> runs,
                               {"depth", "depth [d]"},
                               {"weight_above", "weight above [F_g]"},
                               {"force_low", "did not move at [F_g; vane: F_g d]"},
+                              {"force_held", "came to rest at [F_g; vane: F_g d]"},
                               {"force_high", "moved at [F_g; vane: F_g d]"},
                               {"trials", "trials"},
                               {"undecided", "of these undecided"}});
+  static constexpr auto kDrives =
+      std::to_array<Finding>({{"drive", "phase"},
+                              {"peak", "peak [F_g; vane: F_g d]"},
+                              {"peak_at", "at [d; vane: rad]"},
+                              {"residual", "residual [F_g; vane: F_g d]"},
+                              {"sensitivity", "peak over residual"},
+                              {"mean", "mean [F_g; vane: F_g d]"},
+                              {"way", "driven to [d; vane: rad]"},
+                              {"peak_strength", "vane: peak strength [F_g/d]"},
+                              {"residual_strength", "residual strength [F_g/d]"}});
   static constexpr auto kSamples =
       std::to_array<Finding>({{"interval", "interval [√(d/g)]"},
                               {"grains", "grains"},
@@ -68,10 +79,15 @@ std::vector<Block> found_by_searches(std::span<const RunResults> runs,
     if (table) blocks.emplace_back(std::move(*table));
   };
   add(findings(runs, names, "critical_forces", kForces,
-               "Critical forces: the largest that did not move its body and the smallest that did. "
+               "Critical forces: the largest that did not move its body and the smallest that did; "
+               "came to rest: the largest at which it did, 0 if at none. "
                "Depth, below the packing's top before the first trial: of the intruder's centre, "
                "or as the scene asks for it, with grains within 0.5 d of it; weight above: of all "
                "grains with centres above that depth."));
+  add(findings(runs, names, "drives", kDrives,
+               "Drives: what resists the intruder. Peak: the largest of the means over consecutive "
+               "windows of the way; residual: the mean over its last quarter; a vane's strength: "
+               "torque over 2πR²."));
   add(findings(runs, names, "adiabatic", kSamples,
                "Deposits with longer and longer intervals between grains."));
   return blocks;

@@ -258,6 +258,16 @@ std::vector<std::string> run_names(std::span<const RunResults> runs) {
   return names;
 }
 
+// None of one of another version, of which scene_of tells.
+std::vector<std::string> warnings_of_scene(const RunResults& run) {
+  try {
+    return run.recorded() ? std::vector<std::string>()
+                          : scene_warnings(scenario_from_json(run.scene()));
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
 std::vector<std::string> run_warnings(const RunResults& run) {
   std::vector<std::string> warnings;
   const Json& summary = run.summary();
@@ -302,6 +312,7 @@ std::vector<std::string> run_warnings(const RunResults& run) {
                          "turn far.");
     }
   }
+  std::ranges::move(warnings_of_scene(run), std::back_inserter(warnings));
   std::ranges::move(search_warnings(summary, summary.value("phases_finished", 0)),
                     std::back_inserter(warnings));
   return warnings;

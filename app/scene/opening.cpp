@@ -23,7 +23,8 @@ Json opening_command(const std::string& named) {
   const bool is_file = named.find_first_of("/.") != std::string::npos;
   if (!is_file) return {{"command", "load"}, {"scene", named}};
   if (fs::path(named).extension() == ".cbor") return {{"command", "restore"}, {"file", path}};
-  if (parse_json(read_scene_text(named)).contains("commands"))
+  const std::string text = read_scene_text(named);
+  if (in_file(named, [&] { return parse_json(text); }).contains("commands"))
     return {{"command", "include"}, {"file", path}};
   return {{"command", "load"}, {"scene", path}};
 }

@@ -197,8 +197,16 @@ std::optional<double> bond_time(const Scenario& s) {
   return std::sqrt(2 * law.cohesion_range * kReducedMass / *law.cohesion_force);
 }
 
-std::string phases_text(const Scenario& s) {
+// Of a phase in which no bond can break by an impact; else empty.
+std::string phase_warning(const Scenario& s, const Phase& phase) {
   const std::optional<double> shortest = bond_time(s);
+  if (!shortest || std::holds_alternative<HealPhase>(phase.kind) ||
+      phase.dt.value_or(s.step.dt) >= *shortest)
+    return {};
+  return "dt is below " + number(*shortest) + " sqrt(d/g), where the energy criterion never acts";
+}
+
+std::string phases_text(const Scenario& s) {
   std::string text;
   for (std::size_t i = 0; i < s.phases.size(); ++i) {
     const Phase& phase = s.phases[i];
@@ -209,9 +217,8 @@ std::string phases_text(const Scenario& s) {
         "", "dt = " + number(phase.dt.value_or(s.step.dt)) + ", a sample every " +
                 number(sample_interval(s, phase, {})) + " sqrt(d/g)" +
                 (phase.solver_tolerance ? ", residual " + number(*phase.solver_tolerance) : ""));
-    if (shortest && phase.dt.value_or(s.step.dt) < *shortest)
-      text += line("", "warning: dt is below " + number(*shortest) +
-                           " sqrt(d/g), where the energy criterion never acts");
+    if (const std::string warning = phase_warning(s, phase); !warning.empty())
+      text += line("", "warning: " + warning);
   }
   return text.empty() ? line("phases", "none: nothing will be computed") : text;
 }
@@ -251,6 +258,14 @@ std::string si_text(const Scenario& s) {
 }
 
 }  // namespace
+
+std::vector<std::string> scene_warnings(const Scenario& s) {
+  std::vector<std::string> warnings;
+  for (std::size_t k = 0; k < s.phases.size(); ++k)
+    if (const std::string warning = phase_warning(s, s.phases[k]); !warning.empty())
+      warnings.push_back("phases[" + std::to_string(k) + "]: " + warning + " (limits.md)");
+  return warnings;
+}
 
 std::string scene_report(const Scenario& s) {
   Scenario without_bodies = s;  // their words are not needed, and they may be many

@@ -42,7 +42,7 @@ void describe_fields(Fields& f, DepositPhase& p, const Scenario& scenario) {
   describe_bonds(f, p.bonds);
   if (!f.reading()) return;
   if (p.grains == 0 && p.height == 0) {
-    f.refuse("grains", "and height are both 0; give a number of grains, a height [d] or both");
+    f.refuse("grains", "is 0, and so is height; give a number of grains, a height [d] or both");
   }
   if (p.grains == 0 &&
       kPacked * scenario.box.width * p.height * 4 / std::numbers::pi > kMaxBodies) {

@@ -29,7 +29,7 @@ void describe_condition(Fields& f, Condition& condition) {
   if (std::holds_alternative<std::string>(quantity->get(Row{})))
     f.refuse("quantity", "\"" + condition.quantity + "\" is a word and has no bounds");
   if (!condition.at_least && !condition.at_most)
-    f.refuse("at_least", "and at_most are both absent; give one or both");
+    f.refuse("at_least", "is absent, and so is at_most; give one or both");
   if (condition.at_least && condition.at_most && *condition.at_least > *condition.at_most)
     f.refuse("at_least", "is above at_most");
 }

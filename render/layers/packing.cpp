@@ -67,6 +67,27 @@ bool visible_surface(const World& world, const Wall& wall, const WorldRect& wind
   return visible && (q - p).norm() > 1e-9;
 }
 
+// draw(k, centre, radius) of each disk in sight and of its images, but those of parts (shapes.h). [px]
+template <class Draw>
+void at_each_disk(const World& world, const Panel& panel, Draw&& draw) {
+  for (int i = 0; i < world.disks.size(); ++i) {
+    if (world.shapes.find(i)) continue;
+    const auto k = static_cast<std::size_t>(i);
+    const double r = world.disks.radius[k];
+    const Vec2 centre(world.wrapped_x(world.disks.position[k].x()), world.disks.position[k].y());
+    at_each_image(world.box, centre.x() - r, centre.x() + r, [&](double shift) {
+      const Vec2 pixel = panel.camera.to_pixel(centre + Vec2(shift, 0));
+      const double radius = r * panel.camera.scale();
+      if (panel.sees(pixel, radius)) draw(k, pixel, radius);
+    });
+  }
+}
+
+Colour fill_of(const World& world, const ColouredGrains& grains, const Palette& colours,
+               std::size_t k) {
+  return world.disks.role[k] == DiskRole::intruder ? colours.intruder : grains.fill[k];
+}
+
 }  // namespace
 
 bool shows_applied_force(const World& world, double pixels_per_diameter) {
@@ -86,38 +107,30 @@ void draw_disks(DrawList& list, const World& world, const View& view, const Colo
   const Palette& colours = palette(view.theme);
   const Colour outline =
       with_alpha(colours.outline, colours.outline.a / 255.0 * (1 - grains.scale.paling));
-  const auto fill = [&](std::size_t k) {
-    return world.disks.role[k] == DiskRole::intruder ? colours.intruder : grains.fill[k];
-  };
-  const auto visit = [&](auto&& draw) {
-    for (int i = 0; i < world.disks.size(); ++i) {
-      if (world.shapes.find(i)) continue;  // see shapes.h
-      const auto k = static_cast<std::size_t>(i);
-      const double r = world.disks.radius[k];
-      const Vec2 centre(world.wrapped_x(world.disks.position[k].x()), world.disks.position[k].y());
-      at_each_image(world.box, centre.x() - r, centre.x() + r, [&](double shift) {
-        const Vec2 pixel = panel.camera.to_pixel(centre + Vec2(shift, 0));
-        const double radius = r * panel.camera.scale();
-        if (panel.sees(pixel, radius)) draw(k, pixel, radius);
-      });
-    }
-  };
-  visit([&](std::size_t k, const Vec2& pixel, double radius) {
+  at_each_disk(world, panel, [&](std::size_t k, const Vec2& pixel, double radius) {
     if (world.disks.role[k] == DiskRole::intruder) {
-      list.disk(pixel, radius, fill(k), std::clamp(0.1 * radius, 1.0, 3.0),
-                colours.intruder_outline);
+      list.disk(pixel, radius, fill_of(world, grains, colours, k),
+                std::clamp(0.1 * radius, 1.0, 3.0), colours.intruder_outline);
     } else {
-      list.disk(pixel, radius, fill(k), outline_width(radius), outline);
+      list.disk(pixel, radius, fill_of(world, grains, colours, k), outline_width(radius), outline);
     }
   });
-  visit([&](std::size_t k, const Vec2& pixel, double radius) {
+  if (!view.orientation) return;
+  at_each_disk(world, panel, [&](std::size_t k, const Vec2& pixel, double radius) {
     const bool intruder = world.disks.role[k] == DiskRole::intruder;
-    draw_applied_force(list, pixel, radius, world.disks.applied[k],
-                       clearer_on(fill(k), colours.ink, colours.background));
-    if (view.orientation && radius >= kSmallestMarked) {
+    if (radius >= kSmallestMarked)
       draw_orientation(list, pixel, radius, intruder ? 0.68 : 0.3, world.disks.angle[k],
                        intruder ? colours.background : with_alpha(colours.ink, 0.75));
-    }
+  });
+}
+
+void draw_applied_forces(DrawList& list, const World& world, const View& view,
+                         const ColouredGrains& grains, const Panel& panel) {
+  const Palette& colours = palette(view.theme);
+  at_each_disk(world, panel, [&](std::size_t k, const Vec2& pixel, double radius) {
+    draw_applied_force(
+        list, pixel, radius, world.disks.applied[k],
+        clearer_on(fill_of(world, grains, colours, k), colours.ink, colours.background));
   });
 }
 

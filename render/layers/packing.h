@@ -16,6 +16,9 @@ void draw_disks(DrawList& list, const World& world, const View& view, const Colo
 constexpr double kLeastArrowed = 7;
 // Whether there is a disk with an arrow of the force that is applied to it.
 bool shows_applied_force(const World& world, double pixels_per_diameter);
+// These arrows, inside the disks.
+void draw_applied_forces(DrawList& list, const World& world, const View& view,
+                         const ColouredGrains& grains, const Panel& panel);
 // Surfaces of walls with hatching behind, pistons as plates.
 void draw_walls(DrawList& list, const World& world, const View& view, const Panel& panel,
                 double text_size);

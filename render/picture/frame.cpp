@@ -145,6 +145,7 @@ void draw_world(DrawList& list, const World& world, const View& view, const Colo
   if (view.forces) draw_forces(list, world, view, panel, scale_force);
   if (view.broken_bonds) draw_broken_bonds(list, world, view, panel);
   list.clip_to(panel.clip);
+  draw_applied_forces(list, world, view, grains, panel);
   draw_periodic_sides(list, world, view, panel);
   draw_walls(list, world, view, panel, text);
   list.clip_to_picture();

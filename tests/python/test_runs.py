@@ -28,6 +28,13 @@ class Runs(InFolder):
         self.assertEqual(run.scene["phases"][2]["type"], "settle")
         self.assertEqual(run.summary["seed"], 7)
 
+    def test_what_is_no_scene_and_no_value_is_refused(self):
+        for scene, values, place in ((3, None, "scene"), (SMALL, {"contact.friction": object()}, "set.contact.friction"),
+                                     (SMALL, [1], "set")):
+            with self.assertRaises(quicksand.InputError) as caught:
+                quicksand.run(scene, values)
+            self.assertEqual(caught.exception.where, place)
+
     def test_series_state_and_pictures_are_those_of_the_folder(self):
         run = quicksand.run(SMALL, size=(160, 120), every=0.1)
         self.assertEqual(run.series["time"][-1], run.summary["time"])

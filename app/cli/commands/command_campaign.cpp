@@ -14,6 +14,7 @@
 #include "app/cli/run_outcome.h"
 #include "app/jobs/job_pool.h"
 #include "app/options/threads_option.h"
+#include "app/run_folder/folder_lock.h"
 #include "core/base/errors.h"
 #include "core/base/format.h"
 #include "core/base/whole_file.h"
@@ -52,6 +53,7 @@ class CampaignRun {
 
   int dry_run() const {
     std::ranges::for_each(jobs_, require_own_scene);
+    warn();
     for (const Job& job : jobs_) std::printf("%s\n", job_name(job).c_str());
     std::printf("%s would go to %s\n", count_text(std::ssize(jobs_), "run").c_str(),
                 (out_ / "runs").c_str());
@@ -60,6 +62,9 @@ class CampaignRun {
 
   int status() {
     look();
+    for (std::size_t i = 0; i < jobs_.size(); ++i)
+      if (records_[i].status != JobStatus::finished && is_computed_elsewhere(jobs_[i].folder.path))
+        records_[i].status = JobStatus::elsewhere;
     return report(false);
   }
 
@@ -132,6 +137,12 @@ class CampaignRun {
   void prepare() const {
     make_writable({out_});
     write_whole(out_ / "campaign.json", to_text(campaign_));
+    warn();
+  }
+
+  void warn() const {
+    for (const std::string& warning : warnings_of(jobs_))
+      std::fprintf(stderr, "warning: %s\n", warning.c_str());
   }
 
   // What can only be known here: why a run did not even begin.

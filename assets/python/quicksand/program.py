@@ -172,4 +172,13 @@ def plain(value, where=""):
         return plain(value.tolist(), where)
     if isinstance(value, float) and not math.isfinite(value):
         raise InputError(f"is {value}, must be a finite number", where=where, path=where)
+    if not isinstance(value, (str, int, float, bool, type(None))):
+        raise InputError(f"is {type(value).__name__}, which JSON does not have", where=where, path=where)
     return value
+
+
+def plain_values(values, where) -> dict:
+    """Values by their paths, as JSON takes them; none for None. Raises InputError."""
+    if not isinstance(values or {}, dict):
+        raise InputError(f"is {type(values).__name__}, must be a dict of values by their paths", where=where, path=where)
+    return plain(values or {}, where)

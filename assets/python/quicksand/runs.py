@@ -11,7 +11,7 @@ from pathlib import Path
 from .errors import InputError, Interrupted, RunFailed, file_of_argument
 from .history import History
 from .picture import Picture
-from .program import call, option_words, plain, units
+from .program import call, option_words, plain, plain_values, units
 from .state import State, measure
 from .table import Table, text_of
 
@@ -19,6 +19,8 @@ from .table import Table, text_of
 def scene_file(scene, folder) -> str:
     """What the program takes for a scene: a name, a path, or a file in `folder` that holds this dict."""
     if not isinstance(scene, dict):
+        if not isinstance(scene, (str, os.PathLike)):
+            raise InputError(f"is {type(scene).__name__}, must be a name, a path or a dict", where="scene", path="scene")
         return os.fspath(scene)
     file = Path(folder) / "scene.json"
     file.write_text(json.dumps(self_contained(scene)), encoding="utf-8")
@@ -56,7 +58,7 @@ def run(scene, set=None, *, seed=None, out=None, overwrite=False, resume=False, 
     """
     with tempfile.TemporaryDirectory(prefix="quicksand-") as folder, file_of_argument(f"{folder}/scene.json", "scene"):
         words = [scene_file(scene, folder)]
-        words += [f"--set={path}={json.dumps(value)}" for path, value in plain(set or {}, "set").items()]
+        words += [f"--set={path}={json.dumps(value)}" for path, value in plain_values(set, "set").items()]
         words += option_words({"seed": seed})
         resolved = json.loads(call(["check", "--json", *words], program).out)
         out = Path(out if out is not None else Path("out") / resolved["name"])

@@ -203,6 +203,9 @@ const Mistake kMistakes[] = {
     {"HistoryOfNoPhase",
      R"({"report": {"histories": [{"x": "time", "y": "depth", "phase": "pusch"}]}})",
      {"report.histories[0].phase", "did you mean \"push\""}},
+    {"AxisOfNoParameter",
+     R"({"report": {"x": {"path": "contact.frction"}}})",
+     {"report.x.path", "no parameter that varies", "did you mean \"contact.friction\""}},
     {"ScriptForOption", R"({"slurm": {"options": ["x.sh"]}})", {"slurm.options", "\"--\""}},
 };
 

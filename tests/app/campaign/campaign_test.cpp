@@ -243,6 +243,9 @@ TEST_F(CampaignTest, RunsThatAnotherProcessComputesHaveNotFailed) {
     EXPECT_NE(outcome.out.find("6 runs, 5 finished, 1 running elsewhere"), std::string::npos)
         << outcome.out;
     EXPECT_NE(outcome.out.find("another process computes"), std::string::npos) << outcome.out;
+    EXPECT_NE(quicksand({"campaign", "many.json", "--status"})
+                  .out.find("6 runs, 5 finished, 1 running elsewhere"),
+              std::string::npos);
   }
   EXPECT_EQ(quicksand({"campaign", "many.json", "--quiet"}).exit_code, 0);
 }

@@ -199,6 +199,28 @@ TEST_F(CampaignReportTest, JoinsPointsInTheOrderOfTheAxis) {
   }
 }
 
+TEST_F(CampaignReportTest, SaysWhichNumberNoRunHasAndWhatScenesAskForInVain) {
+  Json campaign = parse_json(kDroppedCampaign);
+  campaign["report"]["plots"][0]["values"][0]["path"] = "dept";
+  campaign["grid"]["contact.friction"] = {0.2};
+  // tau_b is sqrt(1e-4/F_c): 1e-3 and 3.2e-3.
+  campaign["grid"]["contact.cohesion_force"] = {100, 10};
+  campaign["set"]["phases[0].dt"] = 2e-3;
+  folder_.write("dropping.json", campaign.dump());
+  const Outcome outcome = quicksand({"campaign", "dropping.json", "--out", "out", "--quiet"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string warning = "6 of 12 runs, phases[0]: dt is below";
+  EXPECT_NE(outcome.err.find("warning: " + warning), std::string::npos) << outcome.err;
+  double seconds = 0;
+  std::string lead;
+  for (const Block& block : campaign_report(at("out"), seconds).lead)
+    lead += std::get<Remark>(block).text + "\n";
+  EXPECT_NE(lead.find("No run has a number `dept` in its summary.json; did you mean `depth`?"),
+            std::string::npos)
+      << lead;
+  EXPECT_NE(lead.find(warning), std::string::npos) << lead;
+}
+
 // A time step that is chosen by the speed does not make a curve for each.
 TEST_F(CampaignReportTest, HasOneCurveWhereTheOthersFollowFromTheAxis) {
   std::string text = kDroppedCampaign;

@@ -32,6 +32,23 @@ TEST_F(SessionTest, ComputesMeasuresAndWritesATranscript) {
   EXPECT_EQ(lines[5]["hash"], lines[4]["hash"]);
 }
 
+// The disk slides, at friction, before it would roll.
+TEST_F(SessionTest, ARunTellsWhatItsSearchesFound) {
+  const Outcome played = play({R"({"command": "load", "scene": {"gravity": {},
+      "box": {"width": 9, "height": 4}, "contact": {"friction": 0.3, "rolling_friction": 10},
+      "bodies": [{"position": [3, 0.5]}], "phases": [
+      {"type": "settle", "until_rest": false, "max_time": 0.1},
+      {"type": "shear", "depths": [0.5], "distance": 1, "first_force": 1, "tolerance": 0.1}]}})",
+                               R"({"command": "run", "phase_end": true})",
+                               R"({"command": "run", "phase_end": true})"});
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_FALSE(transcript()[1]["result"].contains("critical_forces"));
+  const Json found = transcript()[2]["result"]["critical_forces"];
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_LE(found[0]["force_low"], 0.3);
+  EXPECT_GE(found[0]["force_high"], 0.3);
+}
+
 // The fixed grain at (0, 5) is outside of the lens, the hanging one at (0, 4) inside.
 TEST_F(SessionTest, AForceOnARegionActsOnTheGrainsThatItHolds) {
   ASSERT_EQ(play({load(),

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/json/json_text.h"
+#include "app/plot/typeset_number.h"
 #include "app/run_folder/search_results.h"
 #include "app/scene_json/scenario_json.h"
 #include "core/checkpoint/checkpoint.h"
@@ -102,6 +103,20 @@ TEST_F(SearchRun, StandsInItsReport) {
   EXPECT_EQ(std::ranges::count(text("critical_forces.csv"), '\n') - 1, 3);
   EXPECT_NE(report.find("| pull | 2 | 14 | 1 |"), std::string::npos) << report;
   EXPECT_NE(text("plots/kinetic_energy.csv").find("\n1,nan,nan,,,,,"), std::string::npos);
+}
+
+TEST_F(SearchRun, StandsInItsReportWithWhatResistedItsDrives) {
+  ASSERT_EQ(run(R"({"name": "driven", "gravity": {}, "box": {"width": 9, "height": 9},
+                    "contact": {"friction": 0.3},
+                    "bodies": [{"position": [3.5, 0.5]}], "phases": [
+                    {"type": "penetrate", "speed": 1, "depth": 0.5, "max_time": 2,
+                     "shape": {"type": "disk", "diameter": 2}}]})")
+                .exit_code,
+            0);
+  ASSERT_EQ(run_program({"report", "out"}, folder_.path()).exit_code, 0);
+  const std::string report = text("report.md");
+  const std::string peak = typeset(parse_json(text("summary.json"))["drives"][0]["peak"], 5);
+  EXPECT_NE(report.find("| penetrate | " + peak + " |"), std::string::npos) << report;
 }
 
 TEST_F(SearchRun, SaysWhatWasNotFoundAndFromWhatItBegan) {

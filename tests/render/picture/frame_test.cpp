@@ -124,6 +124,26 @@ TEST(Frame, AForceOnAGrainIsAnArrowInIt) {
   EXPECT_EQ(lines(), without) << "a torque has no direction in the plane";
 }
 
+// Force chains, which end in the middle of the disk, would cut the arrow.
+TEST(Frame, ArrowsOfForcesAreDrawnOverTheForceChains) {
+  World world = worlds::arch_with_intruder();
+  world.disks.applied[static_cast<std::size_t>(world.intruder())] = Vec3(0, -5, 0);
+  View view{.width = 400, .height = 300, .legend = false, .numbers = false};
+  view.bonds = view.broken_bonds = false;
+  view.forces = true;
+  const auto with = compose(world, view, font()).list.segments();
+  world.disks.applied[static_cast<std::size_t>(world.intruder())].setZero();
+  const auto without = compose(world, view, font()).list.segments();
+  ASSERT_EQ(with.size(), without.size() + 3);
+  // What is beside the arrow comes in the same order: walls after it, chains before.
+  std::size_t before = 0;
+  while (before < without.size() && with[before] == without[before]) ++before;
+  view.forces = false;
+  const std::size_t walls = compose(world, view, font()).list.segments().size();
+  EXPECT_GT(without.size(), walls) << "there are chains";
+  EXPECT_GE(before, without.size() - walls) << "chains come first";
+}
+
 TEST(Frame, OnlyBrokenBondsThatAreStillCloseAreMarked) {
   World world = worlds::arch();
   const Colour broken = palette(Theme::light).broken;
