@@ -1,6 +1,8 @@
 """What a reader copies: the page's Python, the example notebook, the installation by pip."""
 import contextlib
+import csv
 import io
+import json
 import os
 import re
 import shutil
@@ -45,6 +47,19 @@ class Demo(InFolder):
         with contextlib.redirect_stdout(io.StringIO()) as told:
             exec(compile(script, "export.md", "exec"), {})
         self.assertEqual(told.getvalue(), printed + "\n")
+
+
+class FirstScene(InFolder):
+    def test_campaign_gives_the_table_of_the_page(self):
+        page = (SOURCE / "assets/doc/first_scene.md").read_text()
+        for text in re.findall(r"^```json\n(.*?)^```", page, re.M | re.S):  # the last of each kind counts
+            Path("heap.json" if "phases" in json.loads(text) else "strength.json").write_text(text)
+        call(["campaign", "strength.json", "--quiet"])
+        with open("out/strength/results.csv") as file:
+            rows = list(csv.DictReader(file))
+        names = ["phases[2].force_over_cohesion", "seed", "depth", "bonds_broken"]
+        table = "".join(" ".join(row[name] for name in names) + "\n" for row in rows)
+        self.assertIn(f"```\n{' '.join(names)}\n{table}```", page)
 
 
 @needs("nbclient", "nbformat", "ipykernel", "matplotlib", "numpy")
