@@ -232,6 +232,7 @@ std::vector<std::string> warnings_of(std::span<const Job> jobs) {
   for (const Job& job : jobs)
     for (const std::string& warning : scene_warnings(job.scenario)) ++runs[warning];
   std::vector<std::string> warnings;
+  warnings.reserve(runs.size());
   for (const auto& [warning, count] : runs)
     warnings.push_back(std::to_string(count) + " of " + count_text(std::ssize(jobs), "run") + ", " +
                        warning);
