@@ -151,10 +151,15 @@ void draw_world(DrawList& list, const World& world, const View& view, const Colo
   list.clip_to_picture();
 }
 
+// Around a panel that shows a part of the packing, whose edge would be taken for a side of the box.
+void draw_frame(DrawList& list, const Panel& panel, Colour colour) {
+  const PixelRect& place = panel.clip;
+  list.frame({place.x - 1, place.y - 1, place.width + 2, place.height + 2}, 1, colour);
+}
+
 // A frame around the close-up, and around what it shows in the packing.
 void draw_detail_frames(DrawList& list, const Panel& packing, const Panel& detail, Colour colour) {
-  const PixelRect& place = detail.clip;
-  list.frame({place.x - 1, place.y - 1, place.width + 2, place.height + 2}, 1, colour);
+  draw_frame(list, detail, colour);
   const WorldRect& part = detail.camera.window();
   const Vec2 top = packing.camera.to_pixel({part.low.x(), part.high.y()});
   const Vec2 bottom = packing.camera.to_pixel({part.high.x(), part.low.y()});
@@ -220,6 +225,7 @@ Frame compose(const World& world, const View& view, const Font& font,
   DrawList& list = frame.list;
   const double text = font.size(), scale_force = plan.content.force_scale;
   draw_world(list, world, view, plan.grains, frame.packing, text, scale_force);
+  if (view.window) draw_frame(list, frame.packing, frames);
   if (frame.detail) {
     draw_world(list, world, view, plan.grains, *frame.detail, text, scale_force);
     draw_detail_frames(list, frame.packing, *frame.detail, frames);

@@ -59,7 +59,8 @@ TEST(Frame, CloseUpOnlyWhatIsSeenOfAShapedBodyIsFilled) {
     // Twice, for the outline and the inside, each pixel of the panel.
     double covered = 0;
     for (const SegmentShape& strip : frame.list.segments()) {
-      if (strip.round != 0) continue;
+      const bool is_frame = strip.x0 >= seen.right() || strip.x1 <= seen.x;
+      if (strip.round != 0 || is_frame) continue;
       EXPECT_LE(strip.x0, seen.x);
       EXPECT_GE(strip.x1, seen.right());
       EXPECT_LE(strip.x1 - strip.x0, seen.width + 10);
@@ -275,6 +276,21 @@ TEST(Frame, TallPackingInAWidePictureGetsACloseUpOfTheIntruder) {
   EXPECT_GT(intruder.y(), frame.detail->clip.y);
   EXPECT_LT(intruder.y(), frame.detail->clip.bottom());
   EXPECT_FALSE(compose(world, View{.detail = false}, font()).detail);
+}
+
+// Its edge would be taken for a side of the box. The picture ends where the packing does below and above.
+TEST(Frame, APartOfThePackingHasAFrame) {
+  const World world = worlds::arch();
+  View view{.width = 600, .height = 300, .legend = false, .scale_bar = false, .numbers = false};
+  view.window = view_window(world, view);
+  const Frame part = compose(world, view, font());
+  const auto lines_at = [&](double x) {
+    return std::ranges::count_if(part.list.segments(), [&](const SegmentShape& s) {
+      return std::abs(s.x0 - x) < 1e-3 && std::abs(s.x1 - x - 1) < 1e-3;
+    });
+  };
+  EXPECT_EQ(lines_at(part.packing.clip.x - 1), 1);
+  EXPECT_EQ(lines_at(part.packing.clip.right()), 1);
 }
 
 TEST(Frame, TallSystemKeepsItsPixelsPerGrain) {
