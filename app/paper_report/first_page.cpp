@@ -11,8 +11,9 @@ namespace {
 std::string tally_text(const PaperTargets& targets, const MethodFindings& method) {
   const Tally count = tally(targets, method.findings);
   return method_title(method.method) + ": " + std::to_string(count.inside) + " inside, " +
-         std::to_string(count.outside) + " outside, " + std::to_string(count.not_measured) +
-         " not measured";
+         std::to_string(count.outside) + " outside, " +
+         (count.undecided > 0 ? std::to_string(count.undecided) + " undecided, " : "") +
+         std::to_string(count.not_measured) + " not measured";
 }
 
 }  // namespace

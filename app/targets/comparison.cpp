@@ -35,14 +35,14 @@ std::string ours_text(const Target& target, const Measured& measured) {
 struct ByMethod {
   std::string method;
   const Measured* measured = nullptr;  // null: not measured
-  bool inside = false;
-  bool by_error = false;  // inside, but with no scatter it were not
+  Verdict verdict{};
 
   std::string word() const {
     if (!measured) return "not measured";
-    return !inside ? "outside" : by_error ? "inside by its error" : "inside";
+    if (verdict.undecided) return "undecided";
+    return !verdict.inside ? "outside" : verdict.by_error ? "inside by its error" : "inside";
   }
-  bool outside() const { return measured && !inside; }
+  bool outside() const { return measured && !verdict.inside && !verdict.undecided; }
 };
 
 std::vector<ByMethod> entries_of(const Target& target, const std::vector<MethodFindings>& methods) {
@@ -51,8 +51,7 @@ std::vector<ByMethod> entries_of(const Target& target, const std::vector<MethodF
     ByMethod entry{.method = method.method};
     if (const auto found = method.findings.find(target.id); found != method.findings.end()) {
       entry.measured = &found->second;
-      entry.inside = verdict_on(target, found->second).inside;
-      entry.by_error = entry.inside && !verdict_on(target, {.value = found->second.value}).inside;
+      entry.verdict = verdict_on(target, found->second);
     }
     entries.push_back(entry);
   }
@@ -61,8 +60,9 @@ std::vector<ByMethod> entries_of(const Target& target, const std::vector<MethodF
 
 Cell number_cell(const Target& target, const ByMethod& entry, const std::filesystem::path& report) {
   if (!entry.measured) return {"not measured", Cell::Mark::undecided};
-  Cell cell{ours_text(target, *entry.measured),
-            entry.inside ? Cell::Mark::inside : Cell::Mark::outside};
+  Cell cell{ours_text(target, *entry.measured), entry.verdict.undecided ? Cell::Mark::undecided
+                                                : entry.verdict.inside  ? Cell::Mark::inside
+                                                                        : Cell::Mark::outside};
   if (const std::filesystem::path& from = entry.measured->report; !from.empty())
     cell.links.push_back(link_from(report, from, from.parent_path().filename().string()));
   return cell;
@@ -136,11 +136,20 @@ Verdict verdict_on(const Target& target, const Measured& measured) {
   if (target.low && measured.value < *target.low) verdict.deviation = measured.value - *target.low;
   if (target.high && measured.value > *target.high)
     verdict.deviation = measured.value - *target.high;
+  const double error = measured.standard_error.value_or(0);
   // Sums of decimals: a value at the end is inside.
   constexpr double kRounding = 1e-12;
-  verdict.inside = std::abs(verdict.deviation) <= target.half_digit +
-                                                      2 * measured.standard_error.value_or(0) +
-                                                      kRounding * std::abs(measured.value);
+  const double off =
+      std::abs(verdict.deviation) - target.half_digit - kRounding * std::abs(measured.value);
+  if (off <= 0) {
+    verdict.inside = true;
+  } else if (off <= 2 * error) {
+    constexpr double kLargestError = 0.25;  // relative
+    const double number =
+        std::max(std::abs(target.low.value_or(0)), std::abs(target.high.value_or(0)));
+    verdict.undecided = error > kLargestError * number;
+    verdict.inside = verdict.by_error = !verdict.undecided;
+  }
   return verdict;
 }
 
@@ -160,8 +169,9 @@ Table comparison_table(const PaperTargets& targets, const std::vector<MethodFind
   std::string caption =
       "Mean ± standard error; n counts realizations where it does not say otherwise. Inside: "
       "within the paper's interval, or half a unit of the last digit that it prints, widened "
-      "by two standard errors of ours; inside by its error, if only by this widening. Where "
-      "the error is unknown nothing is added.";
+      "by two standard errors of ours; inside by its error, if only by this widening, and "
+      "undecided, if the error is then more than a quarter of the paper's number. Where the error "
+      "is unknown nothing is added.";
   if (std::ranges::any_of(targets.targets, is_marked))
     caption +=
         " †: chose the setting of NSCD, in another specimen, so that ours by NSCD is no "
@@ -214,10 +224,12 @@ Tally tally(const PaperTargets& targets, const Findings& findings) {
   Tally counts;
   for (const Target& target : targets.targets) {
     const auto found = findings.find(target.id);
-    if (found == findings.end())
+    if (found == findings.end()) {
       ++counts.not_measured;
-    else
-      ++(verdict_on(target, found->second).inside ? counts.inside : counts.outside);
+      continue;
+    }
+    const Verdict verdict = verdict_on(target, found->second);
+    ++(verdict.undecided ? counts.undecided : verdict.inside ? counts.inside : counts.outside);
   }
   return counts;
 }

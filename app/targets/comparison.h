@@ -51,6 +51,9 @@ Colour method_colour(const std::string& title);
 
 struct Verdict {
   bool inside = false;
+  bool by_error = false;  // inside only since ours is off by two standard errors at most
+  // Neither inside nor outside: it were inside by its error, and that is more than a quarter of the paper's number.
+  bool undecided = false;
   double deviation = 0;  // from the nearest value that the paper admits, 0 there [unit]
 };
 Verdict verdict_on(const Target& target, const Measured& measured);
@@ -68,7 +71,7 @@ Table comparison_table(const PaperTargets& targets, const std::vector<MethodFind
 Table reading_table(const PaperTargets& targets, const std::vector<MethodFindings>& methods);
 
 struct Tally {
-  int inside = 0, outside = 0, not_measured = 0;
+  int inside = 0, outside = 0, undecided = 0, not_measured = 0;
 };
 // Throws InputError if something measured is no target.
 Tally tally(const PaperTargets& targets, const Findings& findings);

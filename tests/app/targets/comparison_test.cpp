@@ -47,6 +47,21 @@ TEST(Verdict, OfABoundIsOpenOnTheOtherSide) {
   EXPECT_TRUE(verdict_on(target, {.value = 0.89, .standard_error = 0.006, .n = 2}).inside);
 }
 
+// An error that holds everything tells nothing.
+TEST(Verdict, IsUndecidedWhereTheErrorIsMoreThanAQuarterOfThePapersNumber) {
+  Target bound = between(0, 2);
+  bound.low.reset();
+  const auto verdict = [&](double value, double error) {
+    return verdict_on(bound, {.value = value, .standard_error = error, .n = 6});
+  };
+  EXPECT_TRUE(verdict(2.9, 0.49).inside);
+  EXPECT_TRUE(verdict(2.9, 0.49).by_error);
+  EXPECT_TRUE(verdict(2.9, 0.51).undecided);
+  EXPECT_FALSE(verdict(2.9, 0.51).inside);
+  EXPECT_TRUE(verdict(1.9, 5).inside) << "not by its error";
+  EXPECT_FALSE(verdict(80, 5).undecided) << "outside";
+}
+
 TEST(Verdict, NoNumberIsOutside) {
   EXPECT_FALSE(verdict_on(between(1, 1, 1), {.value = std::stod("nan")}).inside);
 }
