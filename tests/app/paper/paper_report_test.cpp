@@ -132,9 +132,9 @@ TEST_F(PaperReportTest, HasBothMethodsOnItsFirstPageWithTheirNumberOfRuns) {
 TEST_F(PaperReportTest, HasAnotherMethodsColumnFromItsFindings) {
   const Report report = this->report(MethodFindings{
       "exact",
-      {{"penetration.1.0.active_of_contacts", {.value = 0.7, .standard_error = 0.2, .n = 4}}}});
+      {{"penetration.1.0.active_of_contacts", {.value = 0.7, .standard_error = 0.01, .n = 4}}}});
   const auto& push = row(first_page(report), "pushed with 1 F_c: active share †");
-  EXPECT_EQ(push[3].text, "0.7 ± 0.2, n = 4");
+  EXPECT_EQ(push[3].text, "0.700 ± 0.010, n = 4");
   EXPECT_EQ(push[4].text, "NSCD inside, exact inside by its error");
 }
 
