@@ -1,6 +1,7 @@
 #include "app/campaign/campaign.h"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 
 #include "app/base/nearest_name.h"
@@ -113,10 +114,6 @@ void make_self_contained(Campaign& campaign, const fs::path& file) {
     for (Json& path : campaign.grid[kStartFrom]) path = start_in(here, path);
   }
 }
-
-}  // namespace
-
-namespace {
 
 // Before anything is computed, not when the report is asked for.
 void require_axis(const Campaign& campaign) {

@@ -6,7 +6,6 @@
 #include <map>
 #include <set>
 
-#include "app/base/nearest_name.h"
 #include "app/campaign_report/points.h"
 #include "app/plot/typeset_number.h"
 #include "app/run_folder/run_folder.h"

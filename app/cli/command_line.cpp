@@ -53,14 +53,7 @@ InputError explain(const CLI::ParseError& error, const CLI::App& program,
     }
     return {"", "\"" + word + "\" is one argument too many for " + used->get_name() + help};
   }
-  // "Could not convert: --time = a"
-  std::string problem = error.what();
-  const std::string conversion = "Could not convert: ";
-  if (const std::size_t equals = problem.find(" = ");
-      problem.starts_with(conversion) && equals != std::string::npos)
-    return {problem.substr(conversion.size(), equals - conversion.size()),
-            "is " + problem.substr(equals + 3) + ", must be a number" + help};
-  return {"", problem + help};
+  return {"", error.what() + help};
 }
 
 // An empty word is most often a variable of a shell that was not set, and no wish for the default.

@@ -89,8 +89,7 @@ class Density : public PaperExperiment {
   }
 
  private:
-  // Seed by seed, since both are made of the same grains: their scatter over seeds is larger than what a deposition
-  // changes.
+  // Seed by seed, as both are made from the same random numbers: seeds scatter by more than a deposition changes.
   bool is_denser(const PaperResults& results) const {
     constexpr double kLeast = 0.025;  // relative
     const auto change = results.change(samples_[0], samples_[1], "volume_fraction");

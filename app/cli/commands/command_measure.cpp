@@ -114,7 +114,8 @@ Command add_measure(CLI::App& program) {
       ->add_option("--time", options->time,
                    "measure the sample of the run nearest to this time [sqrt(d/g)]; its last state "
                    "if absent")
-      ->type_name("TIME");
+      ->type_name("TIME")
+      ->check(in_range(between(0, 1e12, "sqrt(d/g)")));
   command
       ->add_option("--since", options->since,
                    "tell what has changed since this time of the run, or this checkpoint")

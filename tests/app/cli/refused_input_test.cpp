@@ -53,6 +53,13 @@ TEST_F(RefusedInput, AnOptionThatCountsSaysThatItWantsAWholeNumber) {
                        ", must be a whole number from 0 to 255 (see `quicksand compare --help`)");
 }
 
+TEST_F(RefusedInput, AMomentIsANumber) {
+  run();
+  expect_refused({"measure", "r", "--time", "a"},
+                 "--time: is a, must be a number from 0 to 1e+12 sqrt(d/g) (see `quicksand measure "
+                 "--help`)");
+}
+
 TEST_F(RefusedInput, OneSourceThatIsNoneLeavesNoHalfOfAnExport) {
   run();
   EXPECT_EQ(quicksand({"export", "r", "r/series.csv", "--format", "csv", "--out", "e"}).exit_code,
