@@ -151,6 +151,16 @@ void draw_world(DrawList& list, const World& world, const View& view, const Colo
   list.clip_to_picture();
 }
 
+// Whether bodies, or a part of the box between its sides, lie beyond the window.
+bool is_part(const World& world, const WorldRect& window) {
+  const bool wide = world.box.width > 0;
+  if (wide && (window.low.x() > 0 || window.high.x() < world.box.width)) return true;
+  return std::ranges::any_of(world.disks.position, [&](const Vec2& p) {
+    return p.y() < window.low.y() || p.y() > window.high.y() ||
+           (!wide && (p.x() < window.low.x() || p.x() > window.high.x()));
+  });
+}
+
 // Around a panel that shows a part of the packing, whose edge would be taken for a side of the box.
 void draw_frame(DrawList& list, const Panel& panel, Colour colour) {
   const PixelRect& place = panel.clip;
@@ -225,7 +235,7 @@ Frame compose(const World& world, const View& view, const Font& font,
   DrawList& list = frame.list;
   const double text = font.size(), scale_force = plan.content.force_scale;
   draw_world(list, world, view, plan.grains, frame.packing, text, scale_force);
-  if (view.window) draw_frame(list, frame.packing, frames);
+  if (view.window && is_part(world, *view.window)) draw_frame(list, frame.packing, frames);
   if (frame.detail) {
     draw_world(list, world, view, plan.grains, *frame.detail, text, scale_force);
     draw_detail_frames(list, frame.packing, *frame.detail, frames);
