@@ -58,7 +58,7 @@ std::vector<Ratio> ratios(const Json& before, const Json& after) {
 Json read_results(const std::filesystem::path& file) {
   Json results = read_json(file);
   if (!results.is_object() || !results.contains("rows") || !results["rows"].is_array())
-    throw InputError(file.string(), "is no results.json of `quicksand bench`: it has no rows");
+    throw InputError(file.string(), "is not a results.json of `quicksand bench`: it has no rows");
   return results;
 }
 

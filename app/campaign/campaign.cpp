@@ -52,35 +52,34 @@ constexpr Shape kOptions{
     }};
 
 void describe_slurm(Fields& f, SlurmOptions& slurm) {
-  f.text({"partition", "sbatch --partition"}, slurm.partition);
-  f.text({"time", "limit of a task, sbatch --time, as in 01:00:00"}, slurm.time);
-  f.text({"memory", "of a task, sbatch --mem, as in 2G"}, slurm.memory);
-  f.json({"options", "further options of sbatch, as in --account=soil"}, kOptions, slurm.options);
+  f.text({"partition", "partition, as for sbatch --partition"}, slurm.partition);
+  f.text({"time", "time limit of a task, as for sbatch --time, e.g. 01:00:00"}, slurm.time);
+  f.text({"memory", "memory of a task, as for sbatch --mem, e.g. 2G"}, slurm.memory);
+  f.json({"options", "further options of sbatch, e.g. --account=soil"}, kOptions, slurm.options);
 }
 
 void describe_campaign(Fields& f, Campaign& c) {
-  describe_heading(f, c.name, c.description, "what the campaign is for");
+  describe_heading(f, c.name, c.description, "purpose of the campaign");
   f.json(
       {"scene",
        "base scene: a path relative to this file, the name of a shipped scene, or the scene itself",
        Presence::required},
       kSceneShape, c.scene);
-  f.json({"set", "values for all runs, by their paths in the scene, as in run --set"}, kSetShape,
-         c.set);
-  f.json({"grid", "lists of values, by their paths in the scene; all combinations are run"}, kGrid,
+  f.json({"set", "values for all runs, by path in the scene, as in run --set"}, kSetShape, c.set);
+  f.json({"grid", "lists of values, by path in the scene; all combinations are run"}, kGrid,
          c.grid);
   f.json({"list",
-          "points, each with values by their paths in the scene; with a grid, each point with each "
+          "points, each with values by path in the scene; with a grid, each point is run with each "
           "combination"},
          kList, c.list);
-  f.integer({"realizations", "runs of each point, with the seeds s, s+1, ... from the scene's s"},
-            1, kMaxRuns, c.realizations);
+  f.integer(
+      {"realizations", "runs of each point, with seeds s, s+1, ..., where s is the scene's seed"},
+      1, kMaxRuns, c.realizations);
   f.flag({"frames", "whether runs draw pictures"}, c.frames);
-  f.object({"report", "what `report` shows of the results"},
+  f.object({"report", "results that `report` shows"},
            [&](Fields& g) { describe_report(g, c.report); });
-  f.integer({"chunk", "runs that a Slurm task computes, one after the other"}, 1, kMaxRuns,
-            c.chunk);
-  f.object({"slurm", "what sbatch is told with --engine slurm"},
+  f.integer({"chunk", "runs per Slurm task, computed one after the other"}, 1, kMaxRuns, c.chunk);
+  f.object({"slurm", "settings for sbatch with --engine slurm"},
            [&](Fields& g) { describe_slurm(g, c.slurm); });
 }
 

@@ -188,11 +188,7 @@ class Expansion {
     const std::string wants =
         json.at("box").dump() + json.at("phases").dump() + (scenario.step.nscd ? "nscd" : "");
     if (!checked_.insert(scenario.start_from + wants).second) return;
-    try {
-      start_world(scenario);
-    } catch (const InputError& error) {
-      throw InputError(kStartFrom, error.where() + ": " + error.what());
-    }
+    start_world(scenario);
   }
 
   // Where in the campaign file a value is from.

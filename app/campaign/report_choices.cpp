@@ -25,31 +25,34 @@ constexpr Shape kTexts{"a list of texts",
 constexpr Limits kFactor = between(-1e12, 1e12, "1");
 
 void describe_value(Fields& f, ReportedValue& v) {
-  f.text({"path", "number in summary.json of the runs, as in drives[0].peak", Presence::required},
+  f.text({"path", "path of a number in summary.json of the runs, e.g. drives[0].peak",
+          Presence::required},
          v.path);
   try {
     value_at(Json(), v.path);
   } catch (const InputError& error) {
     f.refuse("path", error.what());
   }
-  f.text({"label", "what it is called; the last word of its path if absent"}, v.label);
-  f.number({"factor", "that it is multiplied by, as for another unit"}, kFactor, v.factor);
+  f.text({"label", "its label; the last word of its path if absent"}, v.label);
+  f.number({"factor", "factor applied to it, e.g. to convert its unit"}, kFactor, v.factor);
 }
 
 void describe_reference(Fields& f, ReportReference& r) {
   constexpr std::size_t kMostCorners = 1000;
   constexpr Limits kPlace = between(-1e12, 1e12, "1");
-  f.text({"label", "what it is called", Presence::required}, r.label);
-  f.numbers({"x", "places of its corners", Presence::required}, kPlace, kMostCorners, r.x);
-  f.numbers({"y", "values there, as many", Presence::required}, kPlace, kMostCorners, r.y);
+  f.text({"label", "label of the line", Presence::required}, r.label);
+  f.numbers({"x", "x values of its points", Presence::required}, kPlace, kMostCorners, r.x);
+  f.numbers({"y", "y values of its points, as many as x", Presence::required}, kPlace, kMostCorners,
+            r.y);
   if (r.y.size() != r.x.size()) f.refuse("y", "must have as many numbers as x");
 }
 
 void describe_plot(Fields& f, ReportPlot& p) {
-  f.text({"label", "of the vertical axis", Presence::required}, p.label);
-  f.text({"unit", "of the vertical axis"}, p.unit);
-  f.flag({"logarithmic", "whether the vertical axis is"}, p.logarithmic);
-  f.list({"values", "a curve each", Presence::required}, kMostShown, p.values, describe_value);
+  f.text({"label", "label of the vertical axis", Presence::required}, p.label);
+  f.text({"unit", "unit of the vertical axis"}, p.unit);
+  f.flag({"logarithmic", "whether the vertical axis is logarithmic"}, p.logarithmic);
+  f.list({"values", "values to plot, one curve each", Presence::required}, kMostShown, p.values,
+         describe_value);
   f.list({"references",
           "lines drawn beside the curves, such as a measurement, in the units of the plot"},
          kMostShown, p.references, describe_reference);
@@ -57,45 +60,49 @@ void describe_plot(Fields& f, ReportPlot& p) {
 
 // Wrong names are refused when the campaign is read, not when its report is asked for.
 void describe_history(Fields& f, ReportHistory& h) {
-  f.text({"x", "column of series.csv; time counts from the beginning of the phase",
-          Presence::required},
-         h.x);
-  f.text({"y", "column of series.csv", Presence::required}, h.y);
+  f.text(
+      {"x",
+       "column of series.csv on the horizontal axis; time counts from the beginning of the phase",
+       Presence::required},
+      h.x);
+  f.text({"y", "column of series.csv on the vertical axis", Presence::required}, h.y);
   known_in_field(f, "x", h.x, quantities(), &Quantity::name, "column of series.csv");
   known_in_field(f, "y", h.y, quantities(), &Quantity::name, "column of series.csv");
-  f.text({"label", "of the vertical axis; the words of y if absent"}, h.label);
+  f.text({"label", "label of the vertical axis; the words of y if absent"}, h.label);
   f.text({"unit",
-          "of the vertical axis, after the factor; that of y if absent and the factor is 1 or -1"},
+          "unit of the vertical axis, after the factor; that of y if absent and factor is 1 or -1"},
          h.unit);
-  f.text({"phase", "whose samples count", Presence::required}, h.phase);
+  f.text({"phase", "phase whose samples are used", Presence::required}, h.phase);
   known_in_field(f, "phase", h.phase, phase_kinds(), &PhaseKind::name, "phase");
-  f.number({"factor", "that y is multiplied by"}, kFactor, h.factor);
-  f.flag({"logarithmic", "whether the vertical axis is"}, h.logarithmic);
+  f.number({"factor", "factor applied to y"}, kFactor, h.factor);
+  f.flag({"logarithmic", "whether the vertical axis is logarithmic"}, h.logarithmic);
 }
 
 void describe_parameter(Fields& f, ReportParameter& p) {
-  f.text({"path", "of the parameter, as in the grid", Presence::required}, p.path);
-  f.text({"label", "what it is called; the last word of its path if absent"}, p.label);
-  f.text({"unit", "of the parameter"}, p.unit);
-  f.json({"names", "what its values are called, in their order"}, kTexts, p.names);
+  f.text({"path", "path of the parameter, as in the grid", Presence::required}, p.path);
+  f.text({"label", "its label; the last word of its path if absent"}, p.label);
+  f.text({"unit", "unit of the parameter"}, p.unit);
+  f.json({"names", "names of its values, in their order"}, kTexts, p.names);
 }
 
 void describe_axis(Fields& f, ReportAxis& x) {
-  f.text({"path", "of the parameter, as in the grid; the first that varies if absent"}, x.path);
-  f.text({"label", "of the axis; the last word of the path if absent"}, x.label);
-  f.text({"unit", "of the parameter"}, x.unit);
-  f.flag({"logarithmic", "whether the axis is"}, x.logarithmic);
+  f.text({"path", "path of the parameter, as in the grid; the first that varies if absent"},
+         x.path);
+  f.text({"label", "label of the axis; the last word of the path if absent"}, x.label);
+  f.text({"unit", "unit of the parameter"}, x.unit);
+  f.flag({"logarithmic", "whether the axis is logarithmic"}, x.logarithmic);
 }
 
 }  // namespace
 
 void describe_report(Fields& f, ReportChoices& report) {
   f.object({"x", "horizontal axis of the plots"}, [&](Fields& g) { describe_axis(g, report.x); });
-  f.list({"parameters", "what other parameters are called"}, kMostShown, report.parameters,
+  f.list({"parameters", "labels of the other parameters"}, kMostShown, report.parameters,
          describe_parameter);
-  f.list({"plots", "numbers of summary.json over that parameter"}, kMostShown, report.plots,
-         describe_plot);
-  f.list({"histories", "columns of series.csv over each other, as means over the realizations"},
+  f.list({"plots", "plots of numbers in summary.json over that parameter"}, kMostShown,
+         report.plots, describe_plot);
+  f.list({"histories",
+          "plots of columns of series.csv over each other, as means over the realizations"},
          kMostShown, report.histories, describe_history);
 }
 

@@ -99,7 +99,7 @@ class Writer {
     Report page{.title = campaign_.name};
     if (!campaign_.description.empty()) page.intro.push_back(campaign_.description);
     page.intro.push_back(
-        "Numbers are means over realizations, which differ by their seed alone, with standard "
+        "Numbers are means over realizations, which differ only in their seed, with standard "
         "errors of the mean.");
     add_warnings(page);
     Section results{.title = "Results"};
@@ -143,9 +143,9 @@ class Writer {
                                      " runs have finished; the others are left out."});
     if (moved > 0)
       page.lead.emplace_back(
-          Remark{Remark::Kind::note, count_text(moved, "run") +
-                                         " ended a phase by its max_time where rest was to "
-                                         "end it (missed_rest in results.csv)."});
+          Remark{Remark::Kind::note,
+                 count_text(moved, "run") + " ended a phase at its max_time, before it came to "
+                                            "rest (missed_rest in results.csv)."});
     if (finished > 0)
       for (const std::string& path : reported_paths(campaign_.report))
         if (std::ranges::none_of(points_, [&](const CampaignPoint& point) {
@@ -195,7 +195,7 @@ class Writer {
   }
 
   Table table() {
-    Table table{.caption = "A row for each choice of the parameters."};
+    Table table{.caption = "One row for each combination of the parameters."};
     bool some_lack = false;
     for (const std::string& path : paths_)
       table.columns.push_back({.title = title(label_of_parameter(path), unit_of_parameter(path))});
@@ -220,7 +220,7 @@ class Writer {
     }
     if (some_lack)
       table.caption +=
-          " (n): the mean is over n runs, as the others that have finished have no such number.";
+          " (n): the mean is over n runs; the other finished runs have no such number.";
     return table;
   }
 
@@ -321,15 +321,16 @@ class Writer {
                              .role = Curve::Role::paper,
                              .x = reference.x,
                              .y = reference.y});
-    section.add(Figure{std::move(plot), capitalised(shown.label) + " against " + x().label +
-                                            ": means with bars of one standard error." +
-                                            (some_lack ? " Runs without such a number are left "
-                                                         "out; the table has their numbers."
-                                                       : "")});
+    section.add(
+        Figure{std::move(plot), capitalised(shown.label) + " against " + x().label +
+                                    ": means with bars of one standard error." +
+                                    (some_lack ? " Runs without such a number are left out; the "
+                                                 "table gives how many runs each mean is over."
+                                               : "")});
   }
 
   Section histories() {
-    Section section{.title = "On the way"};
+    Section section{.title = "Histories"};
     std::vector<std::string> told;
     if (!x().path.empty()) told.push_back(x().path);
     told.insert(told.end(), curve_paths_.begin(), curve_paths_.end());
@@ -358,13 +359,11 @@ class Writer {
       }
       colour_by(means, numbers);
       for (Curve& mean : means) add_with_band(plot, std::move(mean));
-      section.add(Figure{std::move(plot), capitalised(label_of(history)) + " against " +
-                                              place_of(history) + " in the phase " + history.phase +
-                                              ": means over the realizations, in bands of one "
-                                              "standard error." +
-                                              (some_lack ? " (n): over n of them, as the others "
-                                                           "have no such samples."
-                                                         : "")});
+      section.add(Figure{
+          std::move(plot),
+          capitalised(label_of(history)) + " against " + place_of(history) + " in the phase " +
+              history.phase + ": means over the realizations, with bands of one standard error." +
+              (some_lack ? " (n): over n of them; the others have no such samples." : "")});
     }
     return section;
   }

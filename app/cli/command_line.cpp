@@ -43,12 +43,13 @@ InputError explain(const CLI::ParseError& error, const CLI::App& program,
     if (word.starts_with("-")) {
       const std::string option = word.substr(0, word.find('='));
       const std::vector<std::string> known = option_names(*used);
-      return {"",
-              option + " is no option of " + used->get_name() + suggestion(option, known) + help,
-              nearest_name(option, known)};
+      return {
+          "",
+          option + " is not an option of " + used->get_name() + suggestion(option, known) + help,
+          nearest_name(option, known)};
     }
     if (used == &program) {
-      return {"", "\"" + word + "\" is no command" + suggestion(word, command_names) + help,
+      return {"", "\"" + word + "\" is not a command" + suggestion(word, command_names) + help,
               nearest_name(word, command_names)};
     }
     return {"", "\"" + word + "\" is one argument too many for " + used->get_name() + help};
@@ -71,16 +72,16 @@ std::vector<Command> add_commands(CLI::App& program) {
                            "print the version");
   program.require_subcommand(1);
   program.footer(
-      "`quicksand COMMAND --help` tells the options of a command, with examples.\n\n"
+      "`quicksand COMMAND --help` lists the options of a command, with examples.\n\n"
       "Exit status:\n"
-      "  0    fine\n"
-      "  1    the run failed; the message says how to go on\n"
-      "  2    bad input; the message says where and what is possible\n"
-      "  130  interrupted, with complete results\n\n"
+      "  0    success\n"
+      "  1    the run failed; the message says how to continue\n"
+      "  2    bad input; the message says where it is and what is allowed\n"
+      "  130  interrupted; the results so far are complete\n\n"
       "Environment:\n"
-      "  QUICKSAND_ASSETS         folder of the scenes and other files that come with the program\n"
-      "  QUICKSAND_MESSAGES=json  errors are lines of JSON, progress is written over: for "
-      "programs\n\n"
+      "  QUICKSAND_ASSETS         folder of the scenes and other files shipped with the program\n"
+      "  QUICKSAND_MESSAGES=json  for programs: errors as JSON lines, progress overwrites one "
+      "line\n\n"
       "Examples:\n"
       "  quicksand run assets/scenes/collapse.json\n"
       "  quicksand run --help");
@@ -154,12 +155,12 @@ int run_command_line(int argc, const char* const* argv) {
   } catch (const DiskFull& error) {
     return tell_failed(
         {"disk_full", error.where() + ": " + error.what() +
-                          "; when there is room again, the same command does it or goes on"});
+                          "; when there is space again, run the same command again"});
   } catch (const InputError& error) {
     return tell_error(error);
   } catch (const RenderError& error) {
     return tell_error(InputError(
-        "", std::string("no pictures: ") + error.what() + "; `run --no-frames` does without"));
+        "", std::string("no pictures: ") + error.what() + "; `run --no-frames` needs none"));
   } catch (const NotEnoughMemory& error) {
     return tell_failed({"memory", error.what()});
   } catch (const std::bad_alloc&) {

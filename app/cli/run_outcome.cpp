@@ -53,7 +53,7 @@ int tell_failure(const RunResult& result, const RunOptions& options) {
   if (result.end.unwritable)
     return tell_failed({kind, "the run ended early: " + result.end.failure,
                         "what was written is in " + folder +
-                            "\nwhen it can be written again, go on with: " + program_name() +
+                            "\nonce it can be written again, continue with: " + program_name() +
                             " resume " + shell_text(result.folder.path)});
   const std::string command = continue_command(result.folder, options);
   if (result.end.refused)
@@ -62,10 +62,10 @@ int tell_failure(const RunResult& result, const RunOptions& options) {
                             "\nchange the scene there, as in: " + command + " --set PATH=VALUE"});
   const auto [what, setting] = other_steps(result.most_halvings);
   const std::string next = "continue with" + what + ": " + command + setting;
-  return tell_failed({kind, "the run failed: " + result.end.failure,
-                      "results so far are in " + folder + "\n" + next +
-                          "\nor, to take such steps as they are, with --set "
-                          "step.on_unconverged=continue"});
+  return tell_failed(
+      {kind, "the run failed: " + result.end.failure,
+       "results so far are in " + folder + "\n" + next +
+           "\nor, to accept such steps as they are, with --set step.on_unconverged=continue"});
 }
 
 }  // namespace

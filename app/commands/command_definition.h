@@ -16,7 +16,7 @@
 
 namespace quicksand {
 
-constexpr Field kCommandField{"command", "what to do", Presence::required};
+constexpr Field kCommandField{"command", "name of the command", Presence::required};
 
 // Visits {"command": name, ...arguments}.
 template <class Arguments>

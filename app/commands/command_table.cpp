@@ -10,6 +10,7 @@
 #include "app/commands/transcript.h"
 #include "app/json/json_schema.h"
 #include "app/json/name_field.h"
+#include "app/json/schema_tables.h"
 #include "core/base/errors.h"
 #include "core/base/format.h"
 
@@ -44,7 +45,7 @@ std::string kind_of(const Json& argument) {
     return joined(argument["enum"].get<std::vector<std::string>>(), " | ");
   if (!argument.contains("type")) return "any value";
   const Json& type = argument["type"];
-  return type.is_string() ? type.get<std::string>() : "text or object";
+  return type.is_string() ? type.get<std::string>() : words_of_types(type);
 }
 
 }  // namespace
@@ -59,9 +60,9 @@ const SessionCommand& command_of(const Json& command, const std::string& place) 
     throw InputError(place, "is " + described(command) + R"(, must be a command {"command": ...})");
   const auto name = command.find("command");
   if (name == command.end() || !name->is_string())
-    throw InputError(place, R"(has no text "command" that names what to do)");
+    throw InputError(place, R"(has no text "command" that names the command)");
   return named(session_commands(), name->get_ref<const std::string&>(), &SessionCommand::name,
-               place + ".command", described(*name) + " is no command");
+               place + ".command", described(*name) + " is not a command");
 }
 
 namespace {

@@ -7,6 +7,7 @@
 #include "app/session/condition.h"
 #include "app/view/image_comparison.h"
 #include "core/base/errors.h"
+#include "core/measures/critical_force.h"
 #include "render/image/png.h"
 
 namespace quicksand {
@@ -21,12 +22,11 @@ struct Measure {
 
   void describe(Fields& f) {
     f.text({"quantity", "one of `quicksand list quantities`; all if absent"}, quantity);
-    describe_output(
-        f,
-        {"folder",
-         "in the output folder; receives measures.json, profile.csv and distributions, as "
-         "quicksand measure writes them"},
-        folder);
+    describe_output(f,
+                    {"folder",
+                     "folder in the output folder, for measures.json, profile.csv and "
+                     "distributions, as written by quicksand measure"},
+                    folder);
     if (!quantity.empty())
       known_in_field(f, "quantity", quantity, quantities(), &Quantity::name, "quantity");
   }
@@ -65,8 +65,8 @@ struct Export {
 
   void describe(Fields& f) {
     f.text({"format", "vtk, xyz, csv or npy", Presence::required}, format);
-    describe_output(
-        f, {"out", "in the output folder: a folder, or for xyz a file", Presence::required}, out);
+    describe_output(f, {"out", "folder, or for xyz file, in the output folder", Presence::required},
+                    out);
     if (!f.reading()) return;
     try {
       export_format(format);
@@ -95,11 +95,36 @@ struct ExpectQuantity {
   }
 };
 
+// Of all bodies that the last search has brought to an end.
+struct ExpectCriticalForce {
+  Condition bounds;
+
+  void describe(Fields& f) { describe_bounds(f, bounds, "F_g; of a vane F_g d"); }
+  Json perform(Console& console, const std::string&) {
+    const std::vector<CriticalForce>& found = console.session().protocol().state().critical_forces;
+    if (found.empty()) throw CommandFailure("no search has found a critical force yet");
+    int bodies = 0;
+    for (const CriticalForce& force : found) {
+      if (force.phase != found.back().phase) continue;
+      ++bodies;
+      const bool above = !bounds.at_least || force.force_low >= *bounds.at_least;
+      const bool below =
+          !bounds.at_most || (force.force_high && *force.force_high <= *bounds.at_most);
+      if (!above || !below)
+        throw CommandFailure("the critical force of body " + std::to_string(force.body) +
+                             " lies between " + number_text(force.force_low) + " and " +
+                             (force.force_high ? number_text(*force.force_high) : "infinity") +
+                             ", expected " + words_of(bounds));
+    }
+    return {{"bodies", bodies}};
+  }
+};
+
 struct ExpectHash {
   std::string hash;
 
   void describe(Fields& f) {
-    f.text({"hash", "16 hexadecimal digits, as transcripts show it", Presence::required}, hash);
+    f.text({"hash", "16 hexadecimal digits, as shown in transcripts", Presence::required}, hash);
     constexpr std::size_t kDigits = 16;
     if (f.reading() &&
         (hash.size() != kDigits || hash.find_first_not_of("0123456789abcdef") != std::string::npos))
@@ -109,8 +134,9 @@ struct ExpectHash {
   Json perform(Console& console, const std::string&) {
     const std::string now = world_hash_text(console.session().world());
     if (now != hash)
-      throw CommandFailure("the world's hash is " + now + ", expected " + hash +
-                           "; another version, compiler or machine computes another time history");
+      throw CommandFailure(
+          "the world's hash is " + now + ", expected " + hash +
+          "; a different version, compiler or machine computes a different time history");
     return {{"hash", now}};
   }
 };
@@ -120,13 +146,13 @@ struct ExpectImage {
   std::int64_t tolerance = kSameLook;
 
   void describe(Fields& f) {
-    describe_input(f, {"image", "PNG of this session", Presence::required}, image);
+    describe_input(f, {"image", "PNG written by this session", Presence::required}, image);
     describe_input(f,
                    {"reference", "PNG that it must look like, relative to the command file",
                     Presence::required},
                    reference);
-    f.integer({"tolerance", "largest difference of a channel of a pixel [1/255]"}, 0, 255,
-              tolerance);
+    f.integer({"tolerance", "largest difference allowed in a colour channel of a pixel [1/255]"}, 0,
+              255, tolerance);
   }
   Json perform(Console& console, const std::string& place) {
     const ImageComparison result = compare_images(console.input(image), console.beside(reference),
@@ -146,7 +172,7 @@ constexpr std::string_view kSessionGroup = "Session";
 
 struct Print {
   std::string text;
-  void describe(Fields& f) { f.text({"text", "what to say", Presence::required}, text); }
+  void describe(Fields& f) { f.text({"text", "text to print", Presence::required}, text); }
   Json perform(Console& console, const std::string&) {
     if (console.print) console.print(text);
     return {{"text", text}};
@@ -174,16 +200,20 @@ Json quit_session(Console& console) {
 
 std::vector<SessionCommand> check_commands() {
   return {
-      define<Measure>({"measure", kCheckGroup, "Tells quantities of the present moment.",
+      define<Measure>({"measure", kCheckGroup, "Reports quantities at the current moment.",
                        R"({"command": "measure", "quantity": "coordination"})"}),
       define<Export>({"export", kCheckGroup,
-                      "Writes the present state for ParaView, OVITO, spreadsheets or NumPy.",
+                      "Writes the current state for ParaView, OVITO, spreadsheets or NumPy.",
                       R"({"command": "export", "format": "vtk", "out": "half_way"})"}),
       define<ExpectQuantity>(
           {"expect", kCheckGroup, "Fails unless a quantity lies within bounds.",
            R"({"command": "expect", "quantity": "active_bond_fraction", "at_least": 0.9})"}),
+      define<ExpectCriticalForce>(
+          {"expect_critical_force", kCheckGroup,
+           "Fails unless the intervals that the last search found lie wholly within bounds.",
+           R"({"command": "expect_critical_force", "at_least": 900, "at_most": 1100})"}),
       define<ExpectHash>({"expect_hash", kCheckGroup,
-                          "Fails unless the world is this one, bit by bit.",
+                          "Fails unless the world has this hash, bit by bit.",
                           R"({"command": "expect_hash", "hash": "0123456789abcdef"})"}),
       define<ExpectImage>(
           {"expect_image", kCheckGroup,
@@ -193,14 +223,15 @@ std::vector<SessionCommand> check_commands() {
 }
 
 std::vector<SessionCommand> session_commands_proper() {
-  return {define<Print>({"print", kSessionGroup, "Prints a text when the session gets there.",
-                         R"({"command": "print", "text": "the packing stands"})"},
-                        false),
-          define<Include>({"include", kSessionGroup, "Performs the commands of another file.",
-                           R"({"command": "include", "file": "prepare.json"})"},
-                          false),
-          define<Without<quit_session>>(
-              {"quit", kSessionGroup, "Ends the session.", R"({"command": "quit"})"}, false)};
+  return {
+      define<Print>({"print", kSessionGroup, "Prints a text when the session gets to this command.",
+                     R"({"command": "print", "text": "the packing stands"})"},
+                    false),
+      define<Include>({"include", kSessionGroup, "Runs the commands of another file.",
+                       R"({"command": "include", "file": "prepare.json"})"},
+                      false),
+      define<Without<quit_session>>(
+          {"quit", kSessionGroup, "Ends the session.", R"({"command": "quit"})"}, false)};
 }
 
 }  // namespace quicksand

@@ -55,10 +55,10 @@ struct CameraCommand {
     constexpr double kFar = 1e7;
     f.word({"fit", "shows the whole box, or all bodies"}, kFits, fit);
     int word = follow ? 1 + static_cast<int>(*follow) : 0;
-    f.word({"follow", "keeps this in the middle"}, kFollow, word);
+    f.word({"follow", "what to keep in the middle"}, kFollow, word);
     if (word > 0) follow = word == 2;
-    f.number({"zoom", "above 1: nearer"}, between(1e-3, 1e3, "1"), zoom);
-    f.vector({"at", "place that stays where it is while zooming, [x, y]; the middle if absent"},
+    f.number({"zoom", "zoom factor; above 1: closer"}, between(1e-3, 1e3, "1"), zoom);
+    f.vector({"at", "place that stays fixed while zooming, [x, y]; the middle if absent"},
              between(-kFar, kFar, "d"), at);
     describe_window(f, window);
   }
@@ -94,7 +94,8 @@ struct Pick {
 
   void describe(Fields& f) {
     f.vector({"at", "the body at this place, [x, y]"}, between(-1e7, 1e7, "d"), at);
-    f.integer({"body", "the body of this number; without it and at: none"}, -1, 100'000'000, body);
+    f.integer({"body", "the body with this number; without body and at: none"}, -1, 100'000'000,
+              body);
   }
   Json perform(Console& console, const std::string& place) {
     Session& session = console.session();
@@ -132,12 +133,12 @@ struct Snapshot {
     describe_output(f, {"file", "PNG in the output folder", Presence::required}, file);
     f.word({"what", "the view alone, or the panel with the view beside it"}, kWhat, what);
     describe_size(f, width, height);
-    f.number({"scale", "of the panel's letters and controls"}, between(0.5, 4, "1"), scale);
+    f.number({"scale", "scale of the panel's text and controls"}, between(0.5, 4, "1"), scale);
     if (f.reading() && !file.ends_with(".png")) f.refuse("file", "must end in .png");
   }
   Json perform(Console& console, const std::string& place) {
     if (what == 0 && !console.session().loaded())
-      throw CommandFailure("there is no scene to be drawn; the panel alone can be");
+      throw CommandFailure("there is no scene to draw; without one, only the panel can be drawn");
     const auto path = console.output(file, place + ".file");
     write_png(path, what == 1 ? console.draw_panel(width, height, scale)
                               : console.draw_view(width, height));
@@ -152,17 +153,17 @@ struct Record {
   std::optional<double> every;
 
   void describe(Fields& f) {
-    f.flag({"on", "false: ends the recording, with the present moment as its last sample",
+    f.flag({"on", "false: ends the recording, with the current moment as its last sample",
             Presence::required},
            on);
-    describe_output(
-        f,
-        {"folder",
-         "in the output folder; receives frames, series.csv, film.png and, with ffmpeg, film.mp4"},
-        folder);
+    describe_output(f,
+                    {"folder",
+                     "folder in the output folder, for frames, series.csv, film.png and, with "
+                     "ffmpeg, film.mp4"},
+                    folder);
     f.word({"what", "the view alone, or the panel with the view beside it"}, kWhat, what);
-    f.number({"every", "time between frames; that of the scene if absent"},
-             above(0, 1e9, "sqrt(d/g)"), every);
+    f.number({"every", "time between frames; the scene's if absent"}, above(0, 1e9, "sqrt(d/g)"),
+             every);
   }
   Json perform(Console& console, const std::string& place) {
     if (!on) {
@@ -176,8 +177,8 @@ struct Record {
           "a recording is under way; end it with {\"command\": \"record\", \"on\": false}");
     if (console.session().timeline())
       throw CommandFailure(
-          "a run is shown, of which nothing is computed that could be recorded; `quicksand render "
-          "RUN --film` draws its film, and go_on computes on from it");
+          "a run is shown and nothing is computed that could be recorded; `quicksand render RUN "
+          "--film` draws its film, and go_on continues computing from it");
     const auto path = console.output(folder, place + ".folder");
     const bool panel = what == 1;
     console.recording = std::make_unique<Recording>(path, [&console, panel] {
@@ -199,16 +200,16 @@ std::vector<SessionCommand> picture_commands() {
                            "Changes how the packing is drawn; what is absent stays as it is.",
                            R"({"command": "view", "colour": "pressure", "theme": "dark"})"},
                           false),
-      define<CameraCommand>({"camera", kPictureGroup, "Chooses what part of the world is shown.",
+      define<CameraCommand>({"camera", kPictureGroup, "Chooses the part of the world to show.",
                              R"({"command": "camera", "follow": "intruder", "zoom": 3})"}),
       define<Pick>({"pick", kPictureGroup,
-                    "Chooses the body that the panel inspects, and tells about it.",
+                    "Chooses the body that the panel inspects, and reports its state.",
                     R"({"command": "pick", "at": [15, 10]})"}),
       define<Snapshot>(
           {"snapshot", kPictureGroup, "Writes a picture, as large as the view if no size is given.",
            R"({"command": "snapshot", "file": "half_way.png"})"},
           false),
-      define<Record>({"record", kPictureGroup, "Begins or ends writing frames and series.csv.",
+      define<Record>({"record", kPictureGroup, "Starts or stops writing frames and series.csv.",
                       R"({"command": "record", "on": true, "folder": "film", "every": 0.02})"})};
 }
 

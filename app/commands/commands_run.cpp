@@ -49,10 +49,10 @@ struct RunCommand {
   std::optional<Condition> until;
 
   void describe(Fields& f) {
-    f.integer({"steps", "ends after so many; 0: no such end"}, 0, kMostSteps, steps);
-    f.number({"time", "ends after so long, from now"}, above(0, 1e9, "sqrt(d/g)"), time);
-    f.flag({"phase_end", "ends with the present phase"}, phase_end);
-    f.optional_object({"until", "ends as soon as this holds after a step"}, until,
+    f.integer({"steps", "ends after this many steps; 0: no such limit"}, 0, kMostSteps, steps);
+    f.number({"time", "ends after this time, from now"}, above(0, 1e9, "sqrt(d/g)"), time);
+    f.flag({"phase_end", "ends with the current phase"}, phase_end);
+    f.optional_object({"until", "ends as soon as this condition holds after a step"}, until,
                       describe_condition);
   }
 
@@ -90,7 +90,7 @@ struct RunCommand {
 
 Json start_computing(Console& console) {
   if (console.session().timeline())
-    throw CommandFailure("a run is shown as it was computed; go_on computes on from it");
+    throw CommandFailure("a run is shown as it was computed; go_on continues computing from it");
   console.session().running = true;
   return Json::object();
 }
@@ -132,17 +132,18 @@ struct Apply {
 
   void describe(Fields& f) {
     constexpr double kFar = 1e6;
-    f.integer({"body", "its number"}, 0, 100'000'000, body);
-    f.optional_object({"inside", "all grains whose centres lie in an ellipse now"}, inside,
+    f.integer({"body", "number of the body"}, 0, 100'000'000, body);
+    f.optional_object({"inside", "all grains whose centres are now inside an ellipse"}, inside,
                       [](Fields& g, Ellipse& e) {
-                        g.vector({"center", "its centre [x, y]", Presence::required},
+                        g.vector({"center", "its centre, [x, y]", Presence::required},
                                  between(-kFar, kFar, "d"), e.center);
                         g.vector({"half_axes", "half its width and height", Presence::required},
                                  above(0, kFar, "d"), e.half_axes);
                       });
     f.exactly_one({"body", "inside"});
-    f.vector({"force", "components [x, y], on each body; [0, 0] ends it", Presence::required},
-             between(-1e12, 1e12, "F_g"), force);
+    f.vector(
+        {"force", "force on each body, components [x, y]; [0, 0] removes it", Presence::required},
+        between(-1e12, 1e12, "F_g"), force);
   }
   Json perform(Console& console, const std::string& place) {
     const World& world = console.session().world();
@@ -168,25 +169,26 @@ struct Apply {
 }  // namespace
 
 std::vector<SessionCommand> run_commands() {
-  return {define<RunCommand>(
-              {"run", kRunGroup,
-               "Computes until the first of its ends; without any, to the end of the scene.",
-               R"({"command": "run", "time": 0.5})"}),
-          define<Without<start_computing>>({"start", kRunGroup,
-                                            "Lets every frame of the panel compute.",
-                                            R"({"command": "start"})"}),
-          define<Pace>(
-              {"pace", kRunGroup, "Sets how many steps a frame of the panel computes after start.",
-               R"({"command": "pace", "steps_per_frame": 10})"},
-              false),
-          define<Without<pause_computing>>(
-              {"pause", kRunGroup, "Ends what start began.", R"({"command": "pause"})"}),
-          define<Apply>({"apply", kRunGroup,
-                         "Lets a force act on the centre of a body, or of each grain of a region, "
-                         "from now on, instead of the one that acted, besides its weight. Bonds "
-                         "that there are by the first one count as initial, unless a phase has "
-                         "said so before.",
-                         R"({"command": "apply", "body": 12, "force": [100, 0]})"})};
+  return {
+      define<RunCommand>({"run", kRunGroup,
+                          "Computes until the first of these conditions is met; without any, to "
+                          "the end of the scene.",
+                          R"({"command": "run", "time": 0.5})"}),
+      define<Without<start_computing>>({"start", kRunGroup,
+                                        "Makes every frame of the panel compute.",
+                                        R"({"command": "start"})"}),
+      define<Pace>(
+          {"pace", kRunGroup, "Sets how many steps a frame of the panel computes after start.",
+           R"({"command": "pace", "steps_per_frame": 10})"},
+          false),
+      define<Without<pause_computing>>(
+          {"pause", kRunGroup, "Stops the computation begun by start.", R"({"command": "pause"})"}),
+      define<Apply>(
+          {"apply", kRunGroup,
+           "Applies a force to the centre of a body, or of each grain in a region, from now on, in "
+           "addition to its weight and in place of any force applied before. The bonds present at "
+           "the first apply count as initial, unless a phase has already set the initial bonds.",
+           R"({"command": "apply", "body": 12, "force": [100, 0]})"})};
 }
 
 // Commands that end the present phase and begin another, one a kind. Their arguments are those of the phase in a scene.

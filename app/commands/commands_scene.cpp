@@ -35,14 +35,15 @@ struct Load {
   std::int64_t seed = -1;
 
   void describe(Fields& f) {
-    f.json({"scene", "the name of a shipped scene, the path of a file, or the scene itself",
+    f.json({"scene", "name of a shipped scene, path of a file, or the scene itself",
             Presence::required},
            kSceneShape, scene);
     f.json({"set",
-            "values for it, by their paths, as in run --set; start_from is relative to the command "
-            "file"},
+            "values to change in it, by path, as in run --set; start_from is relative to the "
+            "command file"},
            kSetShape, set);
-    f.integer({"seed", "instead of the scene's; -1: as it is"}, -1, std::int64_t{1} << 53U, seed);
+    f.integer({"seed", "seed of the random numbers; -1: the scene's"}, -1, std::int64_t{1} << 53U,
+              seed);
   }
 
   Json perform(Console& console, const std::string& place) {
@@ -104,12 +105,12 @@ struct Set {
   Json value;
 
   void describe(Fields& f) {
-    f.text({"path", "place in the scene, as in contact.friction or phases[1].force",
-            Presence::required},
-           path);
+    f.text(
+        {"path", "path in the scene, e.g. contact.friction or phases[1].force", Presence::required},
+        path);
     f.json({"value",
-            "the new value; null or absent: the scene no longer names it. start_from is relative "
-            "to the command file"},
+            "the new value; null or absent: the key is removed from the scene. start_from is "
+            "relative to the command file"},
            kAnything, value);
   }
 
@@ -134,7 +135,7 @@ struct Save {
   std::string file = "state.cbor";
   void describe(Fields& f) {
     describe_output(
-        f, {"file", "checkpoint in the output folder, as run --continue and render take it"}, file);
+        f, {"file", "checkpoint in the output folder, as read by run --continue and render"}, file);
   }
   Json perform(Console& console, const std::string& place) {
     const auto path = console.output(file, place + ".file");
@@ -146,7 +147,7 @@ struct Save {
 struct Restore {
   std::string file = "state.cbor";
   void describe(Fields& f) {
-    describe_input(f, {"file", "a checkpoint: of this session, or relative to the command file"},
+    describe_input(f, {"file", "checkpoint of this session, or path relative to the command file"},
                    file);
   }
   Json perform(Console& console, const std::string&) {
@@ -158,26 +159,25 @@ struct Restore {
 }  // namespace
 
 std::vector<SessionCommand> scene_commands() {
-  return {
-      define<Load>({"load", kSceneGroup, "Starts a scene. The commands that follow act on it.",
-                    R"({"command": "load", "scene": "collapse", "set": {"box.width": 20}})"},
-                   false),
-      define<Set>({"set", kSceneGroup,
-                   "Changes a value of the scene. Laws, gravity, drag, method, step, solver and "
-                   "phases change in the present run; box, bodies and seed from the next reset on.",
-                   R"({"command": "set", "path": "contact.cohesion_force", "value": 1e3})"}),
-      define<Without<undo_change>>(
-          {"undo", kSceneGroup, "Takes the last change of a value back, up to a hundred of them.",
-           R"({"command": "undo"})"}),
-      define<Without<reset_scene>>({"reset", kSceneGroup,
-                                    "Starts the scene again, with all its changes.",
-                                    R"({"command": "reset"})"}),
-      define<Save>({"save", kSceneGroup, "Writes the present state.",
-                    R"({"command": "save", "file": "before.cbor"})"}),
-      define<Restore>(
-          {"restore", kSceneGroup, "Goes back to a state that was saved, with its scene.",
-           R"({"command": "restore", "file": "before.cbor"})"},
-          false)};
+  return {define<Load>({"load", kSceneGroup, "Starts a scene. The following commands act on it.",
+                        R"({"command": "load", "scene": "collapse", "set": {"box.width": 20}})"},
+                       false),
+          define<Set>(
+              {"set", kSceneGroup,
+               "Changes a value of the scene. Contact laws, gravity, drag, method, step, solver "
+               "and phases change in the current run; box, bodies and seed from the next reset on.",
+               R"({"command": "set", "path": "contact.cohesion_force", "value": 1e3})"}),
+          define<Without<undo_change>>(
+              {"undo", kSceneGroup, "Undoes the last change of a value, up to a hundred of them.",
+               R"({"command": "undo"})"}),
+          define<Without<reset_scene>>({"reset", kSceneGroup,
+                                        "Restarts the scene, with all changes made to it.",
+                                        R"({"command": "reset"})"}),
+          define<Save>({"save", kSceneGroup, "Writes the current state.",
+                        R"({"command": "save", "file": "before.cbor"})"}),
+          define<Restore>({"restore", kSceneGroup, "Returns to a saved state, with its scene.",
+                           R"({"command": "restore", "file": "before.cbor"})"},
+                          false)};
 }
 
 }  // namespace quicksand

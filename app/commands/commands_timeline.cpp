@@ -15,7 +15,7 @@ Timeline& timeline_of(Console& console) {
   Timeline* timeline = console.session().timeline();
   if (timeline == nullptr)
     throw CommandFailure(
-        "no run is open; open one before: {\"command\": \"open\", \"run\": \"out/collapse\"}");
+        "no run is open; open one first: {\"command\": \"open\", \"run\": \"out/collapse\"}");
   return *timeline;
 }
 
@@ -33,7 +33,9 @@ struct OpenRun {
 
   void describe(Fields& f) {
     describe_input(
-        f, {"run", "its folder, beside the session file or absolute", Presence::required}, run);
+        f,
+        {"run", "folder of the run, relative to the session file or absolute", Presence::required},
+        run);
   }
   Json perform(Console& console, const std::string&) {
     console.session().open(console.beside(run));
@@ -47,10 +49,11 @@ struct Show {
 
   void describe(Fields& f) {
     f.number({"time", "the sample nearest to this time"}, between(0, 1e12, "sqrt(d/g)"), time);
-    f.integer({"sample", "its number, from 0"}, -1, kMostSamples, sample);
-    f.integer({"by", "so many samples on, or back, up to the last or first"}, -kMostSamples,
-              kMostSamples, by);
-    f.integer({"phase", "the first sample of the phase of this number, from 0"}, -1, 10'000, phase);
+    f.integer({"sample", "number of the sample, from 0"}, -1, kMostSamples, sample);
+    f.integer({"by", "this many samples forward, or back if negative, up to the last or first"},
+              -kMostSamples, kMostSamples, by);
+    f.integer({"phase", "the first sample of the phase with this number, from 0"}, -1, 10'000,
+              phase);
     f.exactly_one({"time", "sample", "by", "phase"});
   }
 
@@ -73,8 +76,8 @@ struct Show {
       return timeline.nearest(*time);
     }
     if (sample > last)
-      throw InputError(place + ".sample",
-                       "must be at most " + std::to_string(last) + ", the number of the last one");
+      throw InputError(place + ".sample", "must be at most " + std::to_string(last) +
+                                              ", the number of the last sample");
     if (sample >= 0) return static_cast<std::size_t>(sample);
     if (phase >= 0) {
       const auto first = std::ranges::find(moments, phase, &Moment::phase);
@@ -101,8 +104,8 @@ struct Play {
   }
   void describe(Fields& f) {
     f.flag({"on", "false: pauses"}, on);
-    f.number({"speed", "samples a frame of the panel"}, between(0.01, 1000, "1"), speed);
-    f.flag({"loop", "whether it begins again at the end"}, loop);
+    f.number({"speed", "samples per frame of the panel"}, between(0.01, 1000, "1"), speed);
+    f.flag({"loop", "whether it starts over at the end"}, loop);
   }
   Json perform(Console& console, const std::string&) {
     Timeline& timeline = timeline_of(console);
@@ -126,26 +129,24 @@ Json go_on(Console& console) {
 }  // namespace
 
 std::vector<SessionCommand> timeline_commands() {
-  return {
-      define<OpenRun>({"open", kTimelineGroup,
-                       "Shows a run that was computed before, or still is, from its history, "
-                       "instead of computing.",
-                       R"({"command": "open", "run": "out/collapse"})"},
-                      false),
-      define<Show>({"show", kTimelineGroup, "Shows another moment of the run.",
-                    R"({"command": "show", "time": 3.2})"},
-                   false),
-      define<Play>({"play", kTimelineGroup,
-                    "Lets frames of the panel go through the samples of the run; what is absent "
-                    "stays as it is.",
-                    R"({"command": "play", "speed": 0.5})"},
-                   false),
-      define<Without<go_on>>(
-          {"go_on", kTimelineGroup,
-           "Computes on from the checkpoint of the run that is nearest to the shown moment: its "
-           "state.cbor, or its beginning.",
-           R"({"command": "go_on"})"},
-          false)};
+  return {define<OpenRun>(
+              {"open", kTimelineGroup,
+               "Shows a run, finished or still running, from its history, instead of computing.",
+               R"({"command": "open", "run": "out/collapse"})"},
+              false),
+          define<Show>({"show", kTimelineGroup, "Shows another moment of the run.",
+                        R"({"command": "show", "time": 3.2})"},
+                       false),
+          define<Play>({"play", kTimelineGroup,
+                        "Steps through the samples of the run, frame by frame of the panel; what "
+                        "is absent stays as it is.",
+                        R"({"command": "play", "speed": 0.5})"},
+                       false),
+          define<Without<go_on>>({"go_on", kTimelineGroup,
+                                  "Continues computing from the checkpoint of the run nearest to "
+                                  "the moment shown: its state.cbor, or its beginning.",
+                                  R"({"command": "go_on"})"},
+                                 false)};
 }
 
 }  // namespace quicksand

@@ -44,7 +44,7 @@ UiDriver::Place place_from(const Json& json) {
 }
 
 void describe_widget(Fields& f, std::string& widget) {
-  f.text({"widget", "its path, as in Controls/Run; the command widgets tells them",
+  f.text({"widget", "path of the widget, e.g. Controls/Run; the command widgets lists them",
           Presence::required},
          widget);
 }
@@ -52,7 +52,7 @@ void describe_widget(Fields& f, std::string& widget) {
 struct Click {
   Json at;
   void describe(Fields& f) {
-    f.json({"at", "path of a widget, as in Controls/Run, or a place of the picture [px]",
+    f.json({"at", "path of a widget, e.g. Controls/Run, or a place in the picture [px]",
             Presence::required},
            kPlace, at);
   }
@@ -84,9 +84,9 @@ struct SetWidget {
   Json value;
   void describe(Fields& f) {
     describe_widget(f, widget);
-    f.json(
-        {"value", "true or false, a word of a list, a number or text to type", Presence::required},
-        kValue, value);
+    f.json({"value", "true or false, a word from a list, or a number or text to type",
+            Presence::required},
+           kValue, value);
   }
   Json perform(Console& console, const std::string&) {
     return act(console, [&](UiDriver& driver) { return driver.set(widget, value); });
@@ -110,9 +110,10 @@ struct Wheel {
   Vec2 at{0, 0};
   double notches = 1;
   void describe(Fields& f) {
-    f.vector({"at", "place of the picture, [x, y]", Presence::required}, between(0, kLargest, "px"),
+    f.vector({"at", "place in the picture, [x, y]", Presence::required}, between(0, kLargest, "px"),
              at);
-    f.number({"notches", "positive: away from the user"}, between(-100, 100, "1"), notches);
+    f.number({"notches", "notches to turn; positive: away from the user"}, between(-100, 100, "1"),
+             notches);
   }
   Json perform(Console& console, const std::string&) {
     return act(console, [&](UiDriver& driver) { return driver.wheel(at, notches); });
@@ -122,7 +123,7 @@ struct Wheel {
 struct PressKey {
   std::string key;
   void describe(Fields& f) {
-    f.text({"key", "its name, as in space, escape, page_up", Presence::required}, key);
+    f.text({"key", "name of the key, e.g. space, escape, page_up", Presence::required}, key);
   }
   Json perform(Console& console, const std::string&) {
     return act(console, [&](UiDriver& driver) { return driver.press(std::string_view(key)); });
@@ -159,14 +160,15 @@ Json widgets_of(Console& console) {
 std::vector<SessionCommand> widget_commands() {
   return {
       define<Click>(
-          {"click", kWidgetGroup, "Clicks a widget, or a place of the picture, as the mouse does.",
+          {"click", kWidgetGroup, "Clicks a widget or a place in the picture, as the mouse does.",
            R"({"command": "click", "at": "Controls/Step"})"},
           false),
       define<SetWidget>(
-          {"set_widget", kWidgetGroup, "Gives a widget a value by clicking and typing.",
+          {"set_widget", kWidgetGroup, "Sets the value of a widget by clicking and typing.",
            R"({"command": "set_widget", "widget": "View/bonds", "value": true})"},
           false),
-      define<DragMouse>({"drag", kWidgetGroup, "Presses the mouse button, moves, and releases it.",
+      define<DragMouse>({"drag", kWidgetGroup,
+                         "Presses the mouse button, moves the mouse and releases the button.",
                          R"({"command": "drag", "from": [800, 300], "to": [850, 300]})"},
                         false),
       define<Wheel>({"wheel", kWidgetGroup, "Turns the mouse wheel.",
@@ -178,15 +180,14 @@ std::vector<SessionCommand> widget_commands() {
           false),
       define<PressKey>(
           {"key", kWidgetGroup, "Presses a key.", R"({"command": "key", "key": "space"})"}, false),
-      define<Frames>({"frames", kWidgetGroup, "Lets the panel live for some frames.",
+      define<Frames>({"frames", kWidgetGroup, "Runs the panel for some frames.",
                       R"({"command": "frames", "count": 10})"},
                      false),
-      define<Without<widgets_of>>(
-          {"widgets", kWidgetGroup,
-           "Tells the widgets of the panel, with their values and rectangles (x, y, "
-           "width, height [px]).",
-           R"({"command": "widgets"})"},
-          false)};
+      define<Without<widgets_of>>({"widgets", kWidgetGroup,
+                                   "Lists the widgets of the panel, with their values and "
+                                   "rectangles (x, y, width, height [px]).",
+                                   R"({"command": "widgets"})"},
+                                  false)};
 }
 
 }  // namespace quicksand

@@ -45,7 +45,7 @@ Json Console::perform(const Json& command, const std::string& place) {
   row.check(command, place);
   if (row.needs_scene && !session_.loaded())
     throw CommandFailure("\"" + std::string(row.name) +
-                         R"(" needs a scene; load one before: {"command": "load", "scene": ...})");
+                         R"(" needs a scene; load one first: {"command": "load", "scene": ...})");
   return row.perform(*this, command, place);
 }
 
@@ -58,16 +58,16 @@ fs::path Console::output(const std::string& name, const std::string& place) cons
   const fs::path relative = fs::path(name).lexically_normal();
   if (name.empty() || relative.is_absolute() || relative.begin()->string() == ".." ||
       relative.filename().empty() || relative == ".") {
-    throw InputError(
-        place, "\"" + name +
-                   "\" must name a file in the output folder: no absolute path, no way out of it");
+    throw InputError(place, "\"" + name +
+                                "\" must name a file in the output folder: no absolute path, none "
+                                "that leads out of it");
   }
   fs::path path = folders_.out / relative;
   if (!all_lead_into(folders_.out, path))
     throw InputError(place, "\"" + name + "\" leads out of the output folder through a link");
   std::error_code error;
   fs::create_directories(path.parent_path(), error);
-  if (error) throw InputError(path.parent_path().string(), "cannot be made: " + error.message());
+  if (error) throw InputError(path.parent_path().string(), "cannot be created: " + error.message());
   return path;
 }
 
@@ -112,7 +112,7 @@ fs::path Console::input(const std::string& name) const {
 fs::path Console::beside(const std::string& name) const {
   fs::path path = folders_.base.value_or(folders_.out) / name;
   if (!folders_.base && !leads_into(folders_.out, path))
-    throw InputError(name, "lies outside of the output folder, where a browser reaches no file");
+    throw InputError(name, "lies outside the output folder, where a browser can reach no file");
   return path;
 }
 

@@ -53,7 +53,7 @@ std::string SessionFile::where(std::size_t command) const {
 
 void describe_session_file(Fields& f, SessionFile& file, Json& commands) {
   describe_heading(f, file.name, file.description, "what the session shows");
-  f.json({"commands", "what to do, in order", Presence::required}, kCommands, commands);
+  f.json({"commands", "commands, in order", Presence::required}, kCommands, commands);
 }
 
 SessionFile read_session_file(const std::filesystem::path& path) {

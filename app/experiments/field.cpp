@@ -28,11 +28,12 @@ class FieldExperiment : public PaperExperiment {
     const PaperStrength loose = paper_strength(results, runs_.loose),
                         compact = paper_strength(results, runs_.compact);
     section.add(Paragraph{
-        "A force F on a grain is read as the stress F/d² with d = " +
+        "A force F on a grain is converted to the stress F/d² with d = " +
         typeset(physical_.grain_diameter * 1e6) + " µm and grains of " +
         typeset(physical_.grain_density) +
-        " kg/m³, an assumption: all stresses are proportional to it. The simulated specimens are " +
-        "centimetres high, the field's lines are drawn over the same depth."});
+        " kg/m³. This density is an assumption, to which all stresses are proportional. The "
+        "simulated specimens are only " +
+        "centimetres high; the lines of the field experiment are drawn over the same depth."});
     Plot plot{.name = "field",
               .x = {.label = "depth", .unit = "cm", .low = 0},
               .y = {.label = "shear strength", .unit = "kPa", .low = 0}};
@@ -55,10 +56,10 @@ class FieldExperiment : public PaperExperiment {
       plot.references.push_back(
           {.name = "field, unperturbed: " + typeset(strength) + " kPa", .low = strength});
     }
-    section.add(Figure{
-        std::move(plot),
-        "Shear strength in SI units: the field's lines in black; the simulation's means with bars "
-        "of one standard error, and straight lines through all its grains, dashed, in colour."});
+    section.add(Figure{std::move(plot),
+                       "Shear strength in SI units. Black: lines of the field experiment. Colour: "
+                       "means of the simulation with bars of one standard error, and straight-line "
+                       "fits to all grains (dashed)."});
     if (compact.against_depth) {
       const Line& fit = *compact.against_depth;
       const double scale = stress / depth;
@@ -78,8 +79,10 @@ class FieldExperiment : public PaperExperiment {
       findings["field.unperturbed.constant_to_depth"] = {
           .value = *constant * depth,
           .n = loose.grains,
-          .note = "down to there all agree within two standard errors; the deepest measured is " +
-                  typeset(loose.depth.back() * depth) + " cm"};
+          .note =
+              "all strengths down to this depth agree within two standard errors; the deepest was "
+              "measured at " +
+              typeset(loose.depth.back() * depth) + " cm"};
   }
 
  private:

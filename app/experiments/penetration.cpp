@@ -19,8 +19,8 @@ constexpr FinalQuantity kShown[] = {{"depth", "depth [d]"},
                                     {"active_bond_fraction", "active share"},
                                     {"remaining_bond_fraction", "remaining share"},
                                     {"coordination", "coordination number"},
-                                    {"coordination_within_1e-3", "of gaps below 1e-3 d"},
-                                    {"coordination_within_1e-2", "of gaps below 1e-2 d"},
+                                    {"coordination_within_1e-3", "coordination, gaps below 1e-3 d"},
+                                    {"coordination_within_1e-2", "coordination, gaps below 1e-2 d"},
                                     {"channel_active_bond_fraction", "channel: active"},
                                     {"channel_coordination", "channel: coordination number"},
                                     {"intact_active_bond_fraction", "intact: active"},
@@ -38,11 +38,11 @@ class Penetration : public PaperExperiment {
     std::vector<OutcomeRow> rows;
     for (std::size_t k = 0; k < curve_.forces.size(); ++k)
       rows.push_back({number_text(curve_.forces[k]), curve_.pushes[k]});
-    section.add(outcome_table(
-        results,
-        "At the end of each push: at rest, or after its max_time. Channel: where the "
-        "intruder has passed; intact: farther from its path than six of its diameters.",
-        {"push force [F_c]", true}, rows, kShown, all_));
+    section.add(outcome_table(results,
+                              "At the end of each push, at rest or after its max_time. Channel: "
+                              "the grains where the intruder has passed; intact: those farther "
+                              "than six intruder diameters from its trajectory.",
+                              {"push force [F_c]", true}, rows, kShown, all_));
     add_plots(results, section);
     add_push_course(section, results, curve_, height_, all_);
     for (std::size_t k = 0; k < curve_.forces.size(); ++k) compare(results, k, findings);
@@ -107,9 +107,9 @@ class Penetration : public PaperExperiment {
     bonds.curves.push_back(paper_shares(1, "remaining share", "remaining_of_initial"));
     section.add(Figure{
         std::move(bonds),
-        "Shares of bonds after the push against its force, with bands of one standard error. Open: "
-        "the paper's, a little to the right of their forces; its strong force has no number, the "
-        "bars are over all beyond F_c."});
+        "Shares of bonds after the push as a function of its force, with bands of one standard "
+        "error. Open symbols: the paper's values, shifted a little to the right. The paper gives "
+        "no number for its strong force; the bars span all forces above F_c."});
   }
 
   void add_depth(const PaperResults& results, const Axis& force, Section& section) const {
@@ -129,8 +129,8 @@ class Penetration : public PaperExperiment {
     section.add(
         Figure{std::move(depth),
                "Final depth of the intruder's lowest point, with bars of one standard error. The "
-               "paper gives no number: its words at F_c are drawn as " +
-                   number_text(*bottom.low) + " of the height to all of it."});
+               "paper gives no number; its words for F_c are drawn as the range from " +
+                   number_text(*bottom.low) + " of the height to the full height."});
   }
 
   void add_contacts(const PaperResults& results, const Axis& force, Section& section) const {
@@ -146,11 +146,11 @@ class Penetration : public PaperExperiment {
                                .x = {kStrongPlace},
                                .y = {*paper_target("strong", "coordination").low},
                                .x_error = {kStrongPlace - kEqual}});
-    section.add(
-        Figure{std::move(contacts),
-               "Coordination number after the push against its force, by the gap up to which a "
-               "pair counts as a contact, with bands of one standard error. The paper does not "
-               "say which; its strong force has no number, the bar is over all beyond F_c."});
+    section.add(Figure{
+        std::move(contacts),
+        "Coordination number after the push as a function of its force, for three gaps up to which "
+        "a pair counts as a contact, with bands of one standard error. The paper gives neither "
+        "this gap nor a number for its strong force; the bar spans all forces above F_c."});
   }
 
   void compare(const PaperResults& results, std::size_t k, Findings& findings) const {

@@ -20,16 +20,16 @@ class Piston : public PaperExperiment {
     add_snapshots(section, results, before_, "before the piston");
     add_snapshots(section, results, after_, "after the piston");
 
-    constexpr FinalQuantity kLines[] = {
-        {"packing_top", "height [d]"},
-        {"volume_fraction", "volume fraction"},
-        {"coordination", "coordination number"},
-        {"coordination_within_1e-3", "the same, of gaps below 1e-3 d"},
-        {"coordination_within_1e-2", "the same, of gaps below 1e-2 d"},
-        {"active_bond_fraction", "active share"},
-        {"remaining_bond_fraction", "remaining share"}};
-    Table table{.caption = "Before and after the piston, which is taken away at the end.",
-                .columns = {{"quantity"}, {"before", true}, {"after", true}}};
+    constexpr FinalQuantity kLines[] = {{"packing_top", "height [d]"},
+                                        {"volume_fraction", "volume fraction"},
+                                        {"coordination", "coordination number"},
+                                        {"coordination_within_1e-3", "the same, gaps below 1e-3 d"},
+                                        {"coordination_within_1e-2", "the same, gaps below 1e-2 d"},
+                                        {"active_bond_fraction", "active share"},
+                                        {"remaining_bond_fraction", "remaining share"}};
+    Table table{
+        .caption = "Before and after compaction by the piston, which is removed at the end.",
+        .columns = {{"quantity"}, {"before", true}, {"after", true}}};
     for (const FinalQuantity& line : kLines)
       table.rows.push_back({{.text = line.title},
                             cell_of(results.mean(before_, line.quantity), all_),
@@ -62,12 +62,11 @@ class Piston : public PaperExperiment {
     add_course(contacts, results, "while the piston comes down", "coordination");
     contacts.curves.push_back(
         of_paper("paper", "piston.before.coordination", "piston.after.coordination"));
-    section.add(Figure{
-        std::move(contacts),
-        "Mean coordination number while the piston comes down, from the right to the left, with a "
-        "band of one standard error. What is vertical at the lowest height is the time at rest "
-        "under the load. Symbol: where the specimens settle once the piston has gone. The "
-        "paper's points are before and after."});
+    section.add(
+        Figure{std::move(contacts),
+               "Mean coordination number while the piston comes down (from right to left), with a "
+               "band of one standard error. Symbol: where the specimens settle once the piston has "
+               "been removed. The paper's points are before and after compaction."});
     Plot bonds{
         .name = "piston", .x = height, .y = {.label = "share of bonds", .low = 0, .high = 1.02}};
     add_course(bonds, results, "active share", "active_bond_fraction");
@@ -80,7 +79,7 @@ class Piston : public PaperExperiment {
                             .y = {*targets.at("piston.remaining_of_initial").low}});
     section.add(Figure{std::move(bonds),
                        "The same for the shares of bonds. Symbols: where the specimens settle once "
-                       "the piston has gone."});
+                       "the piston has been removed."});
   }
 
   // A line while the piston comes down, and in its colour a symbol where the specimens come to rest without it.

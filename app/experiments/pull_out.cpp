@@ -22,12 +22,12 @@ class PullOut : public PaperExperiment {
                               curve_.pushes, "weight_above_level");
     weight.second_axis = true;
     Table table{.caption =
-                    "Pull-out after all bonds were restored: the middle of the interval that holds "
-                    "the critical force.",
+                    "Pull-out after all bonds were restored. The force is the midpoint of the "
+                    "interval that contains the critical force.",
                 .columns = {{"push force [F_c]", true},
                             {"pull-out force [F_c]", true},
                             {"pull-out over push", true},
-                            {"not at rest at the lower end", true},
+                            {"still moving at the lower end", true},
                             {"weight above, by height", true},
                             {"weight above, by column", true}}};
     std::optional<Measured> largest;
@@ -55,10 +55,10 @@ class PullOut : public PaperExperiment {
     add_limit_of_paper(plot);
     plot.curves.push_back(std::move(pull));
     plot.curves.push_back(std::move(weight));
-    section.add(Figure{std::move(plot),
-                       "Left axis: the force that takes the intruder out; right axis: the share of "
-                       "the grains' weight that lies higher than its centre. Bars are one standard "
-                       "error."});
+    section.add(
+        Figure{std::move(plot),
+               "Left axis: the force that pulls the intruder out; right axis: the share of the "
+               "grains' weight that lies above its centre. Bars are one standard error."});
   }
 
  private:
@@ -82,7 +82,7 @@ class PullOut : public PaperExperiment {
                     .standard_error = std::max(line->slope_error.value_or(0),
                                                slope_error_by(curve.x, curve.y_error)),
                     .n = static_cast<int>(curve.x.size()),
-                    .note = "straight line through the means"};
+                    .note = "slope of a straight line through the means"};
   }
 
   PushCurve curve_;

@@ -35,10 +35,11 @@ std::optional<Measured> mean_at(const PaperResults& results, const RunGroup& pus
 }
 
 Table table_of(const PaperResults& results, const PushCurve& curve, double height, int all) {
-  Table table{.caption =
-                  "The same with the intruder's lowest point half-way down the box, at 0.95 of its "
-                  "height, and at rest, when the channel has fallen in.",
-              .columns = {{"push force [F_c]", true}, {"intruder"}}};
+  Table table{
+      .caption =
+          "The same when the intruder's lowest point is half-way down the box, when it is at a "
+          "depth of 0.95 of the box's height, and at rest, when the channel has collapsed.",
+      .columns = {{"push force [F_c]", true}, {"intruder"}}};
   for (const char* title :
        {"active share", "remaining share", "intact: active share", "intact: coordination number"})
     table.columns.push_back({title, true});
@@ -140,10 +141,10 @@ void add_push_course(Section& section, const PaperResults& results, const PushCu
   std::ranges::move(symbols, std::back_inserter(plot.curves));
   section.add(
       Figure{std::move(plot),
-             "Active share of contacts over time, by the push force, with bands of one "
-             "standard error. Symbols: when the intruder comes to 0.95 of the box's height. "
-             "The channel falls in after that. A line ends where all specimens have come to "
-             "rest, or where the first was stopped while something moved."});
+             "Active share of contacts over time for each push force, with bands of one standard "
+             "error. Symbols: the intruder reaches a depth of 0.95 of the box's height. The "
+             "channel collapses after that. A line ends where all specimens have come to rest, or "
+             "where the first was stopped while something was still moving."});
 }
 
 }  // namespace quicksand

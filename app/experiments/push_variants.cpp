@@ -51,13 +51,13 @@ class Density : public PaperExperiment {
 
   void report(const PaperResults& results, Section& section, Findings& findings) const override {
     section.add(Paragraph{
-        by_drop_ ? "The denser specimen is made of grains that come faster by 5 √(gd). All laws "
-                   "are the same."
+        by_drop_ ? "For the denser specimen the grains' drop velocity is higher by 5 √(gd). All "
+                   "contact laws are the same."
         : by_interval_
-            ? "The denser specimen is made with a grain every 0.001 in place of 0.01: it sinks "
-              "into itself while it is made. All laws are the same."
-            : "The denser specimen is made with a fifth of the rolling friction, which also holds "
-              "while the intruder is pushed: part of the difference may be due to that."});
+            ? "For the denser specimen a grain is deposited every 0.001 instead of every 0.01: it "
+              "sags while it is being made. All contact laws are the same."
+            : "The denser specimen is made with a fifth of the rolling friction, which also "
+              "applies while the intruder is pushed; part of the difference may be due to this."});
     const char* const names[] = {"usual specimen", "denser specimen"};
     Plot plot{.name = "density",
               .x = {.label = "push force", .unit = "F_c", .logarithmic = true},
@@ -75,17 +75,16 @@ class Density : public PaperExperiment {
             {name + ", " + number_text(curves_[s].forces[k]) + " F_c", curves_[s].pushes[k]});
     }
     if (!is_denser(results))
-      section.add(Remark{
-          Remark::Kind::warning,
-          "The volume fractions do not differ by more than 2.5 % and two standard errors, seed "
-          "by seed: what the density does is not measured."});
+      section.add(Remark{Remark::Kind::warning,
+                         "Seed by seed, the volume fractions do not differ by more than both 2.5 % "
+                         "and two standard errors: the effect of the density is not measured."});
     else
       note(findings, "penetration.density_shift", shift(results));
-    section.add(outcome_table(results, "Pushes of both specimens, after everything rests.",
+    section.add(outcome_table(results, "Pushes in both specimens, once everything is at rest.",
                               {"case"}, rows, kAfterPush, all_));
     section.add(Figure{std::move(plot),
-                       "Final depth against the push force: means with bars of one standard error, "
-                       "which jump where the packing no longer holds."});
+                       "Final depth as a function of the push force: means with bars of one "
+                       "standard error. The depth jumps where the packing no longer holds."});
   }
 
  private:
@@ -105,9 +104,10 @@ class Density : public PaperExperiment {
       if (const auto ratio = force_ratio(speeds(results, 0, seed), speeds(results, 1, seed)))
         by_speed.push_back(*ratio);
     }
-    if (!by_depth.empty()) return mean_over(by_depth, "for the same depth");
+    if (!by_depth.empty()) return mean_over(by_depth, "compared at the same depth");
     return mean_over(by_speed,
-                     "for the same mean velocity, as no depth above the floor is reached in both");
+                     "compared at the same mean velocity, as no depth above the floor is reached "
+                     "in both specimens");
   }
 
   // Only those of intruders that the packing stopped.
@@ -159,8 +159,8 @@ class WaterDrag : public PaperExperiment {
 
   void report(const PaperResults& results, Section& section, Findings& findings) const override {
     section.add(outcome_table(results,
-                              "Pushes with the cohesion force, with and without viscous drag of "
-                              "water (Stokes' law on each grain).",
+                              "Pushes with the cohesion force, with and without the viscous drag "
+                              "of water (Stokes' law for each grain).",
                               {"case"}, {{"without drag", without_}, {"with drag", with_}},
                               kAfterPush, all_));
     note(findings, "penetration.drag_effect", largest_change(results));
@@ -175,7 +175,7 @@ class WaterDrag : public PaperExperiment {
           std::pair{"remaining_bond_fraction", "remaining bonds"}}) {
       auto change = results.change(without_, with_, quantity);
       if (!change) continue;
-      change->note = "of " + std::string(name);
+      change->note = "largest for " + std::string(name);
       if (!largest || std::abs(change->value) > std::abs(largest->value)) largest = change;
     }
     return largest;

@@ -14,12 +14,12 @@ namespace {
 Measured measured(const Mean& found, const PaperStrength& strength) {
   std::string note;
   if (strength.unbracketed > 0)
-    note =
-        std::to_string(strength.unbracketed) + " of " + std::to_string(strength.grains) +
-        " grains still moved slowly at the interval's lower end when their trial's time was over";
+    note = std::to_string(strength.unbracketed) + " of " + std::to_string(strength.grains) +
+           " grains were still moving slowly when the trial at the interval's lower end ran out of "
+           "time";
   if (strength.never_moved > 0)
     note += (note.empty() ? "" : "; ") + std::to_string(strength.never_moved) +
-            " more were moved by no force";
+            " more were not moved by any force";
   return {.value = found.value, .standard_error = found.error, .n = strength.grains, .note = note};
 }
 
@@ -45,14 +45,14 @@ class Shear : public PaperExperiment {
                         compact = paper_strength(results, runs_.compact),
                         rough = paper_strength(results, runs_.compact_rough);
     section.add(Paragraph{
-        "A grain has been moved where it has gone " + number_text(scale_.shear_distance) +
+        "A grain counts as moved if it has travelled " + number_text(scale_.shear_distance) +
         " d within " + number_text(scale_.shear_time) +
-        " sqrt(d/g); the paper takes 20 d. Its strength is the middle of the interval between the "
-        "largest force that did not and the smallest that did, narrowed to " +
-        number_text(scale_.shear_tolerance) + " of it; " +
+        " sqrt(d/g); the paper requires 20 d. Its strength is the midpoint between the largest "
+        "force that did not move it and the smallest that did, once their distance is at most " +
+        number_text(scale_.shear_tolerance) + " of the latter. Strengths are measured for " +
         count_text(scale_.grains_per_depth, "grain") +
-        " a depth and specimen, the paper takes 10. Steps of " + number_text(scene_.step.dt) +
-        " sqrt(d/g)."});
+        " per depth and specimen; the paper uses 10. Time steps are " +
+        number_text(scene_.step.dt) + " sqrt(d/g)."});
     section.add(table({{"unperturbed, F_c = 10² F_g", &weak},
                        {"unperturbed, F_c = 10⁴ F_g", &loose},
                        {"unperturbed, F_c = 10⁶ F_g", &strong},
@@ -70,19 +70,18 @@ class Shear : public PaperExperiment {
           plot("shear_unperturbed",
                {.label = "shear strength", .unit = "F_g", .logarithmic = decades}, unperturbed),
           std::string("Smallest horizontal force that moves a grain of an unperturbed specimen: "
-                      "means with bars of one standard error over grains, and straight lines "
-                      "through all grains, dashed") +
-              (decades ? ", which the logarithmic axis bends" : "") +
-              ". The paper gives no numbers here."});
+                      "means with bars of one standard error over grains, and straight-line fits "
+                      "to all grains (dashed") +
+              (decades ? ", curved by the logarithmic axis" : "") +
+              "). The paper gives no numbers here."});
     if (compact.grains + rough.grains > 0) {
       Plot perturbed = plot("shear_perturbed", {.label = "shear strength", .unit = "F_g", .low = 0},
                             {{"friction 0.3", &compact}, {"friction 0.6", &rough}});
       add_lines_of_paper(perturbed, std::max(compact.depth.empty() ? 0 : compact.depth.back(),
                                              rough.depth.empty() ? 0 : rough.depth.back()));
-      section.add(
-          Figure{std::move(perturbed),
-                 "The same after the piston; the paper's lines, which are zero at the surface, in "
-                 "black."});
+      section.add(Figure{std::move(perturbed),
+                         "The same after compaction by the piston. Black: the paper's lines, which "
+                         "are zero at the surface."});
     }
     compare_perturbed(compact, rough, findings);
     compare_unperturbed(loose, strong, compact, findings);
@@ -93,14 +92,14 @@ class Shear : public PaperExperiment {
 
   static Table table(const std::vector<Named>& all) {
     Table table{.caption =
-                    "Straight lines through the strength against depth; effective friction: "
-                    "slope of the strength against the weight of all grains above.",
+                    "Straight-line fits of the strength against depth. Effective friction: slope "
+                    "of the strength against the weight of all grains above.",
                 .columns = {{"specimen"},
                             {"slope [F_g/d]", true},
                             {"at the surface [F_g]", true},
                             {"effective friction", true},
                             {"grains", true},
-                            {"not at rest at the lower end", true},
+                            {"still moving at the lower end", true},
                             {"never moved", true}}};
     for (const auto& [name, strength] : all)
       if (strength->grains > 0)
@@ -172,15 +171,11 @@ class Shear : public PaperExperiment {
   static std::string about_weak_bonds(const PaperStrength& loose, const PaperStrength& weak) {
     const double depth = weak.level_depth;
     return "The paper says that a hundredfold cohesion force changes the unperturbed strength "
-           "little. The table of "
-           "numbers reads that of 10⁴ and 10⁶ F_g. It may speak of 10² and 10⁴, since the paper "
-           "gives the density "
-           "of a specimen made with 10², whose bonds are so weak that it falls in until it is "
-           "dense: "
-           "at the mean depth "
-           "of its grains, " +
+           "little. The table of numbers takes this to mean 10⁴ and 10⁶ F_g. The paper may instead "
+           "mean 10² and 10⁴, since it gives the density of a specimen made with 10², whose bonds "
+           "are so weak that it collapses until it is dense. At the mean depth of its grains, " +
            typeset(depth) + " d, its mean strength is " + typeset(weak.level->value) +
-           " F_g, and the line of 10⁴ has " +
+           " F_g, and the line for 10⁴ gives " +
            typeset(loose.against_depth->intercept + loose.against_depth->slope * depth) +
            " F_g there.";
   }

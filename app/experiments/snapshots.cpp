@@ -54,9 +54,10 @@ void add_snapshots(Section& section, const PaperResults& results, const RunGroup
     view.colouring = Colouring::broken_bonds;
     write_png(two, renderer.draw_fitting(world, view, text));
     Gallery gallery;
-    gallery.pictures.push_back({.file = ours, .caption = caption + ": active bonds of each grain"});
     gallery.pictures.push_back(
-        {.file = two, .caption = caption + ": grains all of whose bonds hold, and the others"});
+        {.file = ours, .caption = caption + ": number of active bonds of each grain"});
+    gallery.pictures.push_back(
+        {.file = two, .caption = caption + ": grains whose bonds all hold, and the others"});
     section.add(std::move(gallery));
   } catch (const RenderError&) {
     // A system without a renderer still gets its numbers.

@@ -21,7 +21,7 @@ struct Setting {
 Setting denser(const PaperScale& scale) {
   if (!scale.nscd)
     return {kDenseDeposition, "a grain every 0.001, dt 0.001", {}, dense_deposition()};
-  return {kHardDrop, "drop velocity larger by 5 √(gd)", {}, hard_drop(*scale.nscd)};
+  return {kHardDrop, "drop velocity higher by 5 √(gd)", {}, hard_drop(*scale.nscd)};
 }
 
 std::vector<Setting> settings(const PaperScale& scale) {
@@ -43,12 +43,12 @@ std::vector<Setting> settings(const PaperScale& scale) {
       {"rolling_0.05", "half the rolling friction", {{"contact.rolling_friction", 0.05}}},
       {"rolling_0.02", "a fifth of the rolling friction", {{"contact.rolling_friction", 0.02}}},
       {"polydisperse",
-       "diameters with 35 % deviation",
+       "diameters with 35 % standard deviation",
        {},
        {{"phases[0].polydispersity.deviation", 0.35}}},
       {"capture_0.5", "capture radius 0.5 d", {}, {{"phases[0].capture_radius", 0.5}}},
       {"cohesion_100", "cohesion force 100 F_g", {{"contact.cohesion_force", 100}}},
-      {"ballistic", "no dynamics: sticking where they touch", {}, {{"phases[0].interval", 0}}}};
+      {"ballistic", "no dynamics: grains stick where they touch", {}, {{"phases[0].interval", 0}}}};
 }
 
 // Places in the list.
@@ -74,8 +74,8 @@ class Samples : public PaperExperiment {
         .x = {.label = "volume fraction"},
         .y = {.label = "coordination number"},
         .references = {
-            {.name = "paper: volume fraction (upright)", .low = 0.40, .high = 0.43, .of_x = true},
-            {.name = "paper: coordination number (level)", .low = 2.05, .high = 2.06}}};
+            {.name = "paper: volume fraction (vertical)", .low = 0.40, .high = 0.43, .of_x = true},
+            {.name = "paper: coordination number (horizontal)", .low = 2.05, .high = 2.06}}};
     std::vector<std::string> numbers;
     Curve points{.name = "depositions, numbered as in the table"};
     const std::vector<Setting> all = settings(scale_);
@@ -102,7 +102,7 @@ class Samples : public PaperExperiment {
                "Volume fraction and coordination number of the specimens of each deposition, "
                "with bars of one standard error. The paper's specimen lies where the two "
                "bands cross. Number " +
-                   std::to_string(kWeakBonds + 1) + ", of weaker bonds, is left out."});
+                   std::to_string(kWeakBonds + 1) + ", with weaker bonds, is left out."});
     const std::vector<SlowerDeposit> sequence =
         adiabatic_sequence(results.runs(groups_[kAdiabatic]));
     if (!sequence.empty()) section.add(table_of(sequence));
@@ -148,15 +148,16 @@ class Samples : public PaperExperiment {
 
   Table table_of(const std::vector<SlowerDeposit>& sequence) const {
     Table table{
-        .caption = "Is a grain every " + number_text(scale_.interval) +
-                   " slow enough? Whole specimens from the same random numbers, each slower than "
-                   "the last, until the volume fraction changes by less than 0.1 %, or up to the "
-                   "longest interval here; the last row has only those that had not settled. When "
-                   "the last grain has come, before they settle.",
+        .caption =
+            "Is a grain every " + number_text(scale_.interval) +
+            " slow enough? Complete specimens from the same random numbers, each deposited more "
+            "slowly than the last, until the volume fraction changes by less than 0.1 % or the "
+            "longest interval here is reached; later rows have only the realizations that went on. "
+            "Values are taken after the last grain, before the specimens settle.",
         .columns = {{"a grain every [sqrt(d/g)]", true},
                     {"volume fraction", true},
-                    {"coordination", true},
-                    {"change of the volume fraction, over it", true}}};
+                    {"coordination number", true},
+                    {"relative change of the volume fraction", true}}};
     for (const SlowerDeposit& slower : sequence)
       table.rows.push_back({{.text = typeset(slower.interval)},
                             cell_of(mean_over(slower.volume_fractions), all_),

@@ -91,16 +91,17 @@ class StructureOfSamples : public PaperExperiment {
                   .y = {.label = "density", .unit = "1/F_c", .logarithmic = true}};
     Table counts{
         .caption =
-            "What counts as a contact: neighbours of a grain, and active bonds over them (a "
-            "contact between grains counts for both, one with a wall or the intruder once).",
+            "What counts as a contact: mean number of neighbours of a grain by the definition of a "
+            "contact, and the ratio of active bonds to contacts (a contact between grains counts "
+            "for both, one with a wall or the intruder once).",
         .columns = {{"state"},
-                    {"touching (here)", true},
-                    {"of grains that touch any", true},
-                    {"grains that touch none", true},
+                    {"touching (used here)", true},
+                    {"touching, of grains with a contact", true},
+                    {"share of grains without a contact", true},
                     {"loaded or bonded", true},
                     {"bonded", true},
-                    {"active of touching", true},
-                    {"active of loaded or bonded", true}}};
+                    {"active over touching", true},
+                    {"active over loaded or bonded", true}}};
     for (const auto& [name, group] : states_) {
       const Structure s = structure_of(results, group);
       if (s.angles.counts.empty()) continue;
@@ -112,24 +113,22 @@ class StructureOfSamples : public PaperExperiment {
     }
     if (profile.curves.empty()) return;
     section.add(std::move(counts));
-    section.add(
-        Figure{std::move(profile), "Volume fraction over height in slices of " +
-                                       cell_of(Measured{.value = thickness_}, 1).text +
-                                       " d, mean and standard error over realizations; the surface "
-                                       "fills its slice in part, slices below 0.01 are left out."});
+    section.add(Figure{std::move(profile),
+                       "Volume fraction over height in slices of " +
+                           cell_of(Measured{.value = thickness_}, 1).text +
+                           " d, mean and standard error over realizations. The slice at the "
+                           "surface is only partly filled; slices below 0.01 are left out."});
     section.add(Figure{std::move(angles),
                        "Angles between neighbouring active bonds of a grain, with bands of one "
-                       "standard error of counting. Three grains that touch each other have 60°, a "
-                       "grain between two bonds 180° where the chain is straight."});
-    section.add(
-        Figure{std::move(forces),
-               "Compressive forces between grains and of grains with the floor, in the last "
-               "step; the intruder's contacts are left out. Lines are interrupted where no "
-               "contact has such a force."});
+                       "standard error of the counts. Three grains that touch each other give 60°, "
+                       "a grain in a straight chain gives 180°."});
     section.add(Figure{
-        std::move(tensions),
-        "Tensile forces in active bonds of grains: at rest they carry weights, far below what "
-        "they hold."});
+        std::move(forces),
+        "Compressive forces between grains and between grains and walls in the last step, without "
+        "the intruder's contacts. Lines are interrupted where no contact has such a force."});
+    section.add(Figure{std::move(tensions),
+                       "Tensile forces in active bonds of grains. At rest the bonds carry only "
+                       "weights, far below their strength."});
   }
 
  private:

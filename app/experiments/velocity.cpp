@@ -27,7 +27,8 @@ class Velocity : public PaperExperiment {
     std::vector<double> squares;
     for (const double speed : curve.y) squares.push_back(speed * speed);
     Table table{
-        .caption = "Mean velocity of the intruder between 15 % and 60 % of the box's height.",
+        .caption =
+            "Mean velocity of the intruder between depths of 15 % and 60 % of the box's height.",
         .columns = {{"push force [F_c]", true}, {"velocity [√(gd)]", true}}};
     for (std::size_t k = 0; k < curve_.forces.size(); ++k)
       table.rows.push_back({{.text = number_text(curve_.forces[k])},
@@ -46,18 +47,17 @@ class Velocity : public PaperExperiment {
     }
     report_threshold(results, section, findings);
     if (const auto found = findings.find("penetration.threshold_force"); found != findings.end())
-      plot.references.push_back({.name = "smallest force that enters",
+      plot.references.push_back({.name = "smallest force of entry",
                                  .low = found->second.value,
                                  .of_x = true,
                                  .role = Reference::Role::guide});
     section.add(Figure{
         std::move(plot),
         of_line ? "Means with bars of one standard error. The dashed line is v² = k (F − F_0), "
-                  "fitted to "
-                  "the squares of the velocities; its F_0 is " +
+                  "fitted to the squared velocities; its F_0 is " +
                       cell_of(Measured{.value = *of_line}, 1).text + " F_c."
-                : std::string("A straight line through the squares of the velocities gives no "
-                              "threshold: it is not zero at any positive force.")});
+                : std::string("A straight line through the squared velocities gives no threshold: "
+                              "it vanishes at no positive force.")});
     note_exponent(findings, curve);
   }
 
@@ -68,17 +68,18 @@ class Velocity : public PaperExperiment {
     const double cohesion = *push_.grain_law.cohesion_force;
     const SiScale si = si_scale(*push_.physical);
     const double area = std::get<PushPhase>(push_.phases[0].kind).diameter * si.length * si.length;
-    const auto force = results.critical_force(
-        thresholds_, cohesion,
-        "searched for: what takes the intruder down to 15 % of the box's height");
+    const auto force = results.critical_force(thresholds_, cohesion,
+                                              "found by a search: the smallest force that takes "
+                                              "the intruder down by 15 % of the box's height");
     if (!force) return;
     note(findings, "penetration.threshold_force", force);
     note(findings, "field.crust_pressure",
-         results.critical_force(thresholds_, area / (si.force * kKilopascals),
-                                "that force over the intruder's diameter times a grain's"));
+         results.critical_force(
+             thresholds_, area / (si.force * kKilopascals),
+             "the threshold force divided by the intruder's diameter times a grain's"));
     section.add(
-        Paragraph{"Each specimen was searched for the smallest force with which the intruder sinks "
-                  "by 15 % of the box's height, from where it lies on the surface: " +
+        Paragraph{"A search in each specimen gives the smallest force with which the intruder, "
+                  "initially on the surface, sinks by 15 % of the box's height: " +
                   cell_of(force, all_).text + " F_c."});
   }
 
@@ -135,7 +136,7 @@ class Velocity : public PaperExperiment {
         .value = law->exponent,
         .standard_error = std::hypot(law->error, by_threshold),
         .n = law->forces,
-        .note = "with the threshold that was searched for, of the forces above it"};
+        .note = "fitted to the forces above the threshold found by the search"};
   }
 
   PushCurve curve_;

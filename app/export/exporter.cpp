@@ -28,7 +28,7 @@ Exporter::Exporter(const ExportFormat& format, fs::path out, std::size_t states)
   }
   if (fs::is_directory(out_)) {
     throw InputError(out_.string(), "is a folder; " + std::string(format_.word) +
-                                        " is one file, to be named with --out");
+                                        " is a single file; name it with --out");
   }
   if (out_.has_parent_path()) make_writable({out_.parent_path()});
   single_ = std::make_unique<WholeFile>(out_);

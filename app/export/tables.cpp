@@ -37,23 +37,23 @@ constexpr DataColumn kDiskColumns[] = {
      [](const E&, int row, int) -> double { return row; }},
     {kPosition, "d", "centre, inside periodic sides", real, 2,
      [](const E& e, int row, int k) { return e.place(row)[k]; }},
-    {"unwrapped_x", "d", "x of the centre with all turns through periodic sides", real, 1,
+    {"unwrapped_x", "d", "x of the centre, counting all passages through periodic sides", real, 1,
      [](const E& e, int row, int) { return e.world.disks.position[row].x(); }},
-    {"radius", "d", "of the disk", real, 1,
+    {"radius", "d", "radius of the disk", real, 1,
      [](const E& e, int row, int) { return e.world.disks.radius[row]; }},
-    {"mass", "grain masses", "of the disk", real, 1,
+    {"mass", "grain masses", "mass of the disk", real, 1,
      [](const E& e, int row, int) { return e.world.disks.mass[row]; }},
-    {"angle", "rad", "turned since it was placed, counter-clockwise", real, 1,
+    {"angle", "rad", "rotation since it was placed, counter-clockwise", real, 1,
      [](const E& e, int row, int) { return e.world.disks.angle[row]; }},
-    {"velocity", "sqrt(g d)", "of the centre", real, 2,
+    {"velocity", "sqrt(g d)", "velocity of the centre", real, 2,
      [](const E& e, int row, int k) { return e.world.disks.velocity[row][k]; }},
     {"spin", "sqrt(g/d)", "angular velocity, counter-clockwise", real, 1,
      [](const E& e, int row, int) { return e.world.disks.velocity[row].z(); }},
-    {"speed", "sqrt(g d)", "of the centre", real, 1,
+    {"speed", "sqrt(g d)", "speed of the centre", real, 1,
      [](const E& e, int row, int) { return e.world.disks.velocity[row].head<2>().norm(); }},
-    {"applied_force", "F_g", "besides gravity, contacts and drag", real, 2,
+    {"applied_force", "F_g", "force in addition to gravity, contacts and drag", real, 2,
      [](const E& e, int row, int k) { return e.world.disks.applied[row][k]; }},
-    {"applied_torque", "F_g d", "besides that of contacts", real, 1,
+    {"applied_torque", "F_g d", "torque in addition to that of contacts", real, 1,
      [](const E& e, int row, int) { return e.world.disks.applied[row].z(); }},
     {"pressure", "F_g/d", "compressive normal forces over the circumference", real, 1,
      [](const E& e, int row, int) { return e.pressure[static_cast<std::size_t>(row)]; }},
@@ -63,27 +63,27 @@ constexpr DataColumn kDiskColumns[] = {
      }},
     {"fixed", "1", "1: moves as prescribed, whatever acts on it", integer, 1,
      [](const E& e, int row, int) { return e.world.disks.fixed(row) ? 1.0 : 0.0; }},
-    {"contacts", "1", "touching neighbours, walls among them", integer, 1,
+    {"contacts", "1", "touching neighbours, including walls", integer, 1,
      [](const E& e, int row, int) -> double { return e.counts.touching[row]; }},
     {"loaded_contacts", "1", "contacts that carry a compressive force or a bond", integer, 1,
      [](const E& e, int row, int) -> double { return e.counts.loaded[row]; }},
-    {"active_bonds", "1", "bonds that hold", integer, 1,
+    {"active_bonds", "1", "bonds that have not broken", integer, 1,
      [](const E& e, int row, int) -> double { return e.counts.active[row]; }},
     {"broken_bonds", "1", "bonds that broke and were not healed", integer, 1,
      [](const E& e, int row, int) -> double { return e.counts.broken[row]; }},
-    {"initial_bonds", "1", "bonds counted as initial ones, active or broken", integer, 1,
+    {"initial_bonds", "1", "initial bonds, active or broken", integer, 1,
      [](const E& e, int row, int) -> double { return e.counts.initial[row]; }},
 };
 
 constexpr DataColumn kContactColumns[] = {
-    {"a", "1", "number of the disk that the normal comes from", integer, 1,
+    {"a", "1", "number of the disk from which the normal points", integer, 1,
      [](const E& e, int row, int) -> double { return e.world.row(link(e, row).pair.a); }},
-    {"b", "1", "number of the disk that the normal goes to; -1: a wall", integer, 1,
+    {"b", "1", "number of the disk to which the normal points; -1: a wall", integer, 1,
      [](const E& e, int row, int) -> double {
        const int b = e.world.row(link(e, row).pair.b);
        return is_wall(b) ? -1 : b;
      }},
-    {"wall", "1", "number of that wall; -1: a disk", integer, 1,
+    {"wall", "1", "number of the wall; -1: b is a disk", integer, 1,
      [](const E& e, int row, int) -> double {
        const int b = link(e, row).pair.b;
        return is_wall(b) ? b - kWallBase : -1;
@@ -96,19 +96,19 @@ constexpr DataColumn kContactColumns[] = {
        if (bond == nullptr) return 0.0;
        return bond->state == BondState::active ? 1.0 : 2.0;
      }},
-    {"initial", "1", "1: the bond is counted as an initial one", integer, 1,
+    {"initial", "1", "1: the bond is an initial bond", integer, 1,
      [](const E& e, int row, int) {
        const Bond* bond = link(e, row).bond;
        return bond != nullptr && bond->initial ? 1.0 : 0.0;
      }},
-    {"gap", "d", "now, positive when apart", real, 1,
+    {"gap", "d", "current gap, positive when apart", real, 1,
      [](const E& e, int row, int) { return e.world.gap(link(e, row).pair); }},
     {"branch", "d",
      "from the centre of a to that of b, or to the point of contact with a wall or shaped body",
      real, 2, [](const E& e, int row, int k) { return e.branch(link(e, row))[k]; }},
-    {"normal", "1", "unit vector from a to b, now", real, 2,
+    {"normal", "1", "current unit vector from a to b", real, 2,
      [](const E& e, int row, int k) { return present_normal(e, row)[k]; }},
-    {"force", "F_g", "on b in the last step, along that step's normal and tangent", real, 2,
+    {"force", "F_g", "force on b in the last step, along that step's normal and tangent", real, 2,
      [](const E& e, int row, int k) {
        const Contact* contact = link(e, row).contact;
        return contact != nullptr ? contact->force(e.world.impulse_dt)[k] : 0;
@@ -126,15 +126,15 @@ constexpr DataColumn kContactColumns[] = {
 constexpr DataColumn kWallColumns[] = {
     {"wall", "1", "number of the wall, from 0", integer, 1,
      [](const E&, int row, int) -> double { return row; }},
-    {"point", "d", "a point of its surface", real, 2,
+    {"point", "d", "a point on its surface", real, 2,
      [](const E& e, int row, int k) { return wall(e, row).point[k]; }},
     {"normal", "1", "unit vector into the free side", real, 2,
      [](const E& e, int row, int k) { return wall(e, row).normal[k]; }},
-    {"velocity", "sqrt(g d)", "of the wall", real, 2,
+    {"velocity", "sqrt(g d)", "velocity of the wall", real, 2,
      [](const E& e, int row, int k) { return wall(e, row).velocity[k]; }},
-    {"mass", "grain masses", "0: it moves as prescribed", real, 1,
+    {"mass", "grain masses", "mass of the wall; 0: it moves as prescribed", real, 1,
      [](const E& e, int row, int) { return wall(e, row).mass; }},
-    {"force", "F_g", "along the normal, on a wall with mass", real, 1,
+    {"force", "F_g", "force along the normal, on a wall with mass", real, 1,
      [](const E& e, int row, int) { return wall(e, row).force; }},
     {"role", "1", "0 floor, 1 side, 2 piston", integer, 1,
      [](const E& e, int row, int) { return static_cast<double>(wall(e, row).role); }},
@@ -154,7 +154,7 @@ constexpr DataColumn kOutlineColumns[] = {
 };
 
 constexpr DataColumn kStateColumns[] = {
-    {"time", "sqrt(d/g)", "since the beginning", real, 1,
+    {"time", "sqrt(d/g)", "time since the beginning", real, 1,
      [](const E& e, int, int) { return e.world.time; }},
     {"step", "1", "time steps since the beginning", integer, 1,
      [](const E& e, int, int) { return static_cast<double>(e.world.step); }},
@@ -174,7 +174,7 @@ constexpr DataTable kTables[] = {
        const Vec2 from = e.place(e.world.row(l.pair.a));
        return which == 0 ? from : Vec2(from + e.branch(l));
      }},
-    {"walls", "straight walls; lines as long as the packing is wide or high", kWallColumns,
+    {"walls", "straight walls, as lines as long as the packing is wide or high", kWallColumns,
      [](const E& e) { return static_cast<int>(e.world.walls.size()); }, 2,
      [](const E& e, int row, int which) { return e.wall_end(row, which); }},
     {"outlines", "intruders of several parts: the outline of each part in straight pieces",
@@ -184,8 +184,8 @@ constexpr DataTable kTables[] = {
      }},
 };
 
-constexpr DataTable kStates{"states", "a row a state", kStateColumns, [](const E&) { return 1; },
-                            0,        nullptr};
+constexpr DataTable kStates{
+    "states", "one row per state", kStateColumns, [](const E&) { return 1; }, 0, nullptr};
 
 }  // namespace
 

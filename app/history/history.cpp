@@ -62,7 +62,7 @@ void History::scan() {
   if (end_ == 0) {
     std::array<std::uint8_t, kFileHeadSize> head{};
     if (read_at(file_.number(), 0, head) < head.size())
-      throw InputError(path_.string(), "is no history of a run: it is too short");
+      throw InputError(path_.string(), "is not the history of a run: it is too short");
     try {
       stride_from(head);
     } catch (const std::runtime_error& problem) {
@@ -73,7 +73,7 @@ void History::scan() {
   std::array<std::uint8_t, kRecordHeadSize> bytes{};
   while (size - end_ >= kRecordHeadSize && read_at(file_.number(), end_, bytes) == bytes.size()) {
     const auto head = head_from(bytes);
-    if (!head) fail(end_, "here no record begins; the file is damaged");
+    if (!head) fail(end_, "no record begins here; the file is damaged");
     const Moment& moment = head->moment;
     if (!moments_.empty() &&
         !(moment.row > moments_.back().row && moment.time >= moments_.back().time))
@@ -123,7 +123,7 @@ World History::world(std::size_t k) const {
   // The head may be of another file since, but never asks for more than there is.
   const std::uint64_t size = size_of(file_.number());
   if (start > size || place.head.packed > size - start)
-    fail(place.offset, "the record is no longer there; the run was resumed meanwhile");
+    fail(place.offset, "the record no longer exists; the run was resumed in the meantime");
   Bytes bytes(place.head.packed);
   if (read_at(file_.number(), start, bytes) < bytes.size()) fail(place.offset, "cannot be read");
   try {

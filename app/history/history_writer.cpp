@@ -107,7 +107,7 @@ void HistoryWriter::thin_out() {
   stride_ *= 2;
   file_.close();
   std::ifstream all(path_, std::ios::binary);
-  if (!stride_of(all)) throw InputError(path_.string(), "was damaged while the run computes");
+  if (!stride_of(all)) throw InputError(path_.string(), "was damaged while the run was computing");
   WholeFile fewer(path_);
   write(fewer.stream(), file_head(stride_));
   size_ = kFileHeadSize;

@@ -92,7 +92,7 @@ std::int64_t stride_from(std::span<const std::uint8_t, kFileHeadSize> bytes) {
   std::int64_t stride = 0;
   describe_letters(reader, format);
   reader.value(version), reader.value(stride), reader.value(hash);
-  if (format != kFormat) throw std::runtime_error("is no history of a run");
+  if (format != kFormat) throw std::runtime_error("is not the history of a run");
   if (hash != checksum(bytes.first(kFileHeadSize - sizeof hash)) || stride < 1 ||
       stride > kLongestStride)
     throw std::runtime_error("is damaged at its first bytes");
@@ -157,7 +157,7 @@ World world_from_record(const RecordHead& head, std::span<const std::uint8_t> pa
   if (got != bytes.size()) throw std::runtime_error("it is cut short");
   World world = world_from_snapshot(bytes);
   if (world.time != head.moment.time || world.step != head.moment.step)
-    throw std::runtime_error("it is of another moment");
+    throw std::runtime_error("it belongs to another moment");
   return world;
 }
 

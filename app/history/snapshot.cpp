@@ -204,7 +204,7 @@ void take_disks(const Columns& c, Disks& disks) {
   require(of_size(c.x.size(), c.y, c.angle, c.vx, c.vy, c.spin, c.radius, c.density, c.fx, c.fy,
                   c.torque, c.disk_flags),
           "the columns of the disks differ in length");
-  require(std::abs(c.exponent) < std::numeric_limits<double>::max_exponent, "no such coordinates");
+  require(std::abs(c.exponent) < std::numeric_limits<double>::max_exponent, "invalid coordinates");
   const auto place = [&](std::int64_t steps) {
     return std::ldexp(static_cast<double>(steps), -c.exponent);
   };
@@ -250,7 +250,7 @@ void take_shapes(const ShapeColumns& c, World& world) {
                                     .shaft = c.corner_shaft[k] != 0});
   Disks& disks = world.disks;
   for (std::size_t k = 0; k < c.body.size(); ++k) {
-    require(c.body[k] >= 0 && c.body[k] < disks.size(), "a shape is of no body");
+    require(c.body[k] >= 0 && c.body[k] < disks.size(), "a shape belongs to no body");
     world.shapes.bodies.push_back(
         {.body = c.body[k], .inertia = c.inertia[k], .arm = c.arm[k], .radius = c.radius[k]});
     if (!disks.fixed(c.body[k])) disks.inverse_mass[c.body[k]].z() = 1 / c.inertia[k];
@@ -275,7 +275,7 @@ void take_pairs(const Columns& c, World& world) {
     a += c.a[k];
     const std::int64_t b = c.b[k] < 0 ? kWallBase - 1 - std::int64_t{c.b[k]} : a + c.b[k];
     require(known(a) && (c.b[k] < 0 ? b < kWallBase + nw : b > a && known(b)),
-            "a pair is not one of its bodies");
+            "a pair does not belong to these bodies");
     const Pair pair{static_cast<int>(a), static_cast<int>(b)};
     const std::uint8_t flags = c.pair_flags[k];
     if ((flags & kBond) != 0)
@@ -328,7 +328,7 @@ World world_from_snapshot(std::span<const std::uint8_t> bytes) {
   take_disks(columns, world.disks);
   take_shapes(shapes, world);
   take_pairs(columns, world);
-  require(of_size(columns.trajectory_x.size(), columns.trajectory_y), "no such trajectory");
+  require(of_size(columns.trajectory_x.size(), columns.trajectory_y), "invalid trajectory");
   for (std::size_t k = 0; k < columns.trajectory_x.size(); ++k)
     world.trajectory.places.emplace_back(columns.trajectory_x[k], columns.trajectory_y[k]);
   if (const char* problem = inconsistency(checked)) throw std::runtime_error(problem);

@@ -22,13 +22,15 @@ std::string text_in(const fs::path& file) {
   }
 }
 
-// Whether a folder holds the scene of this job. Another build may have written it with other defaults left out or in,
-// and the folder may have been moved with all its runs, so that only the end of start_from is the same.
+// Whether a folder holds the scene of this job. Another build may have written it with other defaults left out or in, or
+// with other words about its purpose, and the folder may have been moved with all its runs, so that only the end of
+// start_from is the same.
 bool is_scene_of(const Job& job, const std::string& text) {
   const std::string expected = to_text(job.scenario);
   if (text == expected) return true;
   try {
     Scenario found = scenario_from_json(parse_json(text));
+    found.description = job.scenario.description;
     if (job.after) {
       // runs/NAME/NUMBER/state.cbor
       const auto end_of = [](const fs::path& path) {
@@ -92,8 +94,8 @@ void require_own_scene(const Job& job) {
   if (scene.empty() || is_scene_of(job, scene)) return;
   throw InputError(job.folder.scene().string(),
                    "is not the scene of run " + job_name(job) +
-                       ": the folder holds the runs of something else, or of other settings; "
-                       "choose another folder with --out, or remove it");
+                       ": the folder holds other runs, or runs with other settings; choose another "
+                       "folder with --out, or remove this one");
 }
 
 }  // namespace quicksand

@@ -33,12 +33,12 @@ void describe_heading(Fields& f, std::string& name, std::string& description, co
 
 std::string name_of(const std::filesystem::path& file) {
   std::string name = file.stem().string();
-  const std::string problem = !is_utf8(name)             ? "is no UTF-8"
+  const std::string problem = !is_utf8(name)             ? "is not valid UTF-8"
                               : !can_name_a_folder(name) ? what_can_name_a_folder()
                                                          : "";
   if (!problem.empty())
-    throw InputError("name", "is missing, and the name of the file, which stands in for it, " +
-                                 problem + "; give one, or rename the file");
+    throw InputError("name", "is missing, and the file's name, used in its place, " + problem +
+                                 "; give a name, or rename the file");
   return name;
 }
 

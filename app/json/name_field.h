@@ -21,14 +21,14 @@ std::string name_of(const std::filesystem::path& file);
 // Such as line ends: a name with them would not be shown as it is.
 bool has_control_characters(std::string_view text);
 
-// The one of `known` that a field names; refuses a word that is none of them, "is no `what`", with the nearest. Nullptr
-// where nothing is read.
+// The one of `known` that a field names; refuses a word that is none of them, "is not a `what`", with the nearest.
+// Nullptr where nothing is read.
 template <class Known, class Name>
 auto known_in_field(Fields& f, const char* key, const std::string& word, const Known& known,
                     Name name, const char* what) -> decltype(std::data(known)) {
   if (!f.reading()) return nullptr;
   try {
-    return &named(known, word, name, "", "\"" + word + "\" is no " + what);
+    return &named(known, word, name, "", "\"" + word + "\" is not a " + what);
   } catch (const InputError& error) {
     f.refuse(key, error.what(), error.nearest());
   }

@@ -47,7 +47,7 @@ std::string values(const Json& schema) {
   if (schema.contains("enum")) return alternatives(schema["enum"], " or ");
   if (schema.contains("const")) return code(schema["const"].get<std::string>());
   if (!schema.contains("type")) return "any value";
-  if (schema["type"].is_array()) return "text or object";
+  if (schema["type"].is_array()) return words_of_types(schema["type"]);
   const std::string type = schema["type"];
   if (type == "array") return list_values(schema);
   if (type == "string") return "text";
@@ -101,6 +101,19 @@ void add_rows(const Json& schema, const std::string& prefix, const std::set<std:
 }
 
 }  // namespace
+
+std::string words_of_types(const Json& types) {
+  std::string text;
+  for (std::size_t i = 0; i < types.size(); ++i) {
+    if (i > 0) text += i + 1 == types.size() ? " or " : ", ";
+    const std::string type = types[i];
+    text += type == "string"    ? "text"
+            : type == "array"   ? "list"
+            : type == "boolean" ? "true, false"
+                                : type;
+  }
+  return text;
+}
 
 std::string key_table(const Json& schema, const std::set<std::string>& left_out) {
   std::string rows;

@@ -13,4 +13,7 @@ namespace quicksand {
 // key of the objects inside, by its path. The keys in `left_out` have no row. Empty if there is none.
 std::string key_table(const Json& schema, const std::set<std::string>& left_out = {});
 
+// "text or list", of the types that a schema lists where a value may have several.
+std::string words_of_types(const Json& types);
+
 }  // namespace quicksand

@@ -30,10 +30,10 @@ void add_moment_options(CLI::App& command, MomentOptions& options) {
   const auto time = in_range(between(0, kLongestTime, "sqrt(d/g)"));
   command
       .add_option("--from", options.from,
-                  "first time of the history [sqrt(d/g)]; its beginning if absent")
+                  "start at this time of the history [sqrt(d/g)]; its beginning if absent")
       ->type_name("TIME")
       ->check(time);
-  command.add_option("--to", options.to, "last time [sqrt(d/g)]; its end if absent")
+  command.add_option("--to", options.to, "end at this time [sqrt(d/g)]; its end if absent")
       ->type_name("TIME")
       ->check(time);
 }

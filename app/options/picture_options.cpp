@@ -50,13 +50,12 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
         ->type_name("NAME")
         ->capture_default_str();
   }
-  command.add_option("--size", options.size, "of the picture in pixels")
+  command.add_option("--size", options.size, "size of the picture in pixels")
       ->type_name("WxH")
       ->capture_default_str();
   command
       .add_option("--window", options.window,
-                  "lower left and upper right corner of the part that is shown [d]; the box if "
-                  "absent")
+                  "lower left and upper right corners of the part to show [d]; the box if absent")
       ->type_name("X,Y,X,Y")
       ->delimiter(',')
       ->expected(4);
@@ -112,7 +111,7 @@ View view_from(const PictureOptions& options) {
     const ViewWord& word = view_words()[i];
     const std::string_view& found = named(word.words, options.words[i], std::identity(),
                                           option_of(word.field) + " " + options.words[i],
-                                          "is no " + std::string(word.field.name));
+                                          "is not a " + std::string(word.field.name));
     word.choose(view, static_cast<int>(&found - word.words.data()));
   }
   read_size(options.size, view.width, view.height);

@@ -11,10 +11,12 @@ namespace quicksand {
 void add_threads_option(CLI::App& command, std::int64_t& threads, const char* meaning);
 
 inline constexpr const char* kThreadsOfOneRun =
-    "threads that solve contacts where there are some thousands; the results are the same";
+    "threads for the contact solver, used from a few thousand contacts on; the results are the "
+    "same";
 
 inline constexpr const char* kThreadsOfRuns =
-    "runs at the same time; when half as many are left, threads that solve their contacts";
+    "runs computed at the same time; once half as many are left, free threads help to solve their "
+    "contacts";
 
 // `asked`, or all cores of the machine if that is 0.
 int thread_count(std::int64_t asked);

@@ -29,7 +29,7 @@ void show_actions(PanelFrame& frame) {
   const float half = (ImGui::GetContentRegionAvail().x - gap) / 2;
 
   if (act(frame, {"Push", {}, "Puts an intruder on the surface and pushes it down."},
-          {"push force", {}, "Downward, besides the intruder's weight.", "F_g", true},
+          {"push force", {}, "Downward, in addition to the intruder's weight.", "F_g", true},
           entries.push_force)) {
     frame.command(
         "push",
@@ -41,14 +41,14 @@ void show_actions(PanelFrame& frame) {
     if (act(frame,
             {"Pull",
              {},
-             std::string("Seeks the smallest force that takes the intruder out.") +
+             std::string("Finds the smallest force that pulls the intruder out.") +
                  (intruder ? "" : " There is none.")},
-            {"pull force", {}, "Upward, of the first trial.", "F_g", true}, entries.pull_force)) {
+            {"pull force", {}, "Upward, in the first trial.", "F_g", true}, entries.pull_force)) {
       frame.command("pull", {{"first_force", entries.pull_force}});
     }
   }
-  if (act(frame, {"Piston", {}, "Lays a piston on the packing and presses it down."},
-          {"piston force", {}, "Downward, besides the piston's weight.", "F_g", true},
+  if (act(frame, {"Piston", {}, "Places a piston on the packing and presses it down."},
+          {"piston force", {}, "Downward, in addition to the piston's weight.", "F_g", true},
           entries.piston_force)) {
     frame.command("piston", {{"mass", 1}, {"force", entries.piston_force}, {"max_time", kLongest}});
   }
@@ -60,11 +60,11 @@ void show_actions(PanelFrame& frame) {
   if (const auto file = w.text({"file", "State file", "Where the state is saved."}, entries.file)) {
     entries.file = *file;
   }
-  if (w.button({"Save state", {}, "Saves all that is needed to go on."}, half)) {
+  if (w.button({"Save state", {}, "Saves everything needed to continue."}, half)) {
     frame.command("save", {{"file", entries.file}});
   }
   ImGui::SameLine();
-  if (w.button({"Load state", {}, "Goes on from a saved state."}, half)) {
+  if (w.button({"Load state", {}, "Continues from a saved state."}, half)) {
     frame.command("restore", {{"file", entries.file}});
   }
   if (const auto on = w.checkbox({"Record frames", {}, "Writes each frame to a picture file."},

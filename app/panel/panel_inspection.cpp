@@ -98,9 +98,9 @@ void show_inspection(PanelFrame& frame) {
     w.caption("Click on a grain to see what holds it. Drag from a grain to pull at it.");
   }
   if (session.loaded()) {
-    if (const auto stiffness = w.number(
-            {"drag stiffness", "Drag with", "Force over the distance that is dragged.", "F_g/d"},
-            drag_stiffness(frame), false)) {
+    if (const auto stiffness =
+            w.number({"drag stiffness", "Drag with", "Force over the distance dragged.", "F_g/d"},
+                     drag_stiffness(frame), false)) {
       frame.entries.drag_stiffness = *stiffness;
     }
   }

@@ -56,7 +56,7 @@ void show_parameters(PanelFrame& frame) {
       const Widgets::Disabled disabled(w, last.empty());
       if (w.button({"Undo", "Undo",
                     last.empty() ? "Nothing was changed."
-                                 : "Takes the change of " + last + " back. Ctrl+Z."},
+                                 : "Undoes the change of " + last + ". Ctrl+Z."},
                    w.field_width()))
         frame.command("undo");
     }

@@ -62,7 +62,8 @@ void show_scene(PanelFrame& frame) {
   }
   show_files(frame);
   if (const std::vector<std::string>& recent = frame.notes.recent; !recent.empty()) {
-    const auto again = w.combo({"recent", "Recent", "What was opened before."}, recent, "choose …");
+    const auto again =
+        w.combo({"recent", "Recent", "Scenes and runs opened before."}, recent, "choose …");
     if (again) open(frame, *again);
   }
   w.end_section();
@@ -131,7 +132,7 @@ void show_controls(PanelFrame& frame) {
     }
   }
   ImGui::SameLine();
-  if (w.button({"Reset", {}, "Starts the scene again, with the values that it has now."}, third)) {
+  if (w.button({"Reset", {}, "Restarts the scene with its current values."}, third)) {
     frame.command("reset");
   }
   if (const auto steps = w.number(

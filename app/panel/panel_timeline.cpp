@@ -63,21 +63,22 @@ void show_timeline(PanelFrame& frame) {
   if (w.button({"Play", playing ? "Pause" : "Play", "Also by the space bar."}, third, !playing))
     frame.command("play", {{"on", !playing}});
   ImGui::SameLine();
-  if (w.button({"Forward", {}, "One sample on; also by the right arrow."}, third))
+  if (w.button({"Forward", {}, "One sample forward; also by the right arrow."}, third))
     frame.command("show", {{"by", 1}});
   if (const auto speed =
           w.number({"Speed", {}, "Samples between two pictures of the panel.", "a frame"},
                    timeline.speed, false))
     frame.command("play", {{"on", playing}, {"speed", *speed}});
-  if (const auto loop = w.checkbox({"Loop", {}, "Begins again at the end."}, timeline.loop))
+  if (const auto loop = w.checkbox({"Loop", {}, "Starts over at the end."}, timeline.loop))
     frame.command("play", {{"on", playing}, {"loop", *loop}});
   jump_to_phase(frame, timeline);
   w.reading("Sample", std::to_string(timeline.shown() + 1) + " of " +
                           std::to_string(timeline.moments().size()));
-  if (w.button({"Go on from here",
-                {},
-                "Computes on from the nearest checkpoint: the run's state, or its beginning."},
-               ImGui::GetContentRegionAvail().x))
+  if (w.button(
+          {"Go on from here",
+           {},
+           "Continues computing from the nearest checkpoint: the run's state, or its beginning."},
+          ImGui::GetContentRegionAvail().x))
     frame.command("go_on");
   w.end_section();
 }
@@ -101,7 +102,7 @@ class Strip {
     ImGui::InvisibleButton("###strip",
                            {std::max(1.0F, high_.x - low_.x), std::max(1.0F, high_.y - low_.y)});
     w_.record("Strip", Widget::Kind::plot, short_number(timeline_.moment().time));
-    w_.tooltip("Shows the moment that is pressed or dragged to; bars: bonds that fail per time.");
+    w_.tooltip("Shows the moment clicked or dragged to; bars: bonds that fail per unit time.");
     if (ImGui::IsItemActive()) take_mouse();
     list_->AddRectFilled(low_, high_, ImGui::GetColorU32(w_.colours().field));
     draw_phases();

@@ -78,7 +78,7 @@ class Agreement {
 
   void add_points(const MethodFindings& method, std::size_t style, double aside, bool chose) {
     const std::string title = method_title(method.method);
-    Curve curve{.name = chose ? title + ", chose its setting" : title,
+    Curve curve{.name = chose ? title + ", used to choose its settings" : title,
                 .style = style,
                 .colour = method_colour(title),
                 .open = chose};
@@ -95,11 +95,11 @@ class Agreement {
   }
 
   Plot plot_{.name = "agreement",
-             .x = {.label = "ours over the paper's", .logarithmic = true},
+             .x = {.label = "our number over the paper's", .logarithmic = true},
              .y = {.high = kHalf},
              .references = {{.low = 1, .of_x = true, .role = Reference::Role::guide}},
              .width = kWidth};
-  Curve paper_{.name = "the paper's digits or interval",
+  Curve paper_{.name = "paper: last digit or interval",
                .kind = Curve::Kind::boxes,
                .role = Curve::Role::paper};
   std::string group_;
@@ -114,19 +114,18 @@ Report collected_report(const std::vector<std::filesystem::path>& files, const V
   const PaperTargets targets = read_targets(shipped_targets());
   std::vector<MethodFindings> methods = merged(files, box);
   Report report{.title = "Collapsing granular suspensions, all numbers",
-                .intro = {"Every number of the paper beside ours, each from the report that it "
-                          "links to, which has its figures and runs. Boxes of " +
+                .intro = {"All numbers of the paper beside ours. Each of ours links to the report "
+                          "that it is taken from, with figures and runs. Our boxes measure " +
                           number_text(box.x()) + " x " + number_text(box.y()) +
-                          " d; the paper has one of 51 x 199 d and 10 realizations."}};
+                          " d; the paper uses one of 51 x 199 d and 10 realizations."}};
   add_first_page(report, targets.targets, methods, folder);
   Section all{.title = "All numbers in one picture", .blocks = {}};
-  all.add(Figure{
-      .plot = Agreement(targets, methods).take(),
-      .caption = "Ours over the paper's numbers, with bars of one standard error. Grey: the "
-                 "paper's last digit, or its interval, of which the geometric mean counts as "
-                 "its number. Open: these chose the setting of NSCD. What is a bound, or may be "
-                 "zero, is left out.",
-      .command = command});
+  all.add(Figure{.plot = Agreement(targets, methods).take(),
+                 .caption = "Our numbers divided by the paper's, with bars of one standard error. "
+                            "Grey: the paper's last digit, or its interval, whose geometric mean "
+                            "stands for its number. Open symbols: numbers used to choose the NSCD "
+                            "settings. Bounds and numbers that may be zero are left out.",
+                 .command = command});
   report.sections = {
       std::move(all),
       {.title = "What was free, and what each choice does",

@@ -25,17 +25,16 @@ void add_first_page(Report& report, const std::vector<Target>& targets,
                         [](const MethodFindings& method) { return method.method == "nscd"; });
   const std::string all = std::to_string(shown.targets.size());
   if (targets.empty()) {
-    report.lead.emplace_back(Paragraph{"None of the " + all +
-                                       " numbers of the paper is measured by this part of the "
-                                       "programme."});
+    report.lead.emplace_back(
+        Paragraph{"This part of the programme measures none of the paper's " + all + " numbers."});
     return;
   }
   std::string counts =
       joined(methods, ". ",
              [&](const MethodFindings& method) { return tally_text(shown, method); }) +
-      ". These are of the " + all + " numbers of the paper";
+      ". The paper gives " + all + " numbers";
   if (targets.size() < shown.targets.size())
-    counts += "; the table has the " + std::to_string(targets.size()) +
+    counts += "; the table shows the " + std::to_string(targets.size()) +
               " that this part of the programme measures";
   report.lead.emplace_back(Paragraph{counts + "."});
   shown.targets = targets;

@@ -34,20 +34,18 @@ Found found_by(const Programme& programme, const PaperResults& results) {
 
 std::string method_paragraph(const PaperScale& scale) {
   if (!scale.nscd)
-    return "exact: every step is solved to a tolerance, and a bond fails by the energy of an "
-           "impact. "
-           "Pushes take steps of " +
-           number_text(scale.push_step) + " sqrt(d/g) at most; a grain is deposited every " +
+    return "exact: every step is solved to a tolerance, and bonds fail by the energy criterion. "
+           "Pushes use time steps of at most " +
+           number_text(scale.push_step) + " sqrt(d/g); a grain is deposited every " +
            number_text(scale.interval) + " sqrt(d/g).";
   return "NSCD, standard nonsmooth contact dynamics: " + count_text(scale.nscd->sweeps, "sweep") +
-         " of projected Gauss-Seidel a step in random order, taken as they are, in steps "
-         "of " +
+         " of projected Gauss-Seidel per step, in random order, whose result is accepted as it is. "
+         "Time steps are " +
          number_text(scale.nscd->deposit_step) + " (deposition) and " +
          number_text(scale.nscd->fast_step) +
-         " sqrt(d/g) (all else). A bond fails where the gap after the step is above d_c, whether "
-         "the "
-         "step converged or not; while grains are deposited every touch forms a bond. The numbers "
-         "depend on sweeps and time step.";
+         " sqrt(d/g) (everything else). A bond fails if its gap after the step exceeds d_c, "
+         "whether the step converged or not; during deposition every touch forms a bond. The "
+         "numbers depend on the number of sweeps and on the time step.";
 }
 
 // The rows of the first page: of a part of the programme what that part measures.
@@ -74,11 +72,10 @@ std::vector<std::string> add_figures(Report& report, const PaperReport& made,
                                      std::vector<Found>& found) {
   std::vector<std::string> missing;
   Section snapshots{.title = "Snapshots", .blocks = {}};
-  snapshots.add(Paragraph{
-      "Last states of the first realization. The paper's colours are not among the facts that we "
-      "have of it: beside the number of active bonds stands, in two colours, whether all bonds of "
-      "a "
-      "grain hold."});
+  snapshots.add(
+      Paragraph{"Final states of the first realization. We do not have the paper's colours: each "
+                "state is shown by the number of active bonds of each grain and, in two colours, "
+                "by whether all bonds of a grain hold."});
   for (const PaperFigure& figure : paper_figures()) {
     std::vector<std::pair<std::string, Section>> parts;
     bool asked = false;
@@ -106,15 +103,15 @@ std::vector<std::string> add_figures(Report& report, const PaperReport& made,
 
 void add_intro(Report& report, const std::vector<Programme>& programmes) {
   const PaperScale& scale = programmes.front().jobs.scale();
-  report.intro = {"Every number of the paper beside ours. Boxes of " + number_text(scale.width) +
-                  " x " + number_text(scale.height) + " d, " +
-                  count_text(scale.realizations, "realization") +
-                  " at most; the paper has 51 x 199 d and 10."};
-  if (scale.width != PaperScale{}.width || scale.height != PaperScale{}.height)
+  report.intro = {"All numbers of the paper beside ours. Our boxes measure " +
+                  number_text(scale.width) + " x " + number_text(scale.height) +
+                  " d, with at most " + count_text(scale.realizations, "realization") +
+                  "; the paper uses 51 x 199 d and 10 realizations."};
+  if (scale.width < PaperScale{}.width || scale.height < PaperScale{}.height)
     report.intro.emplace_back(
-        "The box is smaller than the paper's: depths, heights and what depends on the weight above "
-        "cannot agree, and walls and floor are nearer. The reasons for what is outside are those "
-        "measured in the paper's box where they do not say otherwise.");
+        "The box is smaller than the paper's: depths, heights and quantities that depend on the "
+        "weight above cannot agree, and walls and floor are closer. Unless stated otherwise, the "
+        "reasons for values outside were measured in the paper's box.");
 }
 
 }  // namespace

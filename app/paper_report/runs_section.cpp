@@ -18,8 +18,8 @@ struct Totals {
   double unconverged = 0, halved = 0, broken = 0;
   std::string text() const {
     return std::to_string(finished) + " of " + std::to_string(wanted) +
-           " runs finished. Steps taken without convergence: " + number_text(unconverged) +
-           "; steps taken as two halves: " + number_text(halved) +
+           " runs finished. Steps accepted without convergence: " + number_text(unconverged) +
+           "; steps repeated as two halves: " + number_text(halved) +
            "; bonds broken in unconverged steps: " + number_text(broken) + ".";
   }
 };
@@ -79,22 +79,21 @@ void add_runs(Section& section, const std::string& method, std::span<const Job> 
   for (const auto& [totals, name] : {std::pair{&exact, kExactMethod}, {&nscd, kNscdMethod}})
     if (totals->wanted > 0)
       section.add(Paragraph{method_title(std::string(name)) + ": " + totals->text()});
-  section.add(Paragraph{"Made by: " + commits_of(results, jobs.size()) +
-                        ". Every run's folder holds its scene, series, summary and last state."});
+  section.add(Paragraph{"Computed: " + commits_of(results, jobs.size()) +
+                        ". Each run's folder holds its scene, series, summary and final state."});
   if (of_others > 0)
-    section.add(
-        Remark{Remark::Kind::note,
-               std::to_string(of_others) +
-                   " of these runs were made by other builds than the one that wrote this report; "
-                   "their scenes are the same as this build's."});
-  Table table{.caption =
-                  "Runs by experiment. Moving: ended at the longest time of their last "
-                  "phase, before all of it had come to rest. What is not finished is missing "
-                  "from the means, and n says so.",
-              .columns = {{.title = "runs of " + method},
-                          {.title = "wanted", .number = true},
-                          {.title = "finished", .number = true},
-                          {.title = "moving", .number = true}}};
+    section.add(Remark{Remark::Kind::note,
+                       std::to_string(of_others) +
+                           " of these runs were made by builds other than the one that wrote this "
+                           "report; their scenes are identical to this build's."});
+  Table table{
+      .caption =
+          "Runs by experiment. Moving: runs that reached the max_time of their last phase before "
+          "everything had come to rest. Unfinished runs are missing from the means, as n shows.",
+      .columns = {{.title = "runs of " + method},
+                  {.title = "planned", .number = true},
+                  {.title = "finished", .number = true},
+                  {.title = "moving", .number = true}}};
   for (const Group& group : groups)
     table.rows.push_back({{group.name},
                           {std::to_string(group.wanted)},

@@ -81,7 +81,7 @@ class PlayedFile {
     std::fprintf(stderr, "quicksand: %s%s: %s\n  the command: %s\n", file_.where(i).c_str(),
                  inside.c_str(), answer.problem.c_str(), file_.commands[i].dump().c_str());
     if (options_.keep_going) return;
-    std::fprintf(stderr, "  up to there: quicksand session %s --stop-after %zu\n",
+    std::fprintf(stderr, "  to stop before it: quicksand session %s --stop-after %zu\n",
                  options_.file.c_str(), i);
   }
 

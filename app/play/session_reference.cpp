@@ -15,7 +15,7 @@ constexpr const char* kIntroduction = R"(# Reference of sessions
 For users who write sessions: every command, its arguments, their values, defaults and meaning. `quicksand list session_reference`
 prints this page; how sessions are used is in [sessions.md](sessions.md).
 
-A session file is an object with these keys, a command an object with the key `command` and its arguments.
+A session file is an object with these keys; a command is an object with the key `command` and its arguments.
 )";
 
 // The arguments of a command that begins a phase are the keys of that phase.

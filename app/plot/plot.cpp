@@ -222,7 +222,7 @@ PlotFiles write_plot(const Plot& plot, const std::filesystem::path& folder) {
   const ProgramEnd end = run_external({"gnuplot", plot.name + ".gp"}, folder);
   if (end.missing) {
     return without_pictures(
-        "plots need gnuplot (package gnuplot-nox); their data and scripts are there");
+        "plots need gnuplot (package gnuplot-nox); their data and scripts have been written");
   }
   if (!end.fine()) {
     return without_pictures("gnuplot failed on " + plot.name + ".gp: " + end.problem);

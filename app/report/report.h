@@ -89,7 +89,7 @@ struct Section {
   std::string title{};
   std::vector<Block> blocks{};
 
-  // Leaves out a plot without values. What a logarithmic axis cannot show is told, under the plot or in lieu of it.
+  // Leaves out a plot without values. Points that a logarithmic axis cannot show are counted under it, or in its place.
   void add(Block block);
 };
 

@@ -65,7 +65,8 @@ Json scene_of(const Checkpoint& checkpoint, const std::filesystem::path& state) 
   try {
     return parse_json(checkpoint.scene);
   } catch (const InputError& error) {
-    throw InputError(state.string(), std::string("holds no scene to go on with: ") + error.what());
+    throw InputError(state.string(),
+                     std::string("holds no scene to continue with: ") + error.what());
   }
 }
 
@@ -94,11 +95,13 @@ void check_phases(const Json& before, const Json& now, const Scenario& scenario,
       for (const Json* of : {&now[k], &before[k]})
         for (const auto& [key, value] : of->items())
           if (text_at(before[k], key) != text_at(now[k], key))
-            refuse(where + "." + key, "the phase has finished there", file, before[k], now[k], key);
+            refuse(where + "." + key, "the phase has already finished there", file, before[k],
+                   now[k], key);
     if (k != phase || !state.entered) continue;
     for (const std::string& key : set_up_by(scenario.phases[k]))
       if (text_at(before[k], key) != text_at(now[k], key))
-        refuse(where + "." + key, "the phase is under way there", file, before[k], now[k], key);
+        refuse(where + "." + key, "the phase has already begun there", file, before[k], now[k],
+               key);
   }
 }
 
@@ -119,8 +122,9 @@ Checkpoint read_continuation(const std::filesystem::path& state, const Scenario&
   }
   const auto phase = static_cast<std::size_t>(checkpoint.protocol.phase);
   if (phase > scenario.phases.size()) {
-    throw InputError("phases", "are " + std::to_string(scenario.phases.size()) + ", but " +
-                                   state.string() + " has finished " + std::to_string(phase));
+    throw InputError("phases", "has " + std::to_string(scenario.phases.size()) + " entries, but " +
+                                   state.string() + " has already finished " +
+                                   std::to_string(phase));
   }
   check_phases(phases_of(before), phases_of(now), scenario, checkpoint.protocol, state);
   return checkpoint;

@@ -52,12 +52,12 @@ Resumption resumption_of(const RunFolder& folder, bool frames) {
     refuse_unreadable(folder.state());
     return {starts_again, error.where() + " " + error.what()};
   }
-  if (!position) return {starts_again, folder.state().string() + " was not left by a run"};
+  if (!position) return {starts_again, folder.state().string() + " was not written by a run"};
   if (lacks_rows(folder, position->rows))
-    return {starts_again, folder.series().string() + " lacks rows that were there"};
+    return {starts_again, folder.series().string() + " lacks rows written before"};
   if (frames)
     if (const auto missing = missing_frame(folder, position->rows))
-      return {starts_again, missing->string() + " is not whole"};
+      return {starts_again, missing->string() + " is missing or incomplete"};
   return {has_finished(folder) ? finished : goes_on, {}};
 }
 

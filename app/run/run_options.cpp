@@ -10,17 +10,16 @@ namespace quicksand {
 namespace {
 
 void describe_strict(Fields& f, StrictBounds& strict) {
-  f.number({"max_overlap", "deepest overlap that is accepted"}, between(0, 1, "d"),
-           strict.max_overlap);
+  f.number({"max_overlap", "deepest overlap accepted"}, between(0, 1, "d"), strict.max_overlap);
 }
 
 void describe(Fields& f, RunOptions& options) {
   f.number({"every", "time between samples, instead of the scene's"},
            above(0, kLongestSampleTime, "sqrt(d/g)"), options.every);
   f.flag({"frames", "whether pictures are drawn"}, options.frames);
-  f.number({"history",
-            "size of history.qsh from which on every second sample is dropped; 0: no history"},
-           between(0, kLargestHistory, "MB"), options.history_limit);
+  f.number(
+      {"history", "size of history.qsh above which every second sample is dropped; 0: no history"},
+      between(0, kLargestHistory, "MB"), options.history_limit);
   f.number({"checkpoint_every", "wall time between checkpoints"},
            between(0, kLongestCheckpointTime, "s"), options.checkpoint_every);
   f.optional_object({"strict", "bounds of the validation"}, options.strict, describe_strict);

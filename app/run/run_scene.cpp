@@ -208,7 +208,7 @@ class Run {
     if (!is_of_force(search_kind(*next))) return;
     moving_bases_.push_back("phase " + std::to_string(protocol().state().phase - 1) +
                             " ended at its max_time, before it came to rest: the trials of " +
-                            std::string(phase_name(*next)) + " begin with bodies that move");
+                            std::string(phase_name(*next)) + " begin with moving bodies");
   }
 
   bool higher_than_the_picture() const {
@@ -236,21 +236,21 @@ class Run {
 RunPosition position_of(const Checkpoint& checkpoint, const fs::path& state) {
   if (const auto position = position_from(checkpoint.samples)) return *position;
   throw InputError(state.string(),
-                   "was not left by a run; go on from it in another folder with --out");
+                   "was not written by a run; continue from it in another folder with --out");
 }
 
 // What goes on, before anything of it is touched.
 void require_kept(const RunFolder& folder, std::int64_t rows, const RunOptions& options) {
   if (lacks_rows(folder, rows))
     throw InputError(folder.series().string(),
-                     "has other columns or fewer rows than the run that is to go on; continue it "
-                     "in another folder with --out");
+                     "has other columns or fewer rows than the run to be continued; continue it in "
+                     "another folder with --out");
   if (options.history_limit > 0) refuse_unreadable(folder.history());
   if (!options.frames) return;
   const auto missing = missing_frame(folder, rows);
   if (!missing) return;
   throw InputError(missing->string(),
-                   "is not there or not whole, though the run has been so far; go on with "
+                   "is missing or incomplete, although the run has passed it; continue with "
                    "--no-frames, or in another folder with --out");
 }
 
@@ -284,7 +284,7 @@ RunResult run_scene(const Scenario& scenario, const RunOptions& options) {
   if (options.keep_earlier && !earlier && holds_run(folder)) {
     const std::string name = shell_text(folder.path);
     throw InputError(folder.path.string(),
-                     "holds a run already; go on with it by `" + program_name() + " resume " +
+                     "already holds a run; continue it with `" + program_name() + " resume " +
                          name +
                          "`, replace it with --overwrite, or choose another folder with --out");
   }

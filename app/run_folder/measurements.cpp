@@ -33,8 +33,8 @@ struct CountValue {
   double ContactCounts::*value;
 };
 const CountValue kCountValues[] = {
-    {"touching", "neighbours that a grain touches", &ContactCounts::touching},
-    {"loaded", "... that are compressed, or bonded", &ContactCounts::loaded},
+    {"touching", "touching neighbours of a grain", &ContactCounts::touching},
+    {"loaded", "... that are compressed or bonded", &ContactCounts::loaded},
     {"bonded", "... by an active bond", &ContactCounts::bonded},
     {"without", "share of grains that touch nothing", &ContactCounts::without},
 };
@@ -153,8 +153,9 @@ Measurements measure_state(const StateFile& state, const MeasureChoices& choices
     m.profile_left_out = problem.where() + " of " + number_text(slice) + " d " + problem.what();
   }
   m.histograms = {
-      {"bond_angles", "rad", "between neighbouring active bonds of a grain", bond_angles(world)},
-      {"contact_orientations", "rad", "of touching grains against the horizontal",
+      {"bond_angles", "rad", "angle between neighbouring active bonds of a grain",
+       bond_angles(world)},
+      {"contact_orientations", "rad", "angle of contacts between grains to the horizontal",
        contact_orientations(world, touching)},
       {"contact_forces", "1", "compressive normal forces over their mean", contact_forces(world)},
       {"bond_tensions", "1", "tensile normal forces of bonds over the cohesion force",

@@ -41,12 +41,12 @@ void refuse_unreadable(const fs::path& file) {
 void make_writable(const RunFolder& folder) {
   if (is_there(folder.path) && !is_folder(folder.path)) {
     throw InputError(folder.path.string(),
-                     "is a file, the results need a folder; choose another with --out");
+                     "is a file, but the results need a folder; choose another with --out");
   }
   std::error_code error;
   fs::create_directories(folder.path, error);
   if (error) {
-    throw InputError(folder.path.string(), "cannot be made: " + error.message());
+    throw InputError(folder.path.string(), "cannot be created: " + error.message());
   }
   const fs::path probe = folder.path / ".quicksand_probe";
   const bool written = static_cast<bool>(std::ofstream(probe) << "writable");

@@ -153,28 +153,33 @@ bool is_bracketed(const Json& critical_force) {
 
 std::vector<std::string> search_warnings(const Json& results, int phases_finished) {
   std::vector<std::string> warnings;
-  int never = 0, always = 0, unbracketed = 0;
+  int never = 0, unforced = 0, always = 0, unbracketed = 0;
   for (const Json& found : results.value("critical_forces", Json::array())) {
     if (found.at("force_high").is_null()) ++never;
-    if (found.at("force_low") == 0) ++always;
+    if (found.at("force_high") == 0)
+      ++unforced;
+    else if (found.at("force_low") == 0)
+      ++always;
     if (!is_bracketed(found)) ++unbracketed;
   }
   const auto bodies = [](int n) { return count_text(n, "body", "bodies"); };
   const std::string times =
       "2^" + std::to_string(ForceBracket::kMostDoublings) + " times first_force";
   if (never > 0) warnings.push_back("No force up to " + times + " moved " + bodies(never) + ".");
+  if (unforced > 0) warnings.push_back(bodies(unforced) + " moved without any force.");
   if (always > 0)
     warnings.push_back(bodies(always) + " moved at every force down to first_force/2^" +
                        std::to_string(ForceBracket::kMostDoublings) + ".");
   if (unbracketed > 0)
-    warnings.push_back(
-        bodies(unbracketed) +
-        " did not come to rest in the trial with force_low: it ran out of time (max_time), so the "
-        "interval has no lower end that holds; force_held is the greatest force that did.");
+    warnings.push_back(bodies(unbracketed) +
+                       " did not come to rest in the trial with force_low: it ran out of time "
+                       "(max_time), so the lower end of the interval is not confirmed; force_held "
+                       "is the largest force at which they did.");
   for (const Json& deposit : results.value("adiabatic_unsettled", Json::array())) {
     const Json& change = deposit.at("change");
     warnings.push_back(
-        "The adiabatic deposit ended at its max_interval, before its volume fraction settled to " +
+        "The adiabatic deposit ended at its max_interval, before its volume fraction settled "
+        "within " +
         number_text(deposit.at("tolerance").get<double>()) +
         (change.is_null() ? std::string(": it has a single specimen.")
                           : ": the last change was " + number_text(change.get<double>()) + "."));

@@ -24,7 +24,7 @@ std::string nscd_note(const Scenario& scenario, const ProtocolState& state, std:
          " a step: " + std::to_string(state.unconverged_steps) + " of " + std::to_string(steps) +
          " steps did not converge to " + number_text(scenario.solver.tolerance) + " and " +
          count_text(state.broken_in_unconverged, "bond") +
-         " failed in them, as the method has it; residual " + spread(errors.residual, "") +
+         " failed in them, as is inherent in the method; residual " + spread(errors.residual, "") +
          "; gap of bonds " + spread(errors.bond_gap, " d") + "; overlap " +
          spread(errors.penetration, " d") + ". The results depend on sweeps and time step";
 }
@@ -48,14 +48,14 @@ std::string validation_failures(const ProtocolState& state, double present_overl
   if (!(state.worst_bond_gap <= bounds.max_overlap))
     add("a bond was left open by " + number_text(state.worst_bond_gap) +
         " d beyond its range, more than the " + number_text(bounds.max_overlap) +
-        " d that are accepted (step.max_turn shortens steps in which pairs turn far)");
+        " d that are accepted (step.max_turn shortens steps in which pairs rotate far)");
   // Exact contacts only dissipate. Collapses and pistons gain up to 1e-4 of it by overlaps that are pushed out, a bonded
   // pair that begins to turn by 0.5 rad a step 0.05 of its own; the least is what rounding does to bodies at rest.
   constexpr double kMostGained = 0.05, kLeast = 1e-6;  // [1], [F_g d]
   const double turned_over = std::abs(state.external_work) + state.energy_dissipated;
   if (!(state.energy_gained <= std::max(kMostGained * turned_over, kLeast)))
     add("steps gained an energy of " + number_text(state.energy_gained) + " F_g d, more than " +
-        number_text(kMostGained) + " of what was worked and dissipated (" +
+        number_text(kMostGained) + " of the work done and the energy dissipated (" +
         number_text(turned_over) + " F_g d)");
   return reasons;
 }

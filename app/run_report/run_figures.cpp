@@ -30,40 +30,39 @@ struct TimePlot {
 std::vector<TimePlot> time_plots() {
   return {
       {.name = "bonds",
-       .caption = "Active bonds, over touching contacts and over the initial bonds (remaining).",
+       .caption = "Active bonds divided by touching contacts (active share) and by initial bonds "
+                  "(remaining share).",
        .y = {.label = "share of bonds", .low = 0, .high = 1.05},
        .histories = {{"active_bond_fraction", "active share"},
                      {"remaining_bond_fraction", "remaining share"}},
        .compared = 2},
       {.name = "coordination",
-       .caption =
-           "Mean number of neighbours of a grain, of those that touch it and of those with a "
-           "force or a bond.",
+       .caption = "Mean number of neighbours of a grain: those that touch it, and those with a "
+                  "force or a bond.",
        .y = {.label = "coordination number"},
        .histories = {{"coordination", "touching"},
                      {"coordination_loaded", "with a force or a bond"}}},
       {.name = "volume_fraction",
-       .caption = "Share of the area that disks fill in the lower 70 % of the packing.",
+       .caption = "Share of the area filled by disks in the lower 70 % of the packing.",
        .y = {.label = "volume fraction"},
        .histories = {{"volume_fraction", "volume fraction"}}},
       {.name = "intruder",
-       .caption = "The intruder's centre sinks below the top of the packing.",
+       .caption = "Heights of the intruder's centre and of the top of the packing.",
        .y = {.label = "height above the floor", .unit = "d", .low = 0},
        .histories = {{"intruder_y", "intruder's centre"}, {"packing_top", "top of the packing"}}},
       {.name = "kinetic_energy",
-       .caption = "Energy of the motion of all bodies, by what moves.",
+       .caption = "Kinetic energy of all bodies, of translation and of rotation.",
        .y = {.label = "kinetic energy", .unit = "F_g d", .logarithmic = true},
        .histories = {{"kinetic_energy", "translation"}, {"rotational_energy", "rotation"}}},
       {.name = "residual",
-       .caption =
-           "By how much steps are off, the worst since the last sample. A step has converged "
-           "where both errors are below their tolerances, in grey.",
+       .caption = "Errors of the steps, the worst since the last sample. A step has converged if "
+                  "both errors are below their tolerances (grey).",
        .y = {.label = "error of a step", .logarithmic = true},
        .histories = {{"residual", "residual"}, {"gap_error", "gap error over its tolerance"}},
        .has_tolerance = true},
       {.name = "factorisations",
-       .caption = "Work of the solver, the mean since the last sample.",
-       .y = {.label = "factorisations a step", .low = 0},
+       .caption = "Work of the solver: the mean since the last sample.",
+       .y = {.label = "factorisations per step", .low = 0},
        .histories = {{"factorisations", "factorisations"}},
        .kind = Curve::Kind::steps,
        .per_step = true},
@@ -156,13 +155,13 @@ struct DrivePlot {
 
 std::vector<DrivePlot> drive_plots() {
   return {{.phase = "penetrate",
-           .caption = "Upward force of the contacts on the intruder, in all and by the part of its "
-                      "surface on which it acts.",
+           .caption = "Upward force of the contacts on the intruder, in total and by the part of "
+                      "its surface on which it acts.",
            .way = "depth",
            .x = {.label = "depth of the lowest point", .unit = "d"},
            .y = {.label = "resistance", .unit = "F_g"},
            .sign = 1,
-           .histories = {{"resistance", "all"},
+           .histories = {{"resistance", "total"},
                          {"resistance_front", "front"},
                          {"resistance_flank", "flank"},
                          {"resistance_shaft", "shaft"}}},
@@ -170,7 +169,7 @@ std::vector<DrivePlot> drive_plots() {
            .caption = "Torque of the contacts on the vane while it turns.",
            .way = "intruder_angle",
            .x = {.label = "angle", .unit = "rad"},
-           .y = {.label = "torque against the turning", .unit = "F_g d"},
+           .y = {.label = "torque against the rotation", .unit = "F_g d"},
            .sign = -1,
            .histories = {{"intruder_torque", "torque"}}}};
 }
@@ -246,7 +245,7 @@ std::vector<Figure> run_figures(std::span<const RunResults> runs, const std::str
       std::ranges::move(tolerance_guides(runs.front()), std::back_inserter(plot.references));
     std::string caption = described.caption;
     if (!single) {
-      caption = std::string(histories.front().name) + ", a curve a run.";
+      caption = std::string(histories.front().name) + ", one curve per run.";
       caption.front() =
           static_cast<char>(std::toupper(static_cast<unsigned char>(caption.front())));
     }

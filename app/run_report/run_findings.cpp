@@ -57,7 +57,7 @@ std::vector<Block> found_by_searches(std::span<const RunResults> runs,
                               {"force_held", "came to rest at [F_g; vane: F_g d]"},
                               {"force_high", "moved at [F_g; vane: F_g d]"},
                               {"trials", "trials"},
-                              {"undecided", "of these undecided"}});
+                              {"undecided", "undecided trials"}});
   static constexpr auto kDrives =
       std::to_array<Finding>({{"drive", "phase"},
                               {"peak", "peak [F_g; vane: F_g d]"},
@@ -72,24 +72,24 @@ std::vector<Block> found_by_searches(std::span<const RunResults> runs,
       std::to_array<Finding>({{"interval", "interval [√(d/g)]"},
                               {"grains", "grains"},
                               {"volume_fraction", "volume fraction"},
-                              {"change", "its change"},
+                              {"change", "relative change"},
                               {"coordination", "coordination number"}});
   std::vector<Block> blocks;
   const auto add = [&](std::optional<Table> table) {
     if (table) blocks.emplace_back(std::move(*table));
   };
   add(findings(runs, names, "critical_forces", kForces,
-               "Critical forces: the largest that did not move its body and the smallest that did; "
-               "came to rest: the largest at which it did, 0 if at none. "
-               "Depth, below the packing's top before the first trial: of the intruder's centre, "
-               "or as the scene asks for it, with grains within 0.5 d of it; weight above: of all "
-               "grains with centres above that depth."));
+               "Critical forces: the largest that did not move the body and the smallest that did. "
+               "Came to rest: the largest force at which it came to rest, 0 if there is none. "
+               "Depth: that of the intruder's centre below the packing's top before the first "
+               "trial, or the depth that the scene asks for, with grains within 0.5 d of it. "
+               "Weight above: that of all grains with centres above that depth."));
   add(findings(runs, names, "drives", kDrives,
-               "Drives: what resists the intruder. Peak: the largest of the means over consecutive "
-               "windows of the way; residual: the mean over its last quarter; a vane's strength: "
-               "torque over 2πR²."));
+               "Drives: the load on the intruder. Peak: the largest of the means over consecutive "
+               "windows of the travel; residual: the mean over its last quarter; strength of a "
+               "vane: torque divided by 2πR²."));
   add(findings(runs, names, "adiabatic", kSamples,
-               "Deposits with longer and longer intervals between grains."));
+               "Deposits with increasing intervals between grains."));
   return blocks;
 }
 

@@ -30,14 +30,14 @@ struct Named {
 constexpr auto kComputing = std::to_array<Named>(
     {{"steps", "time steps of this run", "1"},
      {"wall_seconds", "computing time, pictures included", "s"},
-     {"steps_per_second", "time steps per second; of a resumed run, in its last part", "1/s"},
+     {"steps_per_second", "time steps per second (of a resumed run: in its last part)", "1/s"},
      {"total_factorisations", "factorisations", "1"},
-     {"total_iterations", "iterations of the solver", "1"},
+     {"total_iterations", "solver iterations", "1"},
      {"worst_residual", "worst residual", "1"},
      {"unconverged_steps", "steps that did not converge", "1"},
-     {"halved_steps", "steps taken as halves", "1"},
+     {"halved_steps", "steps repeated as two halves", "1"},
      {"bonds_broken_in_unconverged_steps", "bonds broken in unconverged steps", "1"},
-     {"bond_breaks_withheld", "breaks of bonds withheld in unconverged steps", "1"}});
+     {"bond_breaks_withheld", "bond failures withheld in unconverged steps", "1"}});
 
 double number_or(const RunResults& run, const char* key, double otherwise) {
   return run.summary().contains(key) ? run.final_value(key).value_or(otherwise) : otherwise;
@@ -48,20 +48,20 @@ bool is_nscd(const RunResults& run) { return run.summary().value("method", "exac
 // How far the steps of runs by NSCD are off: a table, and the distributions over all steps.
 void add_step_errors(std::span<const RunResults> runs, const std::vector<std::string>& names,
                      std::vector<Block>& blocks) {
-  Table table{.caption = "By how much the steps by NSCD are off, over all steps.",
+  Table table{.caption = "Errors of the NSCD steps, over all steps.",
               .columns = {{"run"},
-                          {"of each step"},
+                          {"error of each step"},
                           {"median", true},
                           {"90 %", true},
                           {"99 %", true},
                           {"worst", true}}};
   constexpr double kLeastShown = 1e-10;  // below is rounding
   Plot plot{.name = "step_errors",
-            .title = "Errors of the steps by NSCD",
+            .title = "Errors of the NSCD steps",
             .x = {.label = "residual [1], gap of bonds and overlap [d]",
                   .low = kLeastShown,
                   .logarithmic = true},
-            .y = {.label = "share of steps, a bin", .low = 0}};
+            .y = {.label = "share of steps per bin", .low = 0}};
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (!is_nscd(runs[i])) continue;
     const Json errors = runs[i].summary().value("step_errors", Json::object());
@@ -86,8 +86,8 @@ void add_step_errors(std::span<const RunResults> runs, const std::vector<std::st
   if (table.rows.empty()) return;
   blocks.emplace_back(std::move(table));
   blocks.emplace_back(Figure{std::move(plot),
-                             "Residual of each step, widest gap of a loaded bond after it, and "
-                             "deepest overlap that it leaves."});
+                             "Residual of each step, widest gap of a loaded bond after the step, "
+                             "and deepest overlap that the step leaves."});
 }
 
 std::vector<Column> columns_of(const std::vector<std::string>& first,
@@ -131,8 +131,8 @@ Table computing(std::span<const RunResults> runs, const std::vector<std::string>
 std::optional<Table> work_split(std::span<const RunResults> runs,
                                 const std::vector<std::string>& names) {
   Table table{.caption =
-                  "Where the computing time went. The criterion's own solutions count as "
-                  "solutions.",
+                  "Where the computing time went. Systems solved for the failure criterion count "
+                  "as solver work.",
               .columns = columns_of({"work"}, names)};
   const auto seconds = [](const RunResults& run) {
     return run.summary().value("work", Json::object()).value("seconds", Json::object());
@@ -198,9 +198,9 @@ std::vector<Block> modelled(std::span<const RunResults> runs,
   std::vector<Block> blocks;
   if (runs.size() > 1) {
     Table table = differences(runs, names);
-    table.caption = "What differs between the scenes of the runs.";
+    table.caption = "Parameters in which the scenes of the runs differ.";
     if (table.rows.empty()) {
-      blocks.emplace_back(Paragraph{"All runs are of the same scene with the same parameters."});
+      blocks.emplace_back(Paragraph{"All runs have the same scene with the same parameters."});
     } else {
       blocks.emplace_back(std::move(table));
     }
@@ -209,7 +209,7 @@ std::vector<Block> modelled(std::span<const RunResults> runs,
   try {
     blocks.emplace_back(Verbatim{scene_report(scenario_from_json(runs.front().scene()))});
   } catch (const InputError& error) {
-    blocks.emplace_back(Remark{Remark::Kind::warning, "The scene is of another version: " +
+    blocks.emplace_back(Remark{Remark::Kind::warning, "The scene is from another version: " +
                                                           error.where() + " " + error.what()});
   }
   return blocks;
@@ -278,13 +278,14 @@ std::vector<std::string> run_warnings(const RunResults& run) {
   const double unconverged = number_or(run, "unconverged_steps", 0);
   if (is_nscd(run)) {
     const double sweeps = number_or(run, "sweeps", 0);
-    warnings.push_back(
-        "Computed by standard nonsmooth contact dynamics (NSCD), " + typeset(sweeps) + " " +
-        noun_for(sweeps, "sweep") + " a step, taken as they are: " + typeset(unconverged) + " of " +
-        typeset(number_or(run, "steps", 0)) + " steps did not converge, and " +
-        typeset(number_or(run, "bonds_broken_in_unconverged_steps", 0)) +
-        " bonds failed in them by the gap criterion, as the method has it. The results depend on "
-        "sweeps and time step; the section on computing shows by how much the steps are off.");
+    warnings.push_back("Computed by standard nonsmooth contact dynamics (NSCD), with " +
+                       typeset(sweeps) + " " + noun_for(sweeps, "sweep") +
+                       " per step, accepted as they are: " + typeset(unconverged) + " of " +
+                       typeset(number_or(run, "steps", 0)) + " steps did not converge, and " +
+                       typeset(number_or(run, "bonds_broken_in_unconverged_steps", 0)) +
+                       " bonds failed in them by the gap criterion, as the method prescribes. The "
+                       "results depend on the number of sweeps and on the time step; the section "
+                       "on computing shows the errors of the steps.");
   } else {
     if (unconverged > 0) {
       warnings.push_back(typeset(unconverged) + " " + noun_for(unconverged, "step") +
@@ -298,8 +299,8 @@ std::vector<std::string> run_warnings(const RunResults& run) {
     }
     const double withheld = number_or(run, "bond_breaks_withheld", 0);
     if (withheld > 0) {
-      warnings.push_back(typeset(withheld) +
-                         " breaks of bonds were withheld in steps that did not converge.");
+      warnings.push_back(
+          "Bond failures withheld in steps that did not converge: " + typeset(withheld) + ".");
     }
     const double overlap = number_or(run, "worst_overlap", 0);
     if (overlap > StrictBounds{}.max_overlap) {
@@ -341,10 +342,11 @@ Report run_report(std::span<const RunResults> runs, const std::string& from) {
   }
   if (recorded) {
     result.add(Remark{Remark::Kind::note,
-                      "Recorded in a session, whose file says what was done. Values are those of "
+                      "Recorded in a session, whose file lists its commands. Values are those of "
                       "the last sample."});
   } else if (result.blocks.empty()) {
-    result.add(Remark{Remark::Kind::note, "Ended as its scene says; every step converged."});
+    result.add(
+        Remark{Remark::Kind::note, "The run ended as its scene prescribes; every step converged."});
   }
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (runs[i].summary().value("missed_rest", false))

@@ -51,8 +51,8 @@ void require_same_box(const Scenario& scenario, const World& state) {
     return;
   }
   throw InputError(scenario.start_from,
-                   "its box has another width (" + number_text(state.box.width) +
-                       " d), other sides or another floor than the scene that starts from it");
+                   "its box differs in width (" + number_text(state.box.width) +
+                       " d), sides or floor from that of the scene that starts from it");
 }
 
 bool needs_intruder(const Phase& phase) {
@@ -80,15 +80,15 @@ void require_memory(const Scenario& scenario, int present, const std::string& wh
   const std::int64_t bodies = size_of(scenario).bodies() + present;
   const std::string problem = memory_problem(bytes_to_compute(bodies));
   if (!problem.empty())
-    throw InputError(where, "to compute about " + std::to_string(bodies) + " bodies " + problem);
+    throw InputError(where, "computing about " + std::to_string(bodies) + " bodies " + problem);
 }
 
 std::string problem_of_beginning(const Phase& phase, const World& world,
                                  const Beginning& beginning) {
   const bool has_intruder = world.intruder() >= 0;
   if (needs_intruder(phase) && !has_intruder && !beginning.intruder_comes)
-    return "has no intruder, which " + beginning.phase + ", a " + std::string(phase_name(phase)) +
-           ", needs";
+    return "has no intruder, but " + beginning.phase + ", a " + std::string(phase_name(phase)) +
+           ", needs one";
   if (places_from_above(phase))
     if (const std::string wall = wall_in_the_way(world, beginning.walls); !wall.empty())
       return "has " + wall + " in the way of " + beginning.phase +
@@ -96,9 +96,9 @@ std::string problem_of_beginning(const Phase& phase, const World& world,
   // A scene has one intruder of several parts.
   if (has_intruder && brings_intruder(phase) &&
       (!world.shapes.empty() || !std::holds_alternative<PushPhase>(phase.kind)))
-    return "has an intruder, and " + beginning.phase + " brings another";
+    return "has an intruder, but " + beginning.phase + " brings another";
   if (has_intruder && !world.shapes.empty() && std::holds_alternative<DepositPhase>(phase.kind))
-    return "has an intruder, and " + beginning.phase + " drops grains on it";
+    return "has an intruder, but " + beginning.phase + " drops grains on it";
   return {};
 }
 
@@ -116,7 +116,7 @@ fs::path scene_named(const std::string& word, const fs::path& folder) {
       "\"" + word + "\" is " +
           (is_folder(folder / word) ? "a folder, and no shipped scene has this name"
                                     : "neither a file nor a shipped scene") +
-          (near.empty() ? std::string("; `quicksand list scenes` shows what is shipped")
+          (near.empty() ? std::string("; `quicksand list scenes` lists the shipped scenes")
                         : "; did you mean \"" + near + "\"?"),
       near);
 }
@@ -126,7 +126,7 @@ Json start_in(const fs::path& folder, const Json& start_from) {
   std::string path =
       fs::absolute(folder / start_from.get<std::string>()).lexically_normal().string();
   if (!is_utf8(path))
-    throw InputError(kStartFrom, "is in a folder whose name is no UTF-8; rename the folder");
+    throw InputError(kStartFrom, "is in a folder whose name is not valid UTF-8; rename the folder");
   return path;
 }
 
@@ -142,7 +142,7 @@ std::string read_scene_text(const fs::path& file) {
   throw InputError(
       "",
       "there is no such file" +
-          (near.empty() ? std::string("; `quicksand list scenes` shows what is shipped")
+          (near.empty() ? std::string("; `quicksand list scenes` lists the shipped scenes")
                         : "; did you mean " + shipped_scene(near).string() + "?"),
       near)
       .in(file.string());
@@ -176,10 +176,29 @@ Scenario read_scene(const SceneRequest& request) {
 
 void refuse_swept_shapes(const Scenario& scenario, const World& world, const std::string& where) {
   if (!scenario.step.nscd || world.shapes.empty()) return;
-  throw InputError(where,
-                   "has an intruder of several parts, and nscd sweeps over disks and walls only; "
-                   "leave nscd out");
+  throw InputError(
+      where,
+      "has an intruder of several parts, but nscd handles only disks and walls; leave nscd out");
 }
+
+namespace {
+
+// The state that a scene starts from, which must suit it.
+World read_start(const Scenario& scenario) {
+  refuse_folder(scenario.start_from);
+  Checkpoint start = read_checkpoint(scenario.start_from);
+  if (start.protocol.search.base)
+    throw InputError(scenario.start_from,
+                     "was saved during a trial of a search, whose force still acts; finish its run "
+                     "first, with `quicksand resume`");
+  require_memory(scenario, start.world.disks.size(), scenario.start_from);
+  require_same_box(scenario, start.world);
+  require_beginnings(scenario, start.world);
+  refuse_swept_shapes(scenario, start.world, scenario.start_from);
+  return std::move(start.world);
+}
+
+}  // namespace
 
 World start_world(const Scenario& scenario) {
   if (scenario.start_from.empty()) {
@@ -187,17 +206,12 @@ World start_world(const Scenario& scenario) {
     return make_world(scenario);
   }
   World world = make_world(scenario);
-  refuse_folder(scenario.start_from);
-  Checkpoint start = read_checkpoint(scenario.start_from);
-  if (start.protocol.search.base)
-    throw InputError(scenario.start_from,
-                     "was left within a trial of a search, whose force still acts; go on with its "
-                     "run to the end first, by `quicksand resume`");
-  World state = std::move(start.world);
-  require_memory(scenario, state.disks.size(), scenario.name);
-  require_same_box(scenario, state);
-  require_beginnings(scenario, state);
-  refuse_swept_shapes(scenario, state, scenario.start_from);
+  World state;
+  try {
+    state = read_start(scenario);
+  } catch (const InputError& error) {
+    throw InputError(kStartFrom, error.where() + ": " + error.what());
+  }
   world.disks = std::move(state.disks);
   world.shapes = std::move(state.shapes);
   world.walls = std::move(state.walls);

@@ -136,9 +136,9 @@ Override parse_override(const std::string& assignment) {
     throw InputError("--set " + assignment, "has no \"=\"; write path=value, as in step.dt=1e-3");
   }
   if (!is_utf8(assignment))
-    throw InputError("--set " + assignment.substr(0, equals),
-                     "is no UTF-8, which texts of scenes are; does the terminal use another "
-                     "encoding?");
+    throw InputError(
+        "--set " + assignment.substr(0, equals),
+        "is not valid UTF-8, as scenes must be; does the terminal use another encoding?");
   return {assignment.substr(0, equals), assignment.substr(equals + 1)};
 }
 
@@ -165,7 +165,7 @@ std::string set_value(Json& scene, const std::string& path, Json value, const st
       continue;
     }
     if (!place->is_object()) {
-      throw InputError(where, "\"" + name + "\" is " + described(*place) + ", it has no keys");
+      throw InputError(where, "\"" + name + "\" is " + described(*place) + ", which has no keys");
     }
     const bool last = i + 1 == parts.size();
     const bool wants_list = !last && parts[i + 1].name.empty();

@@ -77,7 +77,7 @@ struct PhaseText {
     const std::string intruder =
         "intruder of " + number(p.diameter) + " d and density " + number(p.density);
     if (p.threshold)
-      return intruder + ", smallest downward force with which it enters by " +
+      return intruder + ", smallest downward force with which it sinks by " +
              number(p.threshold->distance.value_or(p.diameter)) + " d; " +
              trials(threshold_trials(p), moving(p.until, "the intruder"));
     return intruder + ", pushed down with " + force_text(p.force) + ", " +
@@ -88,7 +88,7 @@ struct PhaseText {
     const std::string which =
         p.which == HealPhase::Which::touching ? "touching pairs" : "broken bonds in touch";
     const std::string share =
-        p.waited ? "each with the chance 1 - exp(-" + number(*p.waited / *p.healing_time) + ")"
+        p.waited ? "each with probability 1 - exp(-" + number(*p.waited / *p.healing_time) + ")"
                  : std::string("all");
     return "bonds of " + which + ", " + share + "; no time passes";
   }
@@ -97,9 +97,9 @@ struct PhaseText {
            force_text(p.force) + " after a ramp of " + number(p.ramp_time) + " sqrt(d/g), then " +
            rest(p.rest_speed, p.rest_time, p.max_time, moving(p.until, "the piston")) +
            (p.volume_fraction ? ", or until the bodies fill " + number(*p.volume_fraction) +
-                                    " of the room between floor and piston"
+                                    " of the space between floor and piston"
                               : "") +
-           bonding(p.bonding, p.bonds) + (p.remove ? "; then it is taken away" : "; it stays");
+           bonding(p.bonding, p.bonds) + (p.remove ? "; then it is removed" : "; it stays");
   }
 
   std::string operator()(const PenetratePhase& p) const {
@@ -119,8 +119,8 @@ struct PhaseText {
     const std::string what = p.shape
                                  ? "vane of " + std::to_string(p.shape->blades) + " blades of " +
                                        number(p.shape->radius) + " d, " + number(p.depth) +
-                                       " d deep" + (p.clear ? ", grains in its way taken out" : "")
-                                 : std::string("the intruder that is there");
+                                       " d deep" + (p.clear ? ", grains in its way removed" : "")
+                                 : std::string("the intruder already there");
     if (p.threshold)
       return what + ", smallest torque that turns it by " + number(p.angle) + " rad; " +
              drives(p, *p.threshold, number(p.torque) + " F_g d");
@@ -141,7 +141,7 @@ struct PhaseText {
   std::string operator()(const PullPhase& p) const {
     return "smallest upward force that " +
            (p.distance ? "lifts the intruder by " + number(*p.distance) + " d"
-                       : std::string("takes the intruder out of the packing")) +
+                       : std::string("pulls the intruder out of the packing")) +
            "; " + trials(p.trials, moving(p.trials.until, "the intruder"));
   }
   std::string operator()(const ShearPhase& p) const {
@@ -237,7 +237,7 @@ std::string bodies_text(const Scenario& s) {
 
 std::string si_text(const Scenario& s) {
   const SiScale si = si_scale(*s.physical);
-  std::string text = "in SI (a grain is read as a sphere of diameter d)\n";
+  std::string text = "in SI (a grain is taken as a sphere of diameter d)\n";
   text += line("d", with_prefix(si.length, "m"));
   constexpr double kGrams = 1e3;
   text += line("grain mass", with_prefix(si.mass * kGrams, "g"));
@@ -278,7 +278,7 @@ std::string scene_report(const Scenario& s) {
                           word(scene, "box", "sides") + (s.box.floor ? ", floor at y = 0" : ""));
   text += line("gravity", gravity_text(s));
   if (s.drag)
-    text += line("drag", "of a grain: " + number(s.drag->linear) + " F_g/sqrt(g d) v + " +
+    text += line("drag", "on a grain: " + number(s.drag->linear) + " F_g/sqrt(g d) v + " +
                              number(s.drag->quadratic) + " F_g/(g d) v^2");
   text += line("contact", law_text(s.grain_law));
   if (s.wall_law) text += line("wall_contact", law_text(*s.wall_law));
@@ -287,31 +287,32 @@ std::string scene_report(const Scenario& s) {
                            word(scene, "step", "break_rule") + " failure criterion" +
                            (s.step.curvature_term ? " with curvature term" : "") +
                            (s.step.max_turn ? ", no bonded pair turns by more than " +
-                                                  number(*s.step.max_turn) + " rad a step"
+                                                  number(*s.step.max_turn) + " rad per step"
                                             : std::string()) +
                            "; an unconverged step: " + word(scene, "step", "on_unconverged"));
   if (s.step.nscd) {
     text += line("method", "nscd: standard nonsmooth contact dynamics, " +
-                               count_text(s.step.nscd->sweeps, "sweep") + " a step in " +
+                               count_text(s.step.nscd->sweeps, "sweep") + " per step in " +
                                word(scene, "nscd", "order") + " order" +
-                               (s.step.nscd->tolerance ? ", fewer where the residual falls below " +
+                               (s.step.nscd->tolerance ? ", fewer if the residual falls below " +
                                                              number(*s.step.nscd->tolerance)
                                                        : "") +
-                               ", taken as they are");
+                               ", accepted as they are");
     text += line("", "its defaults for step: dt " + number(nscd_step().dt) +
                          ", break_rule geometric, no curvature_term,");
-    text += line("", "on_unconverged continue (the literature's practice; each may be set apart)");
-    text += line("", "warning: the answer depends on sweeps and dt, and is a limit of neither");
+    text +=
+        line("", "on_unconverged continue (the literature's practice; each can be set separately)");
+    text += line("", "warning: the results depend on sweeps and dt, and are converged in neither");
     text += line("", "a step counts as converged at a residual of " + number(s.solver.tolerance));
   }
   if (!s.step.nscd)
     text += line("solver", word(scene, "solver", "method") + " to a residual of " +
                                number(s.solver.tolerance) + ", at most " +
                                count_text(s.solver.max_factorisations, "factorisation") + " or " +
-                               count_text(s.solver.max_iterations, "sweep") + " a step");
+                               count_text(s.solver.max_iterations, "sweep") + " per step");
   text += line("bodies", bodies_text(s));
   if (!s.walls.empty()) {
-    text += line("walls", std::to_string(s.walls.size()) + " besides the box's");
+    text += line("walls", std::to_string(s.walls.size()) + " in addition to the box's");
   }
   text += line("seed", std::to_string(s.seed));
   text += phases_text(s);

@@ -28,7 +28,7 @@ void describe_repeat(Fields& f, Repeat& repeat) {
   using enum Presence;
   f.integer({"count", "number of bodies, this one included", required}, 1, kMaxBodies,
             repeat.count);
-  f.vector({"offset", "from each to the next", required},
+  f.vector({"offset", "offset from each body to the next", required},
            between(-kLongestOffset, kLongestOffset, "d"), repeat.offset);
 }
 
@@ -39,17 +39,20 @@ Vec2 place_in_row(const BodyEntry& entry, std::int64_t k) {
 void describe_entry(Fields& f, BodyEntry& e) {
   constexpr double kRadius = 0.5;
   const Limits place = between(-1e7, 1e7, "d");
-  f.vector({"position", "of the centre", Presence::required}, place, e.disk.position);
-  f.number({"diameter", "of the disk"}, above(0, 1e4, "d", kRadius), e.disk.radius);
-  f.number({"density", "over that of a grain"}, above(0, 1e6, "1"), e.disk.density);
-  f.vector({"velocity", "initial, or for good if fixed"}, between(-1e6, 1e6, "sqrt(g d)"),
+  f.vector({"position", "position of the centre", Presence::required}, place, e.disk.position);
+  f.number({"diameter", "diameter of the disk"}, above(0, 1e4, "d", kRadius), e.disk.radius);
+  f.number({"density", "density relative to that of a grain"}, above(0, 1e6, "1"), e.disk.density);
+  f.vector({"velocity", "initial velocity; constant if fixed"}, between(-1e6, 1e6, "sqrt(g d)"),
            e.disk.velocity);
-  f.number({"spin", "counter-clockwise"}, between(-1e6, 1e6, "sqrt(g/d)"), e.disk.spin);
-  f.vector({"force", "applied besides gravity"}, between(-1e12, 1e12, "F_g"), e.force);
-  f.number({"torque", "applied, counter-clockwise"}, between(-1e12, 1e12, "F_g d"), e.torque);
+  f.number({"spin", "angular velocity, counter-clockwise"}, between(-1e6, 1e6, "sqrt(g/d)"),
+           e.disk.spin);
+  f.vector({"force", "applied force, in addition to gravity"}, between(-1e12, 1e12, "F_g"),
+           e.force);
+  f.number({"torque", "applied torque, counter-clockwise"}, between(-1e12, 1e12, "F_g d"),
+           e.torque);
   f.choice({"role", "whether it counts as a grain"}, kRoles, e.disk.role);
-  f.flag({"fixed", "moves with its velocity, whatever acts on it"}, e.disk.fixed);
-  f.optional_object({"repeat", "puts a row of such bodies"}, e.repeat, describe_repeat);
+  f.flag({"fixed", "moves at its given velocity, whatever acts on it"}, e.disk.fixed);
+  f.optional_object({"repeat", "places a row of such bodies"}, e.repeat, describe_repeat);
   if (!f.reading()) return;
   const char* idle = e.force != Vec2(0, 0) ? "force" : e.torque != 0 ? "torque" : nullptr;
   if (e.disk.fixed && idle)

@@ -27,16 +27,21 @@ void describe_drag(Fields& f, Drag& drag, const std::optional<PhysicalScale>& ph
   if (!f.reading()) linear = drag.linear, quadratic = drag.quadratic;
   const Limits linear_limits = between(0, 1e12, "F_g/sqrt(g d)");
   const Limits quadratic_limits = between(0, 1e12, "F_g/(g d)");
-  f.number({"linear", "force over velocity, of a grain of 1 d; grows with the diameter"},
-           linear_limits, linear);
-  f.number({"quadratic", "force over velocity squared, of a grain of 1 d; grows with its square"},
+  f.number(
+      {"linear", "force over velocity for a grain of diameter 1 d; proportional to the diameter"},
+      linear_limits, linear);
+  f.number({"quadratic",
+            "force over velocity squared for a grain of diameter 1 d; proportional to the diameter "
+            "squared"},
            quadratic_limits, quadratic);
-  f.number({"viscosity", "instead of linear, with physical: Stokes drag 3 pi eta d v of a sphere"},
+  f.number({"viscosity",
+            "eta of the Stokes drag 3 pi eta d v of a sphere; instead of linear, needs physical"},
            between(0, 1e6, "Pa s"), viscosity);
   f.number({"coefficient",
-            "instead of quadratic, with physical: C_D of F = C_D rho/2 pi d^2/4 v^2 of a sphere"},
+            "C_D of F = C_D rho/2 pi d^2/4 v^2 for a sphere; instead of quadratic, needs physical"},
            between(0, 1e6, "1"), coefficient);
-  f.number({"fluid_density", "with coefficient: rho"}, between(0, 1e6, "kg/m^3"), fluid_density);
+  f.number({"fluid_density", "rho; goes with coefficient"}, between(0, 1e6, "kg/m^3"),
+           fluid_density);
   if (!f.reading()) return;
   if (!linear && !viscosity && !quadratic && !coefficient) {
     f.refuse("linear", "is missing; give linear, quadratic, viscosity or coefficient");

@@ -17,27 +17,28 @@ constexpr std::string_view kPushEnds[] = {"rest", "intruder_rest"};
 constexpr double kPacked = 0.91;  // more than any packing of equal disks reaches
 
 void describe_polydispersity(Fields& f, Polydispersity& p) {
-  f.number({"deviation", "standard deviation, after the cut", Presence::required},
+  f.number({"deviation", "standard deviation after truncation", Presence::required},
            above(0, kMostDeviation, "d"), p.deviation);
 }
 
 void describe_fields(Fields& f, DepositPhase& p, const Scenario& scenario) {
   f.integer({"grains", "number of grains; 0: until the height is reached"}, 0, kMaxBodies,
             p.grains);
-  f.number({"height", "top of the packing that ends the phase; 0: by number only"},
-           between(0, 1e6, "d"), p.height);
+  f.number(
+      {"height", "height of the top of the packing at which the phase ends; 0: by number only"},
+      between(0, 1e6, "d"), p.height);
   f.number({"interval", "time between grains; 0: all at once, sticking where they touch"},
            between(0, kMaxTime, "sqrt(d/g)"), p.interval);
-  f.number({"drop_velocity", "downward, at the place of first contact"},
+  f.number({"drop_velocity", "downward velocity at the point of first contact"},
            between(0, 1e6, "sqrt(g d)"), p.drop_velocity);
   describe_adiabatic(f, p);
   f.optional_object({"polydispersity",
-                     "normal distribution of the diameters about 1 d, cut at 0.2 and 1.8 d; "
+                     "normal distribution of the diameters about 1 d, truncated at 0.2 and 1.8 d; "
                      "absent: equal grains"},
                     p.polydispersity, describe_polydispersity);
   f.number({"capture_radius",
-            "a falling grain is drawn in by the first that comes this close to its surface; 0: "
-            "only where they touch"},
+            "distance between surfaces at which a falling grain is drawn to the first body it "
+            "meets; 0: grains stick only where they touch"},
            between(0, 10, "d"), p.capture_radius);
   describe_bonds(f, p.bonds);
   if (!f.reading()) return;
@@ -53,21 +54,27 @@ void describe_fields(Fields& f, DepositPhase& p, const Scenario& scenario) {
 
 void describe_fields(Fields& f, SettlePhase& p, const Scenario& /*scenario*/) {
   describe_rest(f, p.rest_speed, p.rest_time, p.max_time);
-  f.flag({"until_rest", "false: lasts max_time, in whole steps"}, p.until_rest);
+  f.flag({"until_rest", "whether rest ends the phase; false: it lasts max_time, in whole steps"},
+         p.until_rest);
   describe_bonding(f, p.bonding, p.bonds);
 }
 
 void describe_fields(Fields& f, PushPhase& p, const Scenario& scenario) {
-  f.number({"diameter", "of the intruder"}, above(0, 1e4, "d"), p.diameter);
-  f.number({"density", "of the intruder, over that of a grain"}, above(0, 1e6, "1"), p.density);
-  describe_force(f, "downward, besides the intruder's weight", -1, p.force, scenario.grain_law);
-  f.number({"x", "where it is placed on the surface; the middle of the box if absent"},
-           between(-1e7, 1e7, "d"), p.x);
+  f.number({"diameter", "diameter of the intruder"}, above(0, 1e4, "d"), p.diameter);
+  f.number({"density", "density of the intruder relative to that of a grain"}, above(0, 1e6, "1"),
+           p.density);
+  describe_force(f, "downward force, in addition to the intruder's weight", -1, p.force,
+                 scenario.grain_law);
+  f.number(
+      {"x", "x position at which it is placed on the surface; the middle of the box if absent"},
+      between(-1e7, 1e7, "d"), p.x);
   describe_rest(f, p.rest_speed, p.rest_time, p.max_time);
-  f.choice({"until", "rest of all bodies, or of the intruder alone"}, kPushEnds, p.until);
+  f.choice({"until", "whether the phase ends at rest of all bodies, or of the intruder alone"},
+           kPushEnds, p.until);
   describe_threshold(f, p);
   f.flag({"release",
-          "whether the force ends with the phase; else it stays. With threshold nothing stays"},
+          "whether the force ends with the phase; otherwise it keeps acting. With threshold "
+          "nothing remains"},
          p.release);
   describe_bonding(f, p.bonding, p.bonds);
 }
@@ -75,21 +82,24 @@ void describe_fields(Fields& f, PushPhase& p, const Scenario& scenario) {
 }  // namespace
 
 void describe_bonds(Fields& f, BondingTouch& bonds) {
-  f.choice(
-      {"bonds", "which touches form a bond: the first of a pair, or each while its bond is broken"},
-      kBondingTouches, bonds);
+  f.choice({"bonds",
+            "which touches form a bond: the first touch of a pair, or every touch while its bond "
+            "is broken"},
+           kBondingTouches, bonds);
 }
 
 void describe_bonding(Fields& f, bool& bonding, BondingTouch& bonds) {
-  f.flag({"bonding", "whether contacts form bonds; `bonds` says which"}, bonding);
+  f.flag({"bonding", "whether contacts form bonds; `bonds` says which do"}, bonding);
   describe_bonds(f, bonds);
 }
 
-void describe_rest(Fields& f, double& rest_speed, double& rest_time, double& max_time) {
-  f.number({"rest_speed", "rest means that no body is faster than this ..."},
-           above(0, 1e6, "sqrt(g d)"), rest_speed);
+void describe_rest(Fields& f, double& rest_speed, double& rest_time, double& max_time,
+                   const std::string& who) {
+  const std::string help = "rest means that " + who + " faster than this ...";
+  f.number({"rest_speed", help.c_str()}, above(0, 1e6, "sqrt(g d)"), rest_speed);
   f.number({"rest_time", "... for this long"}, between(0, kMaxTime, "sqrt(d/g)"), rest_time);
-  f.number({"max_time", "ends the phase in any case"}, above(0, kMaxTime, "sqrt(d/g)"), max_time);
+  f.number({"max_time", "time after which the phase ends in any case"},
+           above(0, kMaxTime, "sqrt(d/g)"), max_time);
 }
 
 double given_force(Fields& f, const std::string& key, const Limits& limits,
@@ -110,7 +120,7 @@ void describe_force(Fields& f, const char* help, double least, double& force,
   std::optional<double> over_cohesion;
   const Limits limits = between(least * 1e12, 1e12, "F_g");
   f.number({"force", help}, limits, plain);
-  f.number({"force_over_cohesion", "the same, over the grains' cohesion force"},
+  f.number({"force_over_cohesion", "the same, in units of the grains' cohesion force"},
            between(least * 1e6, 1e6, "F_c"), over_cohesion);
   f.exactly_one({"force", "force_over_cohesion"});
   if (f.reading()) force = given_force(f, "force", limits, plain, over_cohesion, law);
@@ -121,29 +131,29 @@ namespace {
 // In the order of Phase::kind's alternatives. A kind without a row here, or without describe_fields(), does not compile.
 constexpr PhaseKind kKinds[] = {
     {DepositPhase::kName,
-     "Grains fall one by one and stick where they touch. Ends with a number of grains or "
-     "with the top of the packing at a height.",
+     "Grains fall one by one and stick where they touch. Ends at a number of grains or at a height "
+     "of the packing.",
      R"({"command": "deposit", "grains": 50})"},
-    {SettlePhase::kName, "Nothing is added. Ends at rest or at a time.",
+    {SettlePhase::kName, "Nothing is added. Ends at rest or after a time.",
      R"({"command": "settle", "max_time": 3})"},
     {PushPhase::kName, "An intruder is placed on the surface and pushed down by a constant force.",
      R"({"command": "push", "force_over_cohesion": 1, "max_time": 2})"},
-    {PullPhase::kName, "Seeks the smallest upward force that takes the intruder out.",
+    {PullPhase::kName, "Finds the smallest upward force that pulls the intruder out.",
      R"({"command": "pull", "first_force": 1000})"},
     {ShearPhase::kName,
-     "Seeks the smallest horizontal force that moves a grain, at several depths.",
+     "Finds the smallest horizontal force that moves a grain, at several depths.",
      R"({"command": "shear", "depths": [10], "first_force": 100, "grains_per_depth": 3})"},
-    {HealPhase::kName, "Restores bonds of pairs in touch. No time passes.",
+    {HealPhase::kName, "Restores the bonds of touching pairs. No time passes.",
      R"({"command": "heal"})"},
-    {PistonPhase::kName, "A wall with mass is laid on the packing and presses it down.",
+    {PistonPhase::kName, "A wall with mass is placed on the packing and presses it down.",
      R"({"command": "piston", "mass": 10, "force": 1e4, "max_time": 5})"},
     {PenetratePhase::kName,
-     "An intruder of any shape is driven into the packing, at a given speed or by a force. "
-     "Finds the largest and the last resistance.",
+     "An intruder of any shape is driven into the packing, at a given speed or by a given force. "
+     "Finds the peak and the residual resistance.",
      R"({"command": "penetrate", "shape": {"type": "cone", "width": 2}, "speed": 1, "depth": 3})"},
     {VanePhase::kName,
-     "A vane is put into the packing, or the intruder that is there is taken, and turned. "
-     "Finds the largest and the last torque.",
+     "A vane inserted into the packing, or an intruder already there, is turned. Finds the peak "
+     "and the residual torque.",
      R"({"command": "vane", "shape": {"radius": 2}, "depth": 4, "clear": true, "angular_velocity": 1})"}};
 
 template <class... Kinds>
@@ -165,12 +175,12 @@ void describe_kind(Fields& f, Phase& phase, const Scenario& scenario) {
   f.number({"solver_tolerance",
             "residual that the solver must reach in this phase; solver.tolerance if absent"},
            above(0, 1, "1"), phase.solver_tolerance);
-  f.number({"sample_every", "time between samples and frames; chosen if absent"},
+  f.number({"sample_every", "time between samples and frames; chosen automatically if absent"},
            above(0, kMaxTime, "sqrt(d/g)"), phase.sample_every);
 }
 
 void describe_phase(Fields& f, Phase& phase, const Scenario& scenario) {
-  f.one_of({"type", "what happens"}, phase.kind,
+  f.one_of({"type", "kind of phase"}, phase.kind,
            [&](Fields& g) { describe_kind(g, phase, scenario); });
 }
 

@@ -21,8 +21,9 @@ std::span<const PhaseKind> phase_kinds();
 
 constexpr double kMaxTime = 1e9;  // [sqrt(d/g)]
 
-// When a phase ends; see SettlePhase.
-void describe_rest(Fields& f, double& rest_speed, double& rest_time, double& max_time);
+// When a phase ends; see SettlePhase. `who`: what must be slow, as in "no body is".
+void describe_rest(Fields& f, double& rest_speed, double& rest_time, double& max_time,
+                   const std::string& who = "no body is");
 
 // Which touches form bonds, in a phase in which they do, and in one that says whether.
 void describe_bonds(Fields& f, BondingTouch& bonds);

@@ -18,13 +18,13 @@ scenes are built is in [scenes.md](scenes.md).
 
 Units: d is the grain diameter, r = d/2, F_g the weight of a grain, F_c the cohesion force, sqrt(d/g) the unit of time. A path
 such as `step.dt` or `phases[1].force` names a key in `--set`, in campaigns and in sessions. A key without a default may be
-left out, and its meaning says what holds then.
+left out; its meaning says what applies then.
 )";
 
 constexpr const char* kPhaseKinds = R"(
 ## Phases
 
-`phases` is a list: what happens, in order. The `type` of each says which of the following it is.
+`phases` lists what happens, in order. The `type` of each phase is one of the following.
 )";
 
 // An object, or a list of objects, has a section of its own.

@@ -38,7 +38,7 @@ Series::Series(std::filesystem::path path, std::int64_t kept_rows) : path_(std::
     text = whole_lines(path_, kept_rows, rows_);
     if (rows_ < kept_rows)
       throw InputError(path_.string(),
-                       "has other columns or fewer rows than the run that is to go on; continue it "
+                       "has other columns or fewer rows than the run to be continued; continue it "
                        "in another folder with --out");
   }
   write_whole(path_, text);

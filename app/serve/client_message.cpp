@@ -29,8 +29,9 @@ bool is_admitted(std::string_view name) {
 }
 
 [[noreturn]] void refuse_path(const std::string& place) {
-  throw InputError(
-      place, "names no shipped scene or file of the run's folder; a browser reaches no others");
+  throw InputError(place,
+                   "names neither a shipped scene nor a file in the run's folder; a browser can "
+                   "reach no others");
 }
 
 void check_scene(const Json& command) {
@@ -58,7 +59,7 @@ void check_paths(const Json& command, std::string_view name) {
 ClientMessage read_message(std::string_view text, Json& id) {
   id = nullptr;
   Json json = parse_json(text);
-  if (!json.is_object()) throw InputError("message", "is no object");
+  if (!json.is_object()) throw InputError("message", "is not an object");
   if (json.contains("id")) {
     if (!json["id"].is_number_integer()) throw InputError("id", "must be a whole number");
     id = json["id"];
@@ -72,7 +73,7 @@ ClientMessage read_message(std::string_view text, Json& id) {
   }
   const SessionCommand& row = command_of(json, "message");
   if (!is_admitted(row.name))
-    throw InputError("command", "\"" + std::string(row.name) + "\" is not for browsers");
+    throw InputError("command", "\"" + std::string(row.name) + "\" is not available to browsers");
   row.check(json, "message");
   check_paths(json, row.name);
   message.command = std::move(json);

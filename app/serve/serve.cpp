@@ -56,8 +56,7 @@ std::string address_of(const ServeOptions& options, int port, const std::string&
 void write_recording(const std::filesystem::path& file, const ServedSession& live) {
   if (file.empty() || !live.console().session().loaded()) return;
   write_whole(file, live.recording());
-  std::fprintf(stderr, "what was done is in %s; `quicksand session` plays it again\n",
-               file.c_str());
+  std::fprintf(stderr, "the recording is in %s; `quicksand session` replays it\n", file.c_str());
 }
 
 }  // namespace
@@ -104,16 +103,17 @@ int run_serve(const ServeOptions& options) {
           "an SSH tunnel to 127.0.0.1 or a proxy with TLS is safer (assets/doc/remote.md)\n",
           options.address.c_str());
     if (options.host.empty() && is_any_address(options.address))
-      std::fprintf(stderr,
-                   "quicksand: warning: %s is no name that a browser can call: those of other "
-                   "machines are refused until --host gives the name or address of this one\n",
-                   options.address.c_str());
+      std::fprintf(
+          stderr,
+          "quicksand: warning: %s is not an address that a browser can open: browsers on other "
+          "machines are refused until --host gives the name or address of this one\n",
+          options.address.c_str());
     std::printf("%s\n", address.c_str());
     std::fflush(stdout);
-    std::fprintf(stderr, "files are in %s; Ctrl-C ends it\n", folder.path.c_str());
+    std::fprintf(stderr, "files are in %s; Ctrl-C stops the server\n", folder.path.c_str());
     if (options.open && !run_external({"xdg-open", address}).fine())
       std::fprintf(stderr,
-                   "quicksand: xdg-open could not open a browser; open the address in one\n");
+                   "quicksand: xdg-open could not open a browser; open the address above in one\n");
     serve_until([&watch] { return watch.interrupted(); }, live, options.record);
   }
   return kInterrupted;

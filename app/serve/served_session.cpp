@@ -125,8 +125,9 @@ void ServedSession::hear(const ClientText& text) {
     if (message.command.is_null() && message.question["ask"] == "body")
       return tell(text.client, {{"ok", true}, {"result", answer_question(message.question)}}, id);
     if (!has_room(waiting_, text, &Waiting::said))
-      throw InputError("message",
-                       "comes while too many commands of this page wait; pause, or try again");
+      throw InputError(
+          "message",
+          "arrived while too many commands of this page were waiting; pause, or try again");
     const bool is_command = !message.command.is_null();
     waiting_.push_back({text, is_command && only_looks(message.command),
                         is_command && cuts_short(message.command)});
@@ -176,8 +177,8 @@ void ServedSession::record(const Json& command, const Json& result) {
 void ServedSession::tell_if_full() {
   if (!interactions_.full() || std::exchange(told_full_, true)) return;
   const std::string text =
-      "the recording is full: what is done from now on is not in it; fetch it, and start anew to "
-      "record more";
+      "the recording is full: further actions are not recorded; download it, and restart "
+      "`quicksand serve` to record more";
   std::fprintf(stderr, "quicksand: %s\n", text.c_str());
   tell(kEveryClient, {{"ok", false}, {"error", text}}, nullptr);
 }

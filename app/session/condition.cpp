@@ -10,28 +10,33 @@ namespace quicksand {
 namespace {
 
 const Quantity& quantity_named(const std::string& name, const std::string& place) {
-  return named(quantities(), name, &Quantity::name, place, "\"" + name + "\" is no quantity");
+  return named(quantities(), name, &Quantity::name, place, "\"" + name + "\" is not a quantity");
 }
 
 }  // namespace
 
-void describe_condition(Fields& f, Condition& condition) {
+void describe_bounds(Fields& f, Condition& condition, const char* unit) {
   constexpr double kAny = 1e300;
+  f.number({"at_least", "lower bound, in the unit of the quantity"}, between(-kAny, kAny, unit),
+           condition.at_least);
+  f.number({"at_most", "upper bound, in the unit of the quantity"}, between(-kAny, kAny, unit),
+           condition.at_most);
+  if (!f.reading()) return;
+  if (!condition.at_least && !condition.at_most)
+    f.refuse("at_least", "is absent, and so is at_most; give one or both");
+  if (condition.at_least && condition.at_most && *condition.at_least > *condition.at_most)
+    f.refuse("at_least", "is above at_most");
+}
+
+void describe_condition(Fields& f, Condition& condition) {
   f.text({"quantity", "one of `quicksand list quantities`", Presence::required},
          condition.quantity);
-  f.number({"at_least", "lower bound, in the unit of the quantity"}, between(-kAny, kAny, "1"),
-           condition.at_least);
-  f.number({"at_most", "upper bound, in the unit of the quantity"}, between(-kAny, kAny, "1"),
-           condition.at_most);
+  describe_bounds(f, condition, "1");
   const Quantity* quantity =
       known_in_field(f, "quantity", condition.quantity, quantities(), &Quantity::name, "quantity");
   if (!quantity) return;
   if (std::holds_alternative<std::string>(quantity->get(Row{})))
     f.refuse("quantity", "\"" + condition.quantity + "\" is a word and has no bounds");
-  if (!condition.at_least && !condition.at_most)
-    f.refuse("at_least", "is absent, and so is at_most; give one or both");
-  if (condition.at_least && condition.at_most && *condition.at_least > *condition.at_most)
-    f.refuse("at_least", "is above at_most");
 }
 
 std::optional<double> quantity_of(const Session& session, const std::string& name,

@@ -17,6 +17,8 @@ struct Condition {
 
 // A quantity of `quicksand list quantities`, and at least one bound.
 void describe_condition(Fields& f, Condition& condition);
+// The bounds alone: at least one, in `unit`; refuses bounds in the wrong order.
+void describe_bounds(Fields& f, Condition& condition, const char* unit);
 
 // The value of a quantity; absent if there is none at this moment, such as a depth without an intruder,
 // or if it is no number. Throws InputError for an unknown name.

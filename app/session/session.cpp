@@ -151,7 +151,7 @@ void Session::go_on() {
 void Session::require_computing() const {
   if (timeline_)
     throw InputError(timeline_->folder().path.string(),
-                     "is shown as it was computed; go_on computes on from it");
+                     "is shown as it was computed; go_on continues computing from it");
 }
 
 void Session::reset() {
@@ -184,7 +184,7 @@ bool Session::set(const std::string& path, const Json& value) {
 
 bool Session::undo() {
   require_computing();
-  if (changes_.empty()) throw InputError("undo", "has nothing to take back");
+  if (changes_.empty()) throw InputError("undo", "has nothing to undo");
   const Change last = std::move(changes_.back());
   changes_.pop_back();
   return take_over(last.path, last.before);

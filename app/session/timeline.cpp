@@ -25,7 +25,8 @@ bool Timeline::refresh() {
   const double time = moment().time;
   if (!history_.refresh()) return false;
   if (moments().empty())
-    throw InputError(history_.path().string(), "has no sample any more; the run has begun again");
+    throw InputError(history_.path().string(),
+                     "no longer has any sample; the run was started again");
   rows_ = read_series(folder_.series(), most_rows_);
   // Records may have been thinned out.
   for (auto& [key, scales] : scales_) scales.added = std::min(scales.added, moments().size());

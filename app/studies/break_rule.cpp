@@ -82,12 +82,13 @@ class BreakRules : public PaperExperiment {
   }
 
   void report(const PaperResults& results, Section& section, Findings&) const override {
-    section.add(Paragraph{
-        "The same specimens, pushed until everything rests, under each failure criterion and with "
-        "smaller and smaller time steps. Where a rule still changes with the step its numbers are "
-        "the step's; the rules are to meet where it is small. Plain geometric: without the "
-        "curvature term, in steps of one length, as NSCD is without what the other "
-        "rules add. It breaks a bond that turns by more than √(2 d_c/d) in a step."});
+    section.add(
+        Paragraph{"The same specimens, pushed until everything is at rest, with each failure "
+                  "criterion and with smaller and smaller time steps. Where the results of a "
+                  "criterion still change with the step, they are set by the step; the criteria "
+                  "should agree where it is small. Plain geometric: without the curvature term and "
+                  "with steps of one length, as in NSCD, which lacks these additions. It breaks a "
+                  "bond that turns by more than √(2 d_c/d) in a step."});
     section.add(table_of(results));
     section.add(Paragraph{conclusion(results)});
     for (std::size_t p = 0; p < std::size(kKnownPushes); ++p)
@@ -110,20 +111,20 @@ class BreakRules : public PaperExperiment {
   }
 
   Table table_of(const PaperResults& results) const {
-    Table table{
-        .caption =
-            "After the push, when everything rests, by the specimen's volume fraction. Steps are "
-            "dt, but halved until no bonded pair turns farther than max_turn; plain ones are not.",
-        .columns = {{"specimen"},
-                    {"rule"},
-                    {"dt [√(d/g)]", true},
-                    {"mean step [√(d/g)]", true},
-                    {"push force [F_c]", true},
-                    {"depth [d]", true},
-                    {"active share", true},
-                    {"remaining share", true},
-                    {"intact: active", true},
-                    {"coordination", true}}};
+    Table table{.caption =
+                    "After the push, once everything is at rest, by the specimen's volume "
+                    "fraction. Steps have length dt and are halved until no bonded pair turns by "
+                    "more than max_turn; those of plain geometric are not halved.",
+                .columns = {{"specimen"},
+                            {"criterion"},
+                            {"dt [√(d/g)]", true},
+                            {"mean step [√(d/g)]", true},
+                            {"push force [F_c]", true},
+                            {"depth [d]", true},
+                            {"active share", true},
+                            {"remaining share", true},
+                            {"intact: active", true},
+                            {"coordination number", true}}};
     for (const BreakSetting& setting : settings_)
       for (std::size_t p = 0; p < setting.pushes.size(); ++p) {
         std::vector<Cell> row{{.text = sample_text(results, setting.sample)},
@@ -162,7 +163,7 @@ class BreakRules : public PaperExperiment {
       if (off <= distance.tolerances) return;
       distance.tolerances = off;
       distance.worst =
-          target.quantity + ": " + typeset(measured->value) + " for " + paper_text(target);
+          target.quantity + ": " + typeset(measured->value) + " instead of " + paper_text(target);
     };
     for (std::size_t p = 0; p < std::size(kKnownPushes); ++p)
       for (const KnownShare& share : kKnownShares)
@@ -183,15 +184,15 @@ class BreakRules : public PaperExperiment {
     }
     if (!nearest) return "No setting has results for both forces yet.";
     const std::string which = "The " + nearest->rule +
-                              " rule with dt = " + number_text(nearest->dt) +
-                              " in the specimen of " + sample_text(results, nearest->sample);
+                              " criterion with dt = " + number_text(nearest->dt) +
+                              " in the specimen with " + sample_text(results, nearest->sample);
     if (least.tolerances <= 1)
       return which +
-             " gives all four shares of bonds of the paper's pushes with 0.33 F_c and F_c "
+             " reproduces all four shares of bonds of the paper's pushes with 0.33 F_c and F_c, "
              "within 0.03 and 0.05.";
-    return "No setting gives the four shares of bonds of the paper's pushes with 0.33 F_c and F_c "
-           "together. " +
-           which + " is nearest, by its worst number, which is " + typeset(least.tolerances, 2) +
+    return "No setting reproduces all four shares of bonds of the paper's pushes with 0.33 F_c and "
+           "F_c. " +
+           which + " comes closest; its worst number is " + typeset(least.tolerances, 2) +
            " tolerances (0.03 and 0.05) off (" + least.worst + ").";
   }
 
@@ -214,11 +215,11 @@ class BreakRules : public PaperExperiment {
         }
         plot.curves.push_back(std::move(curve));
       }
-    section.add(
-        Figure{std::move(plot),
-               "Bonds, " + std::string(share.title) +
-                   ", over the time step (the longest; the mean one is in the table); push force " +
-                   number_text(known.force) + " F_c."});
+    section.add(Figure{
+        std::move(plot),
+        "Bonds: " + std::string(share.title) +
+            " as a function of the time step (the longest; the table has the mean); push force " +
+            number_text(known.force) + " F_c."});
   }
 
   std::vector<RunGroup> samples_;

@@ -25,9 +25,9 @@ class Choices : public PaperExperiment {
     // Effective radius over that of the reference, 2 r_a r_b/(r_a + r_b); grains are equal among themselves.
     const double reference = rolling_length(1, kGrain, kIntruder);
     const ContactLaw law = jobs.jobs()[samples.runs.front()].scenario.grain_law;
-    push("rolling at the intruder by the mean of both radii", "rolling_mean",
+    push("rolling at the intruder with the mean of both radii", "rolling_mean",
          at_intruder(law, (kGrain + kIntruder) / 2 / reference));
-    push("rolling at the intruder by the smaller radius", "rolling_smaller",
+    push("rolling at the intruder with the smaller radius", "rolling_smaller",
          at_intruder(law, kGrain / reference));
 
     for (const double force : {jobs.scale().push_forces.front(), kForce}) {
@@ -42,11 +42,11 @@ class Choices : public PaperExperiment {
                            const PistonLoad& other) {
       pistons_.push_back({text, jobs.pistons(samples, tag, other)});
     };
-    press("reference: " + number_text(load.force) + " F_c that rise over " +
+    press("reference: " + number_text(load.force) + " F_c, rising over " +
               typeset(load.ramp * jobs.scale().height) + " sqrt(d/g), " + number_text(load.mass) +
-              " grain masses on the paper's width",
+              " grain masses for the paper's width",
           "", load);
-    press("rising three times as slowly", "slow", {.ramp = 3 * load.ramp});
+    press("rising three times more slowly", "slow", {.ramp = 3 * load.ramp});
     press("half the force", "half", {.force = load.force / 2});
     press("twice the force", "double", {.force = 2 * load.force});
     press("a tenth of the mass", "light", {.mass = load.mass / 10});
@@ -55,26 +55,27 @@ class Choices : public PaperExperiment {
 
   void report(const PaperResults& results, Section& section, Findings&) const override {
     section.add(outcome_table(
-        results, "Pushes of the same specimens with the cohesion force under other choices.",
+        results, "Pushes in the same specimens with the cohesion force and other choices.",
         {"case"}, pushes_, kAfterPush, all_));
     const PaperTargets targets = read_targets(shipped_targets());
     const auto paper = [&](const char* id) { return paper_text(targets.at(id)); };
     section.add(Paragraph{
-        "The paper has an active share of " + paper("penetration.1.0.active_of_contacts") +
+        "The paper gives an active share of " + paper("penetration.1.0.active_of_contacts") +
         " and a remaining share of " + paper("penetration.1.0.remaining_of_initial") +
-        ", and the intruder almost at the bottom."});
+        ", with the intruder almost at the bottom."});
     section.add(pull_outcomes(results));
     section.add(Paragraph{"The paper's largest pull-out force is " +
                           paper("penetration.pull_out_over_push") + " times the push force."});
     section.add(outcome_table(results, "The same specimens after the piston, under other loads.",
                               {"case"}, pistons_, kAfterPiston, all_));
-    section.add(Paragraph{
-        "The paper has a volume fraction of " + paper("piston.after.volume_fraction") +
-        ", an active share of " + paper("piston.active_of_contacts") + ", a remaining share of " +
-        paper("piston.remaining_of_initial") + " and a coordination number of " +
-        paper("piston.after.coordination") +
-        ". Its load is not among the facts that we have of it. Choices of the deposition are those "
-        "of the figure specimens, failure criterion and time step those of break_rule."});
+    section.add(Paragraph{"The paper gives a volume fraction of " +
+                          paper("piston.after.volume_fraction") + ", an active share of " +
+                          paper("piston.active_of_contacts") + ", a remaining share of " +
+                          paper("piston.remaining_of_initial") + " and a coordination number of " +
+                          paper("piston.after.coordination") +
+                          ". We do not know the load of the paper's piston. Choices of the "
+                          "deposition are compared in "
+                          "figure samples, failure criterion and time step in figure break_rule."});
   }
 
  private:
@@ -104,7 +105,7 @@ class Choices : public PaperExperiment {
 
   Table pull_outcomes(const PaperResults& results) const {
     Table table{
-        .caption = "Pull-out by the share of the bonds that are restored before, drawn at random.",
+        .caption = "Pull-out for different shares of bonds restored before it, drawn at random.",
         .columns = {{"push force [F_c]", true},
                     {"restored", true},
                     {"pull-out force [F_c]", true},

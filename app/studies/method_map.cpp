@@ -90,12 +90,11 @@ class MethodMap : public PaperExperiment {
   }
 
   void report(const PaperResults& results, Section& section, Findings&) const override {
-    section.add(Paragraph{"Specimens of " + number_text(width_) + " x " + number_text(height_) +
-                          " d by exact steps, each pushed by NSCD with each number of sweeps and "
-                          "each time step, and by "
-                          "exact steps. Where curves of NSCD meet, more sweeps change nothing; "
-                          "where a curve is level "
-                          "towards the left, smaller steps change nothing."});
+    section.add(Paragraph{
+        "Specimens of " + number_text(width_) + " x " + number_text(height_) +
+        " d made with exact steps, each pushed by NSCD with every number of sweeps and every time "
+        "step, and by exact steps. Where the curves of NSCD meet, more sweeps change nothing; "
+        "where a curve is level towards the left, smaller steps change nothing."});
     const PaperTargets targets = read_targets(shipped_targets());
     for (std::size_t p = 0; p < std::size(kPushes); ++p) add_plot(results, targets, p, section);
     for (const Share& share : {kRemaining, kActive}) add_table(results, targets, share, section);
@@ -127,12 +126,12 @@ class MethodMap : public PaperExperiment {
       curve.colour = colours[k];
       plot.curves.push_back(std::move(curve));
     }
-    section.add(
-        Figure{std::move(plot),
-               "Remaining over initial bonds after a push with " + number_text(push.force) +
-                   " F_c against the time step: NSCD by its sweeps, and exact steps. Bars are "
-                   "one standard error." +
-                   (p == 2 ? " The paper gives no number for its strong force." : "")});
+    section.add(Figure{std::move(plot),
+                       "Remaining share of the initial bonds after a push with " +
+                           number_text(push.force) +
+                           " F_c as a function of the time step: NSCD with different numbers of "
+                           "sweeps, and exact steps. Bars are one standard error." +
+                           (p == 2 ? " The paper gives no number for its strong force." : "")});
   }
 
   void add_table(const PaperResults& results, const PaperTargets& targets, const Share& share,
@@ -161,12 +160,12 @@ class MethodMap : public PaperExperiment {
   }
 
   void add_limits(const PaperResults& results, Section& section) const {
-    Table table{.caption = "Exact steps towards dt = 0.",
+    Table table{.caption = "Exact steps extrapolated to dt = 0.",
                 .columns = {{"force [F_c]", true},
                             {"share"},
                             {"two smallest steps", true},
-                            {"at them", true},
-                            {"carried on to dt = 0", true}}};
+                            {"shares at these", true},
+                            {"extrapolated to dt = 0", true}}};
     for (std::size_t p = 0; p < std::size(kPushes); ++p) {
       const Series& exact = series_[p].back();
       const std::size_t k = exact.steps.size() - 1;
@@ -180,12 +179,10 @@ class MethodMap : public PaperExperiment {
              cell_of(limit(results, exact, share.quantity), all_)});
     }
     section.add(std::move(table));
-    section.add(
-        Paragraph{"The line through the two smallest steps is carried on for each specimen; the "
-                  "error is that "
-                  "of the mean over specimens. Where it leaves the values at the steps themselves "
-                  "by more than "
-                  "two errors, these steps are too long for a limit to be told."});
+    section.add(Paragraph{
+        "The line through the values at the two smallest steps is extrapolated for each specimen; "
+        "the error is that of the mean over specimens. Where the result differs from the values at "
+        "these steps by more than two errors, the steps are too long to give a limit."});
   }
 
   std::vector<std::vector<Series>> series_;  // (pushes), exact steps last

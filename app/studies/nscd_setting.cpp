@@ -56,12 +56,11 @@ class NscdSettings : public PaperExperiment {
 
   void report(const PaperResults& results, Section& section, Findings&) const override {
     section.add(Paragraph{
-        "Rule, fixed beforehand: one specimen a deposition, of a seed that is not among those of "
-        "the realizations, and one push with F_c a time step; the setting with the least misfit is "
-        "used for all realizations and experiments. Misfit: the sum of squares of the distances "
-        "from the paper's four numbers below, each over a scale: 0.01 of volume fraction and "
-        "coordination number, 0.05 of both shares of "
-        "bonds."});
+        "The rule was fixed beforehand: one specimen per deposition, with a seed that is not among "
+        "those of the realizations, and one push with F_c per time step; the setting with the "
+        "smallest misfit is used for all realizations and experiments. The misfit is the sum of "
+        "the squared distances from the paper's four numbers below, each divided by a scale: 0.01 "
+        "for volume fraction and coordination number, 0.05 for both shares of bonds."});
     const PaperTargets targets = read_targets(shipped_targets());
     const std::pair<const Target*, double> wanted[] = {
         {&targets.at("unperturbed.volume_fraction"), kStructureScale},
@@ -74,7 +73,7 @@ class NscdSettings : public PaperExperiment {
                             {"drop velocity [√(gd)]", true},
                             {"dt of the push", true},
                             {"volume fraction", true},
-                            {"coordination", true},
+                            {"coordination number", true},
                             {"active after F_c", true},
                             {"remaining after F_c", true},
                             {"misfit", true}}};
@@ -110,7 +109,7 @@ class NscdSettings : public PaperExperiment {
       }
       table.rows.push_back(std::move(row));
     }
-    if (least) table.rows[best].back().text += " (least)";
+    if (least) table.rows[best].back().text += " (smallest)";
     section.add(std::move(table));
     report_pistons(results, targets, section);
   }
@@ -130,17 +129,17 @@ class NscdSettings : public PaperExperiment {
     heavy.mass *= 5;  // as much force passes the same states more slowly
     slow.ramp *= 1.5;
     press(", five times the mass", "heavy", kOtherLoadsStop, heavy);
-    press(", ramp longer by half", "slow", kOtherLoadsStop, slow);
+    press(", ramp 1.5 times as long", "slow", kOtherLoadsStop, slow);
   }
 
   void report_pistons(const PaperResults& results, const PaperTargets& targets,
                       Section& section) const {
-    section.add(
-        Paragraph{"The piston's load is not in the paper. A force that rises to 10 F_c passes the "
-                  "published state and goes on to a specimen without bonds, so the piston is taken "
-                  "away on the way. Rule: where, of these shares of the box below it, the specimen "
-                  "of the setting in use keeps the share of initial bonds nearest to the paper's "
-                  "after it has settled; the other numbers are predictions."});
+    section.add(Paragraph{
+        "The paper does not give the piston's load. A force that rises to 10 F_c takes the "
+        "specimen past the published state to one without bonds, so the piston is removed before "
+        "that. Rule: of the filled shares of the box below the piston listed here, the one is used "
+        "at which the specimen of the setting in use, once settled, keeps the share of initial "
+        "bonds closest to the paper's; the other numbers are predictions."});
     constexpr FinalQuantity kColumns[] = {{"remaining_bond_fraction", "remaining share"},
                                           {"active_bond_fraction", "active share"},
                                           {"coordination", "coordination (d_c)"},
@@ -148,9 +147,10 @@ class NscdSettings : public PaperExperiment {
                                           {"coordination_within_1e-2", "coordination (1e-2 d)"},
                                           {"volume_fraction", "volume fraction"},
                                           {"packing_top", "height [d]"}};
-    Table table =
-        outcome_table(results, "The specimen after the piston, by where the piston is taken away.",
-                      {"filled below the piston"}, pistons_, kColumns, 1);
+    Table table = outcome_table(results,
+                                "The specimen after the piston, by the filled share of the box "
+                                "below the piston at its removal.",
+                                {"filled below the piston"}, pistons_, kColumns, 1);
     table.rows.insert(table.rows.begin(), {{"paper"},
                                            {paper_text(targets.at("piston.remaining_of_initial"))},
                                            {paper_text(targets.at("piston.active_of_contacts"))},

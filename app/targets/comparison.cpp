@@ -89,7 +89,7 @@ Cell reason_cell(const Target& target, const std::vector<ByMethod>& entries,
     const std::string name = entries.size() > 1 ? method_title(entry.method) + ": " : "";
     if (reason && std::ranges::find(given, reason) != given.end()) continue;
     cell.text += (cell.text.empty() ? "" : " ") + (reason && reason->method.empty() ? "" : name) +
-                 (reason ? reason->sentence : "no reason is measured.");
+                 (reason ? reason->sentence : "No reason has been measured.");
     if (!reason) continue;
     given.push_back(reason);
     cell.links.push_back(evidence_link(reason->evidence, report));
@@ -167,15 +167,15 @@ Table comparison_table(const PaperTargets& targets, const std::vector<MethodFind
   const bool by_nscd = std::ranges::find(methods, "nscd", &MethodFindings::method) != methods.end();
   const auto is_marked = [&](const Target& target) { return by_nscd && target.chose_nscd; };
   std::string caption =
-      "Mean ± standard error; n counts realizations where it does not say otherwise. Inside: "
-      "within the paper's interval, or half a unit of the last digit that it prints, widened "
-      "by two standard errors of ours; inside by its error, if only by this widening, and "
-      "undecided, if the error is then more than a quarter of the paper's number. Where the error "
-      "is unknown nothing is added.";
+      "Mean ± standard error; n is the number of realizations unless stated otherwise. A value is "
+      "inside if it lies within the paper's interval, or within half a unit of the last digit that "
+      "the paper prints, widened by two of our standard errors. It is inside by its error if only "
+      "this widening makes it so, and undecided if its error is then larger than a quarter of the "
+      "paper's number. An unknown error widens nothing.";
   if (std::ranges::any_of(targets.targets, is_marked))
     caption +=
-        " †: chose the setting of NSCD, in another specimen, so that ours by NSCD is no "
-        "prediction.";
+        " † This number was used to choose the NSCD settings (in another specimen), so our NSCD "
+        "value is not a prediction.";
   Table table{.caption = caption, .columns = {{.title = "experiment"}, {.title = "paper"}}};
   for (const MethodFindings& method : methods)
     table.columns.push_back({.title = method_title(method.method), .number = true});
@@ -193,15 +193,14 @@ Table comparison_table(const PaperTargets& targets, const std::vector<MethodFind
 }
 
 Table reading_table(const PaperTargets& targets, const std::vector<MethodFindings>& methods) {
-  Table table{
-      .caption =
-          "How words became bounds, where each number of the paper stands, and how ours was "
-          "taken.",
-      .columns = {{.title = "experiment"},
-                  {.title = "paper"},
-                  {.title = "reading"},
-                  {.title = "source"},
-                  {.title = "ours"}}};
+  Table table{.caption =
+                  "How the paper's words were turned into bounds, where each of its numbers is "
+                  "printed, and how our value was obtained.",
+              .columns = {{.title = "experiment"},
+                          {.title = "paper"},
+                          {.title = "reading"},
+                          {.title = "source"},
+                          {.title = "ours"}}};
   for (const Target& target : targets.targets) {
     std::string notes;
     for (const ByMethod& entry : entries_of(target, methods))

@@ -51,8 +51,8 @@ Colour method_colour(const std::string& title);
 
 struct Verdict {
   bool inside = false;
-  bool by_error = false;  // inside only since ours is off by two standard errors at most
-  // Neither inside nor outside: it were inside by its error, and that is more than a quarter of the paper's number.
+  bool by_error = false;  // inside only because ours is off by at most two standard errors
+  // Neither inside nor outside: inside only by its error, and that is more than a quarter of the paper's number.
   bool undecided = false;
   double deviation = 0;  // from the nearest value that the paper admits, 0 there [unit]
 };

@@ -24,21 +24,21 @@ constexpr Shape kListOfTexts{"a list of texts",
 
 void describe_reason(Fields& f, Reason& reason) {
   Json targets;
-  f.json({"targets", "ids of the numbers that it is about", Presence::required}, kListOfTexts,
+  f.json({"targets", "ids of the numbers that it explains", Presence::required}, kListOfTexts,
          targets);
   if (targets.is_array()) reason.targets = targets.get<std::vector<std::string>>();
   f.text({"method", "nscd or exact; both if absent"}, reason.method);
   if (!reason.method.empty() && reason.method != "nscd" && reason.method != "exact")
     f.refuse("method", "is neither nscd nor exact");
-  f.text({"sentence", "why it is outside, as measured", Presence::required}, reason.sentence);
+  f.text({"sentence", "measured reason why they are outside", Presence::required}, reason.sentence);
   f.text({"evidence", "file below assets/", Presence::required}, reason.evidence);
 }
 
 void describe_choice(Fields& f, FreeChoice& choice) {
-  f.text({"choice", "what the paper leaves open", Presence::required}, choice.choice);
-  f.text({"nscd", "what is used by NSCD", Presence::required}, choice.nscd);
-  f.text({"exact", "what is used by the exact method", Presence::required}, choice.exact);
-  f.text({"effect", "what it does, as measured", Presence::required}, choice.effect);
+  f.text({"choice", "choice that the paper leaves open", Presence::required}, choice.choice);
+  f.text({"nscd", "choice made for NSCD", Presence::required}, choice.nscd);
+  f.text({"exact", "choice made for the exact method", Presence::required}, choice.exact);
+  f.text({"effect", "its measured effect", Presence::required}, choice.effect);
   f.text({"evidence", "file below assets/", Presence::required}, choice.evidence);
 }
 
@@ -58,10 +58,10 @@ Evidence read_evidence(const std::filesystem::path& file) {
   return in_file(file, [&] {
     Evidence evidence;
     read_fields(read_json(file), "the evidence", [&](Fields& f) {
-      f.list({"reasons", "why numbers are outside", Presence::required}, kMostEntries,
+      f.list({"reasons", "reasons why numbers are outside", Presence::required}, kMostEntries,
              evidence.reasons, describe_reason);
-      f.list({"choices", "what was free", Presence::required}, kMostEntries, evidence.choices,
-             describe_choice);
+      f.list({"choices", "choices that the paper leaves open", Presence::required}, kMostEntries,
+             evidence.choices, describe_choice);
     });
     const PaperTargets targets = read_targets(shipped_targets());
     for (const Reason& reason : evidence.reasons)
@@ -77,11 +77,11 @@ ReportLink evidence_link(const std::string& file, const std::filesystem::path& r
 }
 
 Table choices_table(const Evidence& evidence, const std::filesystem::path& report) {
-  Table table{.caption = "What the paper leaves open, what is used here, and what it does.",
+  Table table{.caption = "What the paper leaves open, what is used here, and its measured effect.",
               .columns = {{.title = "choice"},
                           {.title = "NSCD"},
                           {.title = "exact"},
-                          {.title = "what it does, as measured"}}};
+                          {.title = "measured effect"}}};
   for (const FreeChoice& choice : evidence.choices)
     table.rows.push_back(
         {{choice.choice},

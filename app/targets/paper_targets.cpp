@@ -38,26 +38,26 @@ std::optional<std::pair<double, double>> printed_number(const std::string& text)
 
 void describe(Fields& f, Entry& e) {
   f.text({"id", "stable name", Presence::required}, e.target.id);
-  f.text({"quantity", "what it is", Presence::required}, e.target.quantity);
-  f.text({"group", "what it is of, where all are drawn in one plot"}, e.target.group);
-  f.text({"short", "what it is called there"}, e.target.short_name);
-  f.text({"symbol", "its letter"}, e.target.symbol);
-  f.text({"unit", "1 if none", Presence::required}, e.target.unit);
+  f.text({"quantity", "description of the quantity", Presence::required}, e.target.quantity);
+  f.text({"group", "heading of its group in the plot of all targets"}, e.target.group);
+  f.text({"short", "its label in that plot"}, e.target.short_name);
+  f.text({"symbol", "its symbol"}, e.target.symbol);
+  f.text({"unit", "unit, 1 if it has none", Presence::required}, e.target.unit);
   f.text({"printed", "a single value, with the digits that the paper prints"}, e.target.printed);
   f.vector({"interval", "[low, high]"}, between(-kHuge, kHuge, "unit"), e.interval);
   f.number({"at_least", "a lower bound"}, between(-kHuge, kHuge, "unit"), e.at_least);
   f.number({"at_most", "an upper bound"}, between(-kHuge, kHuge, "unit"), e.at_most);
   f.exactly_one({"printed", "interval", "at_least", "at_most"});
-  f.text({"words", "the paper's, where it gives no number"}, e.target.words);
-  f.text({"counts", "what a measurement's n counts, if not realizations"}, e.target.counts);
-  f.flag({"chose_nscd", "whether the setting of NSCD was chosen by it"}, e.target.chose_nscd);
-  f.text({"source", "where it stands", Presence::required}, e.target.source);
-  f.text({"because", "how words became this bound, or where the interval is from"},
+  f.text({"words", "the paper's words, where it gives no number"}, e.target.words);
+  f.text({"counts", "objects that a measurement's n counts, if not realizations"}, e.target.counts);
+  f.flag({"chose_nscd", "whether it was used to choose the NSCD settings"}, e.target.chose_nscd);
+  f.text({"source", "where it is printed", Presence::required}, e.target.source);
+  f.text({"because", "how words were turned into this bound, or the origin of the interval"},
          e.target.because);
   if (e.interval && e.interval->x() > e.interval->y())
     f.refuse("interval", "has its ends the wrong way round");
   if (!e.target.printed.empty() && !printed_number(e.target.printed))
-    f.refuse("printed", "is no decimal number");
+    f.refuse("printed", "is not a decimal number");
 }
 
 Target worked_out(Entry entry) {
@@ -78,7 +78,7 @@ Target worked_out(Entry entry) {
 }  // namespace
 
 const Target& PaperTargets::at(const std::string& id) const {
-  return named(targets, id, &Target::id, id, "is no target of the paper");
+  return named(targets, id, &Target::id, id, "is not a target of the paper");
 }
 
 PaperTargets read_targets(const std::filesystem::path& file) {
@@ -86,8 +86,8 @@ PaperTargets read_targets(const std::filesystem::path& file) {
     PaperTargets read;
     std::vector<Entry> entries;
     read_fields(read_json(file), "the targets", [&](Fields& f) {
-      f.text({"source", "the paper", Presence::required}, read.source);
-      f.list({"targets", "its findings", Presence::required}, kMostTargets, entries, describe);
+      f.text({"source", "reference of the paper", Presence::required}, read.source);
+      f.list({"targets", "its results", Presence::required}, kMostTargets, entries, describe);
     });
     std::set<std::string> ids;
     for (Entry& entry : entries) {

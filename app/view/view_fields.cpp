@@ -10,16 +10,16 @@ namespace {
 
 constexpr auto kFlags = std::to_array<ViewFlag>(
     {{{"bonds", "lines along the active bonds", "Bonds", true}, &View::bonds},
-     {{"forces", "lines along the contacts, as wide as their normal force", "Forces", true},
+     {{"forces", "lines along the contacts, with widths proportional to the normal force", "Forces",
+       true},
       &View::forces},
-     {{"broken_bonds", "bars where bonds broke, while their bodies stay close", "Broken bonds"},
+     {{"broken_bonds", "bars where bonds broke, as long as the bodies stay close", "Broken bonds"},
       &View::broken_bonds},
-     {{"orientation", "a mark on each disk that turns with it", "Orientation"}, &View::orientation},
-     {{"legend", "what the colours mean", "Legend"}, &View::legend},
-     {{"scale_bar", "how long a few diameters are", "Scale bar"}, &View::scale_bar},
+     {{"orientation", "mark on each disk that turns with it", "Orientation"}, &View::orientation},
+     {{"legend", "legend of the colours", "Legend"}, &View::legend},
+     {{"scale_bar", "scale bar of a few diameters", "Scale bar"}, &View::scale_bar},
      {{"numbers", "time and key numbers", "Numbers"}, &View::numbers},
-     {{"detail", "a close-up of the intruder where there is room for it", nullptr},
-      &View::detail}});
+     {{"detail", "close-up of the intruder, where there is room for it", nullptr}, &View::detail}});
 
 bool colours_by_value(const View& view) { return info(view.colouring).unit != "1"; }
 bool draws_forces(const View& view) { return view.forces; }
@@ -37,7 +37,7 @@ constexpr auto kNumbers = std::to_array<ViewNumber>(
       between(0, kMostValue, kValueUnit),
       &View::colour_high,
       colours_by_value},
-     {{"force_scale", "force of a line 0.4 d wide; 0: from the data", "Force of 0.4 d", true},
+     {{"force_scale", "force drawn as a line 0.4 d wide; 0: from the data", "Force of 0.4 d", true},
       between(0, kMostValue, "F_g"),
       &View::force_scale,
       draws_forces},
@@ -84,21 +84,22 @@ std::string_view ViewWord::word(const View& view) const {
 std::span<const ViewWord> view_words() {
   static const auto words = std::to_array<ViewWord>(
       {word_of<Colouring, &View::colouring>(
-           {"colour", "what grains are coloured by", "Colour by", true}, colouring_names()),
+           {"colour", "quantity by which grains are coloured", "Colour by", true},
+           colouring_names()),
        word_of<Theme, &View::theme>({"theme", "light or dark", "Theme", true}, {"light", "dark"})});
   return words;
 }
 
 void describe_size(Fields& f, int& width, int& height) {
-  f.integer({"width", "of the picture [px]"}, kSmallestPicture, kLargestPicture, width);
-  f.integer({"height", "of the picture [px]"}, kSmallestPicture, kLargestPicture, height);
+  f.integer({"width", "width of the picture [px]"}, kSmallestPicture, kLargestPicture, width);
+  f.integer({"height", "height of the picture [px]"}, kSmallestPicture, kLargestPicture, height);
 }
 
 void describe_window(Fields& f, std::optional<WorldRect>& window) {
   const Limits limits = between(-kFarthestWindow, kFarthestWindow, "d");
   std::optional<Vec2> low, high;
   if (window) low = window->low, high = window->high;
-  f.vector({"low", "lower left corner of the window that is shown, [x, y]"}, limits, low);
+  f.vector({"low", "lower left corner of the window to show, [x, y]"}, limits, low);
   f.vector({"high", "its upper right corner, [x, y]"}, limits, high);
   if (!f.reading()) return;
   if (low.has_value() != high.has_value()) f.refuse("low", "and high go together");

@@ -50,7 +50,7 @@ std::string new_token(const std::filesystem::path& file) {
 std::string random_token() {
   std::array<unsigned char, kTokenBytes> bytes{};
   if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
-    throw InputError("token", "this system gives no random numbers");
+    throw InputError("token", "this system provides no random numbers");
   std::string token;
   constexpr std::string_view kDigits = "0123456789abcdef";
   for (const unsigned char byte : bytes) {

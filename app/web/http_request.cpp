@@ -53,8 +53,7 @@ HttpAnswer refusal(int status) {
     case HTTP_STATUS_METHOD_NOT_ALLOWED:
       return text_answer(status, "405: only GET and HEAD.\n");
     default:
-      return text_answer(
-          status, "403: this name of the host or this origin is not admitted; see --host.\n");
+      return text_answer(status, "403: this host name or origin is not allowed; see --host.\n");
   }
 }
 

@@ -76,11 +76,12 @@ Server::Impl::Impl(ServerOptions o, PageParts p, Exchange& e)
     const bool listens = context != nullptr && lws_create_vhost(context, &info) != nullptr;
     if (context != nullptr) lws_context_destroy(context);
     if (!listens)
-      throw InputError("--listen", options.address + " is no address of this machine; 127.0.0.1 " +
-                                       "is reached from it alone, 0.0.0.0 from everywhere");
+      throw InputError("--listen",
+                       options.address + " is not an address of this machine; 127.0.0.1 " +
+                           "is reachable from this machine only, 0.0.0.0 from everywhere");
     throw InputError("--port", "cannot listen at " + options.address + ", port " +
                                    std::to_string(options.port) +
-                                   "; is it in use? --port 0 takes one that is free");
+                                   "; is it in use? --port 0 picks a free one");
   }
   exchange.wake_server = [this] { lws_cancel_service(context); };
   thread = std::thread([this] {
@@ -167,7 +168,7 @@ int Server::Impl::receive(lws* wsi, const void* in, std::size_t size) {
       client.hear(piece, lws_frame_is_binary(wsi) != 0,
                   lws_is_final_fragment(wsi) != 0 && lws_remaining_packet_payload(wsi) == 0);
   if (heard == Client::Heard::text && !exchange.give({client.id(), client.take_text()}))
-    client.answer(R"({"ok": false, "error": "too many messages wait; try again"})");
+    client.answer(R"({"ok": false, "error": "too many messages are waiting; try again"})");
   if (heard == Client::Heard::seen && client.has_room())
     exchange.want_frame_after(client.last_frame());
   lws_callback_on_writable(wsi);

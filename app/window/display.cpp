@@ -47,10 +47,10 @@ std::unique_ptr<Display> open_display(const std::string& title, int width, int h
         dlerror());
   const auto open = reinterpret_cast<OpenDisplay>(dlsym(module, kOpenDisplay));
   if (open == nullptr)
-    throw RenderError(path.string() + " is not of this program: it lacks " + kOpenDisplay);
+    throw RenderError(path.string() + " does not belong to this program: it lacks " + kOpenDisplay);
   const char* reason = "unknown";
   std::unique_ptr<Display> display(open(title.c_str(), width, height, &reason));
-  if (!display) throw RenderError(std::string("SDL opens no window: ") + reason);
+  if (!display) throw RenderError(std::string("SDL cannot open a window: ") + reason);
   return display;
 }
 

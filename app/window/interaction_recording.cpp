@@ -62,7 +62,7 @@ std::string InteractionRecording::session(const World& world,
   std::string text = "{\"description\": \"Recorded by hand in a window.\",\n\"commands\": [\n";
   if (full_)
     text =
-        "{\"description\": \"Recorded by hand in a window; the end had no room.\",\n"
+        "{\"description\": \"Recorded by hand in a window; the end did not fit.\",\n"
         "\"commands\": [\n";
   text += earlier_;
   std::vector<Json> end;

@@ -144,7 +144,7 @@ class Window {
     console_.finish_recording();
     write_interactions();
     if (options_.record.empty() || interactions_.empty()) return;
-    std::fprintf(stderr, "what was done is in %s; `quicksand session` plays it again\n",
+    std::fprintf(stderr, "the recording is in %s; `quicksand session` replays it\n",
                  options_.record.c_str());
   }
 

@@ -89,8 +89,8 @@ export function show_actions(part, commands) {
   const longest = 20;
   const acts = [
     ["Push", "Puts an intruder on the surface and pushes it down", 1e4, (force) => ["push", {diameter: 3, density: 0.5, force, max_time: longest}]],
-    ["Pull out", "Seeks the smallest force that takes the intruder out", 10, (first_force) => ["pull", {first_force}]],
-    ["Piston", "Lays a piston on the packing and presses it down", 1e3, (force) => ["piston", {mass: 1, force, max_time: longest}]],
+    ["Pull out", "Finds the smallest force that pulls the intruder out", 10, (first_force) => ["pull", {first_force}]],
+    ["Piston", "Places a piston on the packing and presses it down", 1e3, (force) => ["piston", {mass: 1, force, max_time: longest}]],
     ["Heal", "Restores the bonds of all contacts", null, () => ["heal", {}]],
   ];
   for (const [name, help, force, command] of acts) {

@@ -75,7 +75,7 @@ function show_state(message) {
   if (document.activeElement !== by_id("pace")) by_id("pace").value = state.steps_per_frame;
   plots.set_phases(state.phases);
   by_id("undo").disabled = !state.last_change;
-  by_id("undo").title = state.last_change ? `Takes the change of ${state.last_change} back (Ctrl+Z)` : "Nothing was changed";
+  by_id("undo").title = state.last_change ? `Undoes the change of ${state.last_change} (Ctrl+Z)` : "Nothing was changed";
   show_parameters(by_id("parameters"), state, commands);
   show_view(by_id("view_fields"), state, commands);
   // The first page that opens chooses the look; later it is a value like others.
@@ -155,7 +155,7 @@ function changed(connected) {
   }
   chip("no connection", "lost");
   banner(connected === "lost" ? "The connection to the server was lost; trying again."
-                              : "The server was started anew, with another token: open the address that it printed.");
+                              : "The server was restarted with another token: open the address that it printed.");
 }
 
 // Fetches a file of the run's folder.
@@ -168,15 +168,15 @@ function download(file) {
 }
 
 const kFiles = {
-  state: ["State", "The present state, a checkpoint that quicksand run goes on from", async () => (await commands.command("save", {file: "state.cbor"}), "state.cbor")],
+  state: ["State", "The current state, a checkpoint from which quicksand run continues", async () => (await commands.command("save", {file: "state.cbor"}), "state.cbor")],
   csv: ["CSV", "The time histories", async () => (await connection.ask("series")).file],
   png: ["PNG", "The picture as the program draws it", async () => (await commands.command("snapshot", {file: "picture.png", ...picture.size()}), "picture.png")],
-  film: ["Film", "Records frames until it is pressed again; then fetches the film", async () => {
+  film: ["Film", "Records frames until it is pressed again, then downloads the film", async () => {
     if (!frame.recording) return void (await commands.command("record", {on: true, folder: "film"}));
     const result = await commands.command("record", {on: false});
     return JSON.stringify(result).includes("film.mp4") ? "film/film.mp4" : "film/film.png";
   }],
-  recording: ["Recording", "What was done, as a session file that replays to the same state", async () => (await connection.ask("recording")).file],
+  recording: ["Recording", "The actions so far, as a session file that replays to the same state", async () => (await connection.ask("recording")).file],
 };
 
 for (const [name, [label, title, make]] of Object.entries(kFiles)) {

@@ -30,7 +30,7 @@ export class Plots {
 
   make(name, i) {
     const select = element("select", {"aria-label": `Quantity of plot ${i + 1}`});
-    const over = element("select", {className: "over", "aria-label": `Over what plot ${i + 1} is`});
+    const over = element("select", {className: "over", "aria-label": `Horizontal axis of plot ${i + 1}`});
     const output = element("output", {}), canvas = element("canvas", {tabIndex: 0, role: "img"});
     const head = element("div", {}, select, output);
     const plot = {name, over: "time", select, over_select: over, output, canvas, element: element("div", {className: "plot"}, head, canvas, over)};

@@ -26,16 +26,16 @@ export class Timeline {
     };
     this.strip = element("canvas", {"aria-hidden": "true"});
     // Over time, as the strip is; by keys it goes from sample to sample.
-    this.slider = element("input", {type: "range", min: 0, max: 0, step: "any", value: 0, "aria-label": "Time", title: "Arrow keys go by one sample, Home and End to the ends"});
+    this.slider = element("input", {type: "range", min: 0, max: 0, step: "any", value: 0, "aria-label": "Time", title: "Arrow keys move by one sample, Home and End to the ends"});
     this.play = button("Play", "Plays or pauses; also by the space bar on the picture", () => this.play_or_pause());
-    this.speed = element("input", {type: "number", min: 0.01, max: 1000, step: "any", "aria-label": "Speed, samples a picture", title: "Samples between two pictures"});
+    this.speed = element("input", {type: "number", min: 0.01, max: 1000, step: "any", "aria-label": "Speed, samples per picture", title: "Samples between two pictures"});
     this.loop = element("input", {type: "checkbox"});
     this.phase = element("select", {"aria-label": "Phase", title: "Shows the first sample of a phase"});
     this.place = element("output", {});
-    this.go_on = button("Go on from here", "Computes on from the nearest checkpoint: the run's state, or its beginning",
+    this.go_on = button("Go on from here", "Continues computing from the nearest checkpoint: the run's state, or its beginning",
                         () => commands.tried("go_on"));
     part.append(this.strip, this.slider, element("div", {className: "controls"},
-      button("Back", "One sample back", () => this.step(-1)), this.play, button("Forward", "One sample on", () => this.step(1)),
+      button("Back", "One sample back", () => this.step(-1)), this.play, button("Forward", "One sample forward", () => this.step(1)),
       element("label", {}, "Speed", this.speed), element("label", {}, this.loop, "Loop"), element("label", {}, "Phase", this.phase),
       this.place, this.go_on));
     this.slider.addEventListener("input", () => this.show_nearest(Number(this.slider.value)));

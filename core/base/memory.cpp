@@ -64,8 +64,8 @@ std::string memory_problem(double bytes) {
   const double available = available_memory();
   if (bytes <= available) return {};
   constexpr double kGigabyte = 1e9;
-  return format("takes at least %.1f GB of memory, and %.1f GB is all there is", bytes / kGigabyte,
-                available / kGigabyte);
+  return format("takes at least %.1f GB of memory, but only %.1f GB is available",
+                bytes / kGigabyte, available / kGigabyte);
 }
 
 }  // namespace quicksand

@@ -13,7 +13,7 @@ namespace quicksand {
 // take (ulimit -v) [bytes]. `root` is where the system's files are.
 double available_memory(const std::filesystem::path& root = "/");
 
-// Empty if so many bytes are there, else why not: "takes at least 2.5 GB of memory, and 1.0 GB is all there is".
+// Empty if so many bytes are there, else why not: "takes at least 2.5 GB of memory, but only 1.0 GB is available".
 std::string memory_problem(double bytes);
 
 // Vectors that grow by a sixteenth where they have to, and not to twice their size, as they do by themselves: then one body

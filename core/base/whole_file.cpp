@@ -18,7 +18,8 @@ fs::path file_named(const fs::path& path) {
   const fs::file_status there = fs::status(path, ignored);
   if (!fs::exists(there)) return path;
   if (!fs::is_regular_file(there))
-    throw InputError(path.string(), "is no file that a result could replace; choose another");
+    throw InputError(path.string(),
+                     "is not a regular file, so a result cannot replace it; choose another");
   return fs::is_symlink(fs::symlink_status(path, ignored)) ? fs::canonical(path) : path;
 }
 

@@ -41,7 +41,7 @@ class CheckpointArchive {
     if constexpr (kReads) {
       const int number = json_.at(key).template get<int>();
       x = static_cast<E>(number);
-      if (static_cast<int>(x) != number) fail(key, "is no such word");
+      if (static_cast<int>(x) != number) fail(key, "is not a known word");
     } else {
       json_[key] = static_cast<int>(x);
     }
@@ -100,7 +100,7 @@ class CheckpointArchive {
   void list(const char* key, Items& items, F describe) {
     Json& entries = json_for(key, nlohmann::json(items.size(), nlohmann::json::object()));
     if constexpr (kReads) {
-      if (!entries.is_array()) fail(key, "is no list");
+      if (!entries.is_array()) fail(key, "is not a list");
       items.assign(entries.size(), {});
     }
     for (std::size_t k = 0; k < items.size(); ++k) {

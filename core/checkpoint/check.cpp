@@ -138,21 +138,21 @@ bool possible(const LogHistogram& histogram) {
 const char* inconsistency(const World& world) {
   if (world.box.sides > Sides::walls || !not_negative(world.box.width) ||
       !finite(world.box.height) || (world.box.sides != Sides::open && world.box.width == 0))
-    return "no such box";
+    return "invalid box";
   if (world.gravity && !world.gravity->allFinite()) return "gravity is not a number";
   if (world.drag && !(not_negative(world.drag->linear) && not_negative(world.drag->quadratic)))
-    return "no such drag";
+    return "invalid drag";
   if (!possible(world.grain_law) || !possible(world.wall_law) || !possible(world.intruder_law))
-    return "no such contact law";
-  if (!possible(world.disks)) return "a number of a disk is not possible";
-  if (!possible(world.shapes, world.disks)) return "a number of a shaped body is not possible";
-  if (!all_possible(world.walls)) return "a number of a wall is not possible";
+    return "invalid contact law";
+  if (!possible(world.disks)) return "a disk has an invalid value";
+  if (!possible(world.shapes, world.disks)) return "a shaped body has an invalid value";
+  if (!all_possible(world.walls)) return "a wall has an invalid value";
   if (!all_possible(world.bonds.list) || !pairs_in_order(world, world.bonds.list))
-    return "the bonds are not those of these bodies";
+    return "the bonds do not belong to these bodies";
   if (!all_possible(world.contacts) || !pairs_in_order(world, world.contacts))
-    return "the contacts are not those of these bodies";
+    return "the contacts do not belong to these bodies";
   if (!all_finite(world.trajectory.places) || !finite(world.trajectory.surface))
-    return "the intruder's trajectory is not one of numbers";
+    return "the intruder's trajectory has an invalid value";
   if (!finite(world.time) || !not_negative(world.impulse_dt)) return "a time is not a number";
   return nullptr;
 }
@@ -166,16 +166,16 @@ const char* inconsistency(const Checkpoint& checkpoint) {
     if (const char* problem = inconsistency(*protocol.search.base)) return problem;
   if (protocol.phase < 0 ||
       !finite(protocol.phase_start, protocol.rest_since, protocol.trial_start))
-    return "the protocol stands nowhere";
+    return "the protocol has no valid position";
   for (const auto& [name, number] : protocol.memory)
-    if (!finite(number)) return "what the phase remembers is not a number";
+    if (!finite(number)) return "a stored value of the phase is not a number";
   const SweepErrors& errors = protocol.sweep_errors;
   if (!possible(errors.residual) || !possible(errors.bond_gap) || !possible(errors.penetration))
-    return "no such distribution of errors";
-  if (!possible(protocol.search)) return "no such search";
+    return "invalid distribution of errors";
+  if (!possible(protocol.search)) return "invalid search";
   if (!all_possible(protocol.critical_forces) || !all_possible(protocol.adiabatic_deposits) ||
       !all_possible(protocol.drive_results))
-    return "a number that a search found is not possible";
+    return "a result of a search is invalid";
   return nullptr;
 }
 

@@ -256,7 +256,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
     const auto content = sealed_content(bytes);
     require_memory(kBytesPerItem * static_cast<double>(count_cbor_items(content)), path);
     const Json json = Json::from_cbor(content);
-    require(json.is_object() && json.value("format", "") == kFormat, "this is no checkpoint");
+    require(json.is_object() && json.value("format", "") == kFormat, "this is not a checkpoint");
     const int version = json.at("version").get<int>();
     if (version < kOldestVersion || version > kVersion)
       throw OtherVersion(path.string(), "its format version is " + std::to_string(version) +
@@ -284,7 +284,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
     throw NotEnoughMemory(path.string() + ": there is not enough memory to read it");
   } catch (const std::exception& problem) {
     throw InputError(path.string(),
-                     std::string("is not a whole checkpoint of quicksand: ") + problem.what());
+                     std::string("is not a complete checkpoint of quicksand: ") + problem.what());
   }
 }
 

@@ -120,8 +120,8 @@ void Elimination::make_room(std::size_t bytes_of_slot) {
   if (!problem.empty()) {
     const int bodies = n_;
     n_ = -1;  // nothing is known of this graph
-    throw NotEnoughMemory("to factorise the contacts of " + std::to_string(bodies) + " bodies " +
-                          problem + "; solver.method=gauss_seidel does without");
+    throw NotEnoughMemory("factorising the contacts of " + std::to_string(bodies) + " bodies " +
+                          problem + "; solver.method=gauss_seidel needs no factorisation");
   }
   if (more > 0) target_.reserve(products + products / 4);
   slots_ = static_cast<int>(slots);

@@ -26,7 +26,7 @@ struct CriticalForce {
   double weight_above = 0;  // of all grains whose centres are above that depth [F_g]
   double force_low = 0;     // did not move it in time; 0: every force moved it [F_g]
   double force_held = 0;    // came to rest; below force_low: that trial only ran out of time [F_g]
-  std::optional<double> force_high = {};  // moved it; empty: no force did [F_g]
+  std::optional<double> force_high = {};  // moved it; 0: it needed none; empty: no force did [F_g]
   int trials = 0;
   int undecided = 0;  // of these, ended by their time and counted as held
 

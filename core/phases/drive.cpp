@@ -10,7 +10,7 @@ namespace quicksand {
 void require_no_intruder(const Stage& stage) {
   if (stage.world.intruder() < 0) return;
   throw InputError("phases[" + std::to_string(stage.state.phase) + "]",
-                   "brings an intruder, and the state that it begins with has one");
+                   "brings an intruder, but the state it begins with already has one");
 }
 
 void set_free(World& world, int body) {
@@ -137,8 +137,9 @@ void require_free_way(const Stage& stage) {
     if (world.movable(pair) || closing_rate(world, pair) <= 0) continue;
     const int other = world.row(pair.a) == body ? pair.b : pair.a;
     throw InputError("phases[" + std::to_string(stage.state.phase) + "]",
-                     "drives the intruder at a rate into " + message_name(world, other) +
-                         ", which no force moves; let its way end before, or drive it by a load");
+                     "drives the intruder at a prescribed rate into " + message_name(world, other) +
+                         ", which no force can move; end its travel before that, or drive it by a "
+                         "force or torque");
   }
 }
 

@@ -30,7 +30,7 @@ class Vane final : public DrivePhaseOf<VanePhase> {
     if (settings().shape) embed(stage);
     const int intruder = world.intruder();
     const std::string where = "phases[" + std::to_string(stage.state.phase) + "]";
-    if (intruder < 0) throw InputError(where, "turns an intruder, and there is none");
+    if (intruder < 0) throw InputError(where, "turns an intruder, but there is none");
     stage.state.memory["start"] = world.disks.angle[intruder];
     begin_way(stage, 0);
     world.disks.applied[intruder].setZero();
@@ -70,10 +70,10 @@ class Vane final : public DrivePhaseOf<VanePhase> {
     }
     const auto in_the_way = std::ranges::count(marked, 1);
     if (in_the_way > 0 && !settings().clear)
-      throw InputError(where + ".clear",
-                       "is false, and " + std::to_string(in_the_way) +
-                           " grains are where the vane is to be; with \"clear\": true they are "
-                           "taken away");
+      throw InputError(
+          where + ".clear",
+          "is false, but " + std::to_string(in_the_way) +
+              " grains are in the place of the vane; with \"clear\": true they are removed");
     remove_disks(world, marked);
     stage.state.memory["cleared"] = static_cast<double>(in_the_way);
   }

@@ -7,6 +7,7 @@ namespace quicksand {
 double ForceBracket::next() const {
   if (trials == 0) return first;
   if (!high) return 2 * low;
+  if (low == 0 && trials == kBeforeNone) return 0;
   return low == 0 ? *high / 2 : low + (*high - low) / 2;
 }
 

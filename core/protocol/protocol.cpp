@@ -59,7 +59,7 @@ void require_way_down(const Phase& phase, const Stage& stage) {
   if (!wall.empty())
     throw InputError("phases[" + std::to_string(stage.state.phase) + "]",
                      "is of type " + std::string(phase_name(phase)) +
-                         ", which places bodies from above, and " + wall + " is in their way");
+                         ", which places bodies from above, but " + wall + " is in their way");
 }
 
 }  // namespace

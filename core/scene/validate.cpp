@@ -67,8 +67,8 @@ void check_walls(const Scenario& scenario) {
                        "has a mass and is tilted; a wall with mass moves along x or y only");
     if (scenario.box.sides == Sides::periodic && wall.normal.x() != 0)
       throw InputError("walls[" + std::to_string(k) + "].normal",
-                       "is not along y; where the box's sides are periodic only a horizontal wall "
-                       "is the same in all its images");
+                       "is not along y; with periodic sides, only a horizontal wall is the same in "
+                       "all its images");
   }
 }
 
@@ -77,9 +77,10 @@ void check_room(const Scenario& scenario, const std::optional<double>& x, double
   if (scenario.box.sides != Sides::walls || !x) return;
   const double least = diameter / 2, most = scenario.box.width - least;
   if (*x < least || *x > most)
-    throw InputError(where + ".x",
-                     "is " + message_number(*x) + " d; between the side walls there is room from " +
-                         message_number(least) + " to " + message_number(most) + " d");
+    throw InputError(where + ".x", "is " + message_number(*x) +
+                                       " d; to fit between the side walls, it must be from " +
+                                       message_number(least) + " to " + message_number(most) +
+                                       " d");
 }
 
 void require_intruder(const Scenario& scenario, std::size_t phase, const std::string& where,
@@ -102,14 +103,15 @@ void check_pull(const Scenario& scenario, std::size_t phase, const std::string& 
 void check_one_intruder(const Scenario& scenario, std::size_t phase, const std::string& where) {
   if (scenario.step.nscd && brings_shaped_intruder(scenario.phases[phase]))
     throw InputError(where,
-                     "brings an intruder of several parts, and nscd sweeps over disks and walls "
-                     "only; leave nscd out");
+                     "brings an intruder of several parts, but nscd handles only disks and walls; "
+                     "leave nscd out");
   for (std::size_t k = 0; k < phase; ++k)
     if (brings_intruder(scenario.phases[k]))
-      throw InputError(where, "brings an intruder, and phases[" + std::to_string(k) +
-                                  "] has brought one; a scene has one intruder of this kind");
+      throw InputError(where,
+                       "brings an intruder, but phases[" + std::to_string(k) +
+                           "] already brings one; a scene can have only one intruder of this kind");
   if (std::ranges::find(scenario.disks, DiskRole::intruder, &Disk::role) != scenario.disks.end())
-    throw InputError(where, "brings an intruder, and one is among the bodies");
+    throw InputError(where, "brings an intruder, but one is already among the bodies");
 }
 
 void check_vane(const Scenario& scenario, const VanePhase& vane, std::size_t phase,
@@ -119,8 +121,8 @@ void check_vane(const Scenario& scenario, const VanePhase& vane, std::size_t pha
     return check_one_intruder(scenario, phase, where);
   }
   require_intruder(scenario, phase, where,
-                   "a vane phase without a shape turns the intruder that is there, and none is: "
-                   "give its shape, or a penetrate or push before it");
+                   "a vane phase without a shape turns the intruder already in the packing, but "
+                   "there is none: give its shape, or a penetrate or push before it");
 }
 
 void check_heal(const Scenario& scenario, const std::string& where) {
@@ -141,23 +143,24 @@ void check_piston(const Scenario& scenario, std::size_t phase, const std::string
   if (scenario.disks.empty() && scenario.start_from.empty() &&
       std::none_of(scenario.phases.begin(),
                    scenario.phases.begin() + static_cast<std::ptrdiff_t>(phase), brings_bodies))
-    throw InputError(where, "there is nothing that the piston could press");
+    throw InputError(where, "there is nothing for the piston to press");
 }
 
 // Grains and intruders come from above, straight down to the floor or to what lies on it.
 void check_way_down(const Scenario& scenario, std::size_t phase, const std::string& where) {
   for (std::size_t k = 0; k < scenario.walls.size(); ++k)
     if (!is_floor(scenario.walls[k]))
-      throw InputError(where, "places bodies from above, and walls[" + std::to_string(k) +
-                                  "] may be in their way; only floors may be listed with it");
+      throw InputError(where, "places bodies from above, but walls[" + std::to_string(k) +
+                                  "] may be in their way; with such a phase, list only floors");
   for (std::size_t k = 0; k < phase; ++k) {
     if (brings_shaped_intruder(scenario.phases[k]))
-      throw InputError(where, "places bodies from above, and the shaped intruder of phases[" +
+      throw InputError(where, "places bodies from above, but the shaped intruder of phases[" +
                                   std::to_string(k) + "] may be in their way");
     const auto* piston = std::get_if<PistonPhase>(&scenario.phases[k].kind);
     if (piston && !piston->remove)
-      throw InputError(where, "places bodies from above, and the piston of phases[" +
-                                  std::to_string(k) + "] is in their way; let it \"remove\" it");
+      throw InputError(where, "places bodies from above, but the piston of phases[" +
+                                  std::to_string(k) +
+                                  "] is in their way; set its \"remove\" to true");
   }
 }
 

@@ -63,7 +63,8 @@ struct ProblemOf {
   P operator()(const BallOnRodIntruder& s) const {
     if (s.rod_width >= s.diameter) return {"rod_width", "is not below the diameter of the ball"};
     if (s.rod_length < s.rod_width)
-      return {"rod_length", "is shorter than the rod is wide; its round end would be in the ball"};
+      return {"rod_length",
+              "is below the width of the rod; its round end would lie inside the ball"};
     return {};
   }
   P operator()(const VaneIntruder& s) const {

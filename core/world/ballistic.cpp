@@ -28,7 +28,8 @@ bool in_a_side_wall(const World& world, const Vec2& centre, double radius) {
 
 LandingSite::LandingSite(const World& world) : world_(world) {
   if (!world.shapes.empty())
-    throw InputError("the state", "has an intruder of several parts; nothing is dropped on it");
+    throw InputError("the state",
+                     "has an intruder of several parts; grains cannot be dropped on it");
   constexpr double kMostStrips = 1e6;
   first_.assign(static_cast<std::size_t>(std::clamp(world.box.width, 1.0, kMostStrips)), -1);
   // Where sides are periodic, strips repeat with the box.

@@ -77,7 +77,7 @@ class Runs(InFolder):
         self.assertEqual(run.state.measure(since=run.state.path)["changes"]["bonds_broken"], 0)
 
     def test_a_table_that_is_not_there_is_told_with_those_that_are(self):
-        with self.assertRaisesRegex(quicksand.InputError, "out/small: sries: is no table of this run, .* series") as caught:
+        with self.assertRaisesRegex(quicksand.InputError, "out/small: sries: is not a table of this run, .* series") as caught:
             quicksand.run(SMALL, no_frames=True).table("sries")
         self.assertEqual(caught.exception.nearest, "series")
 
@@ -185,9 +185,9 @@ class Errors(InFolder):
                 (lambda: quicksand.run({**SMALL, "gravty": {}}), "^scene: gravty: is not a key of a scene; did you mean"),
                 (lambda: quicksand.run(SMALL, {"contact.frction": 1}), r"^scene: contact.frction \(from set\): is not"),
                 (lambda: quicksand.run(SMALL, {"contact.friction": float("nan")}), "^set.contact.friction: is nan, must be"),
-                (lambda: quicksand.run("chain", helpp=True), "^helpp is no option of run$"),
+                (lambda: quicksand.run("chain", helpp=True), "^helpp is not an option of run$"),
                 (lambda: quicksand.run("chain", help=True), "^help: is for the command line$"),
-                (lambda: quicksand.run("chain", xx=1), "^xx is no option of run; known: out, "),
+                (lambda: quicksand.run("chain", xx=1), "^xx is not an option of run; known: out, "),
                 (lambda: quicksand.run("chain", every=-1), r"^every: is -1, must be a number [^(]*sqrt\(d/g\)$")):
             with self.assertRaisesRegex(quicksand.InputError, message) as caught:
                 call()

@@ -93,7 +93,7 @@ Recording record_problems(const RecordRequest& request) {
   if (std::filesystem::is_directory(request.out) &&
       std::ranges::any_of(std::filesystem::directory_iterator(request.out), is_problem))
     throw InputError(request.out.string(),
-                     "holds recorded problems already; choose another folder with --out");
+                     "already holds recorded problems; choose another folder with --out");
   make_writable({.path = request.out});
   const InterruptWatch watch;
   const Scenario scene = read_scene(request.scene);

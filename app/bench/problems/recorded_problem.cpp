@@ -42,7 +42,7 @@ Bytes unpack(const std::string& packed) {
   if (packed.size() < 8) throw std::runtime_error("is cut short");
   for (std::size_t k = 0; k < 8; ++k)
     size |= static_cast<std::size_t>(static_cast<std::uint8_t>(packed[k])) << (8 * k);
-  if (size > kMostBytes) throw std::runtime_error("is no recorded problem");
+  if (size > kMostBytes) throw std::runtime_error("is not a recorded problem");
   const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)>
       decompressor(libdeflate_alloc_decompressor(), &libdeflate_free_decompressor);
   if (!decompressor) throw std::bad_alloc();
@@ -133,7 +133,7 @@ json as_json(const RecordedProblem& recorded) {
 }
 
 void read_json(const json& file, RecordedProblem& recorded) {
-  if (file.at("quicksand_problem") != 1) throw std::runtime_error("is of another format");
+  if (file.at("quicksand_problem") != 1) throw std::runtime_error("has another format");
   recorded.group = file.at("group");
   recorded.time = file.at("time");
   const int from = file.at("from");
@@ -170,7 +170,7 @@ void read_json(const json& file, RecordedProblem& recorded) {
     row.cohesive = cohesive[c];
     for (const int body : {row.a, row.b})
       if (body < 0 || static_cast<std::size_t>(body) >= bodies)
-        throw std::runtime_error("names bodies that there are not");
+        throw std::runtime_error("names bodies that do not exist");
   }
   read_vectors(file.at("start"), problem.contacts.size(), recorded.step.start);
   read_vectors(file.at("velocity"), bodies, recorded.reference.velocity);
@@ -195,7 +195,8 @@ RecordedProblem read_problem(const std::filesystem::path& file) {
       throw NotEnoughMemory(file.string() + ": reading it " + problem);
     read_json(json::from_cbor(bytes), recorded);
   } catch (const json::exception& error) {
-    throw InputError(file.string(), "is no recorded problem (" + std::string(error.what()) + ")");
+    throw InputError(file.string(),
+                     "is not a recorded problem (" + std::string(error.what()) + ")");
   } catch (const NotEnoughMemory&) {
     throw;  // which says nothing of the file
   } catch (const std::runtime_error& error) {

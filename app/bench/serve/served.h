@@ -58,7 +58,7 @@ class Served {
     session_.interrupted = nullptr;
     others.join();
     if (session_.console().session().finished())
-      throw std::runtime_error("the scene that is served was over before it was measured");
+      throw std::runtime_error("the served scene ended before it was measured");
     return rate;
   }
 

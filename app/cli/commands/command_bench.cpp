@@ -223,14 +223,17 @@ std::pair<CLI::App*, std::function<int()>> add_record(CLI::App& bench) {
   const auto request = std::make_shared<RecordRequest>();
   const auto quiet = std::make_shared<bool>(false);
   add_scene_options(*command, request->scene);
-  command->add_option("--out", request->out, "folder of the problems [out/problems]")
+  command->add_option("--out", request->out, "folder for the problems [out/problems]")
       ->type_name("DIR");
-  command->add_option("--count", request->count, "of each phase, 3 to 1000, evenly over it [100]")
+  command
+      ->add_option("--count", request->count,
+                   "problems from each phase, 3 to 1000, spread evenly over it [100]")
       ->type_name("N")
       ->check(whole_in_range(3, 1000));
-  command->add_flag("--quiet", *quiet, "no progress");
+  command->add_flag("--quiet", *quiet, "show no progress");
   command->footer(
-      "Example:\n  quicksand bench record assets/scenes/collapse.json --out out/problems\n"
+      "Examples:\n"
+      "  quicksand bench record assets/scenes/collapse.json --out out/problems\n"
       "  quicksand bench problems --problems out/problems --out out/solved");
   return {command, [request, quiet] { return record_command(*request, *quiet); }};
 }
@@ -239,36 +242,37 @@ std::pair<CLI::App*, std::function<int()>> add_record(CLI::App& bench) {
 
 Command add_bench(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
-      "bench", "Measure speed against error, hard cases and costs, with a report.");
+      "bench", "Measure speed against error, hard cases and costs, and write a report.");
   const auto request = std::make_shared<Request>();
   command
-      ->add_option("parts", request->names,
-                   "all but problems, serve and peers if none is given; one or more of: " +
-                       joined(parts(), ", ", &Part::name) + "; or a case of goals")
+      ->add_option(
+          "parts", request->names,
+          "one or more of the following, or all but problems, serve and peers if none is given: " +
+              joined(parts(), ", ", &Part::name) + "; or a case of goals")
       ->type_name("PART");
-  command->add_option("--out", request->options.out, "folder of results and states [out/bench]")
+  command->add_option("--out", request->options.out, "folder for results and states [out/bench]")
       ->type_name("DIR");
   command->add_flag("--list", request->list, "list the parts");
-  command->add_flag("--quiet", request->quiet, "no progress");
+  command->add_flag("--quiet", request->quiet, "show no progress");
   command->option_defaults()->group("Measurements");
-  command->add_flag("--quick", request->options.quick, "small systems, under three minutes");
+  command->add_flag("--quick", request->options.quick, "small systems; takes under three minutes");
   command
       ->add_option("--repeats", request->options.repeats,
-                   "of each measurement, 1 to 1000 [each case's own]")
+                   "repeats of each measurement, 1 to 1000 [set by each case]")
       ->type_name("N")
       ->check(whole_in_range(1, 1000));
   command
       ->add_option("--method", request->options.method,
                    "contact solver of the goals and the recorded problems [auto]")
       ->type_name("NAME");
-  command->add_flag("--fresh", request->options.fresh, "prepare the stored states anew");
-  command->add_flag("--peers", request->with_peers, "other programs too, where installed");
+  command->add_flag("--fresh", request->options.fresh, "prepare the stored states again");
+  command->add_flag("--peers", request->with_peers, "measure other programs too, where installed");
   command
       ->add_option("--problems", request->options.problems,
                    "folder of recorded problems [made from a standard scene]")
       ->type_name("DIR");
   command->add_flag("--tuning", request->options.tuning,
-                    "measure the half of them that solvers are tuned on");
+                    "measure the half of them used for tuning the solvers");
   command->option_defaults()->group("Comparison");
   command
       ->add_option("--against", request->against,
@@ -276,7 +280,7 @@ Command add_bench(CLI::App& program) {
       ->type_name("FILE");
   command
       ->add_option("--compare", request->compare,
-                   "measure nothing, show the second results.json over the first")
+                   "measure nothing; show the second results.json relative to the first")
       ->type_name("FILE")
       ->expected(2);
   command->footer(

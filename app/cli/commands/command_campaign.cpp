@@ -120,7 +120,7 @@ class CampaignRun {
     }
     std::printf(
         "job %s with %s is in the queue; messages go to %s\n"
-        "  see how far it is and merge results.csv with: quicksand campaign %s --out %s --status\n",
+        "  show the progress and merge results.csv with: quicksand campaign %s --out %s --status\n",
         job.c_str(), count_text(std::ssize(tasks), "task").c_str(), (out_ / "slurm").c_str(),
         shell_text(options_.file).c_str(), shell_text(out_).c_str());
     return kFine;
@@ -169,11 +169,11 @@ class CampaignRun {
     std::string next;
     if (kind == "run_failed") {
       const auto [what, setting] = other_steps(job.scenario.step.max_halvings);
-      next = "repeat its end with" + what + ": " + command + setting;
+      next = "repeat its last part with" + what + ": " + command + setting;
     } else if (kind == "scene") {
       next = "change its scene, as in: " + command + " --set PATH=VALUE";
     } else if (kind == "disk_full") {
-      next = "when it can be written again, the same command goes on with it";
+      next = "once it can be written again, the same command continues it";
     }
     if (!next.empty()) std::fprintf(stderr, "  %s\n", next.c_str());
   }
@@ -210,10 +210,10 @@ class CampaignRun {
                 count_text(std::ssize(jobs_), "run").c_str(), counts.c_str(), results().c_str());
     if (count(JobStatus::elsewhere) > 0)
       std::printf(
-          "another process computes those that run elsewhere; the same command, once it has ended, "
-          "computes what it leaves\n");
+          "another process is computing the runs marked as running elsewhere; once it has ended, "
+          "the same command computes the rest\n");
     if (interrupted) {
-      std::printf("interrupted; the same command goes on from there\n");
+      std::printf("interrupted; the same command continues from there\n");
       return kInterrupted;
     }
     if (count(JobStatus::failed) > 0) return kRunFailed;
@@ -230,7 +230,7 @@ class CampaignRun {
 int run(const CampaignArguments& options) {
   constexpr std::string_view kEngines[] = {"local", "slurm"};
   const bool on_cluster = named(kEngines, options.engine, std::identity(),
-                                "--engine " + options.engine, "is no engine") == "slurm";
+                                "--engine " + options.engine, "is not an engine") == "slurm";
   if (options.wait && !on_cluster) throw InputError("--wait", "needs --engine slurm");
   CampaignRun session(options);
   if (options.dry_run) return session.dry_run();
@@ -242,37 +242,35 @@ int run(const CampaignArguments& options) {
 }  // namespace
 
 Command add_campaign(CLI::App& program) {
-  CLI::App* command =
-      program.add_subcommand("campaign", "Run a scene many times, with parameters and seeds.");
+  CLI::App* command = program.add_subcommand(
+      "campaign", "Run a scene many times, with different parameters and seeds.");
   const auto options = std::make_shared<CampaignArguments>();
   command->add_option("file", options->file, "campaign file")
       ->type_name("CAMPAIGN.json")
       ->required();
-  command->add_option("--out", options->out, "folder of the results [out/<campaign name>]")
+  command->add_option("--out", options->out, "folder for the results [out/<campaign name>]")
       ->type_name("DIR");
   add_threads_option(*command, options->threads, kThreadsOfRuns);
-  command->add_flag("--quiet", options->quiet, "print nothing but where the results are");
+  command->add_flag("--quiet", options->quiet, "print only where the results are");
   command->option_defaults()->group("Cluster");
-  command->add_option("--engine", options->engine, "local, or slurm: an array job [local]")
+  command->add_option("--engine", options->engine, "local, or slurm for an array job [local]")
       ->type_name("ENGINE");
   command->add_flag("--wait", options->wait, "with slurm: return when all runs have ended");
   CLI::Option* task =
-      command->add_option("--task", options->task, "compute this chunk of the runs only")
+      command->add_option("--task", options->task, "compute only this chunk of the runs")
           ->type_name("N");
   command->option_defaults()->group("Instead of computing");
   CLI::Option* dry_run =
       command->add_flag("--dry-run", options->dry_run, "check all scenes and list the runs");
   CLI::Option* status =
-      command->add_flag("--status", options->status, "say what is done and merge results.csv");
+      command->add_flag("--status", options->status, "print the progress and merge results.csv");
   task->excludes(dry_run)->excludes(status);
   dry_run->excludes(status);
   command->footer(
-      "DIR receives a folder a run in runs/, results.csv (a row a run) and campaign.json. The "
-      "same\n"
-      "command again repeats no run that has finished; of more realizations, a longer list or "
-      "more\n"
-      "values of the grid's first parameter it computes what is new. Ctrl-C ends all runs and "
-      "gives up their present steps.\n\n"
+      "DIR receives one folder per run in runs/, results.csv (one row per run) and campaign.json.\n"
+      "The same command, given again, repeats no finished run; with more realizations, a longer\n"
+      "list or more values of the grid's first parameter it computes only the new runs. Ctrl-C\n"
+      "ends all runs and abandons their current steps.\n\n"
       "Examples:\n"
       "  quicksand campaign assets/campaigns/packing.json --threads 2\n"
       "  quicksand campaign assets/campaigns/packing.json --engine slurm --wait");

@@ -19,7 +19,7 @@ Command add_check(CLI::App& program) {
   const auto as_json = std::make_shared<bool>(false);
   add_scene_options(*command, *request);
   command->add_flag("--json", *as_json,
-                    "print the scene with every default explicit, as a run leaves it");
+                    "print the scene with every default made explicit, as a run writes it");
   command->footer(
       "Examples:\n  quicksand check assets/scenes/collapse.json\n"
       "  quicksand check assets/scenes/paper_intruder.json --set contact.friction=0.6");

@@ -25,7 +25,8 @@ void check_difference(const CompareArguments& options) {
   require_png(out);
   for (const auto& read : {options.ours, options.reference})
     if (std::error_code ignored; std::filesystem::equivalent(read, out, ignored))
-      throw InputError("--difference " + out.string(), "is what is read");
+      throw InputError("--difference " + out.string(),
+                       "is one of the pictures to compare; choose another file");
 }
 
 int compare(const CompareArguments& options) {
@@ -40,7 +41,8 @@ int compare(const CompareArguments& options) {
 }  // namespace
 
 Command add_compare(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("compare", "Tell whether two pictures look the same.");
+  CLI::App* command =
+      program.add_subcommand("compare", "Check whether two pictures look the same.");
   const auto options = std::make_shared<CompareArguments>();
   command->add_option("picture", options->ours, "PNG file")->type_name("A.png")->required();
   command->add_option("reference", options->reference, "PNG file that it should look like")
@@ -48,17 +50,18 @@ Command add_compare(CLI::App& program) {
       ->required();
   command
       ->add_option("--tolerance", options->tolerance,
-                   "largest difference of a channel of a pixel, 0 to 255")
+                   "largest difference allowed in a colour channel of a pixel, 0 to 255")
       ->type_name("N")
       ->check(whole_in_range(0, 255))
       ->capture_default_str();
   command
       ->add_option("--difference", options->difference,
-                   "write the differences, eight times as strong")
+                   "write a picture of the differences, amplified eight times")
       ->type_name("D.png");
   command->footer(
-      "Exit code: 0 if they look the same, 1 if not, 2 if one is no picture.\n\n"
-      "Examples:\n  quicksand compare out/tour/04_push.png reference/04_push.png\n"
+      "Exit code: 0 if they look the same, 1 if not, 2 if one is not a picture.\n\n"
+      "Examples:\n"
+      "  quicksand compare out/tour/04_push.png reference/04_push.png\n"
       "  quicksand compare now.png before.png --tolerance 0 --difference changes.png");
   return {command, [options] { return compare(*options); }};
 }

@@ -44,14 +44,16 @@ std::vector<Source> sources_of(const ExportArguments& options) {
     if (std::ranges::any_of(
             std::to_array({path, run.history(), run.state()}),
             [&](const fs::path& read) { return fs::equivalent(read, options.out, ignored); }))
-      throw InputError("--out " + options.out.string(), "is what is read");
+      throw InputError("--out " + options.out.string(),
+                       "is the input; choose another file or folder");
     Source& source = sources.emplace_back(Source{path});
     if (fs::is_directory(path, ignored)) {
       source.history.emplace(history_of(RunFolder{path}));
       source.moments = moments_between(*source.history, options.moments);
     } else {
       if (options.moments.given())
-        throw InputError(path.string(), "is one state; --from and --to need the folder of a run");
+        throw InputError(path.string(),
+                         "is a single state; --from and --to need the folder of a run");
       read_state(path);  // so that nothing is written where one of several is none
     }
   }
@@ -83,33 +85,30 @@ std::string words() {
 
 Command add_export(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
-      "export", "Write states in formats of ParaView, OVITO, spreadsheets and NumPy.");
+      "export", "Write states in formats for ParaView, OVITO, spreadsheets and NumPy.");
   const auto options = std::make_shared<ExportArguments>();
   command
       ->add_option(
           "states", options->sources,
-          "folders of runs, for all their samples, or checkpoints; in the order of their times")
+          "folders of runs, with all their samples, or checkpoints; give them in order of time")
       ->type_name("DIR|STATE.cbor")
       ->required();
   command->add_option("--format", options->format, "vtk, xyz, csv or npy")
       ->type_name("FORMAT")
       ->required();
-  command->add_option("--out", options->out, "folder, or for xyz the file, that receives them")
+  command->add_option("--out", options->out, "folder, or for xyz file, to write")
       ->type_name("PATH")
       ->required();
   add_moment_options(*command, options->moments);
   command->footer(
       "Formats:\n" + words() +
-      "A folder receives disks, contacts, walls and outlines, a file each, and states.csv, a row a "
-      "state.\n"
-      "Several states are numbered (disks_0000.csv), and VTK's have collections over time\n"
-      "(disks.pvd). `quicksand list columns` says what is in them, and in which units. Without a\n"
-      "step before the state, forces are zero. Lines between the centres of contacts go the\n"
-      "nearest way, through periodic sides where that is shorter. Checkpoints are written with "
-      "every\n"
-      "digit or bit; the samples of a run (history.qsh) hold places to 1e-7 d, and angles, "
-      "velocities\n"
-      "and forces to seven digits.\n\n"
+      "A folder receives disks, contacts, walls and outlines, one file each, and states.csv, one\n"
+      "row per state. The files of several states are numbered (disks_0000.csv); for VTK there\n"
+      "are also collections over time (disks.pvd). `quicksand list columns` lists their columns\n"
+      "and units. Forces are zero in a state before the first step. Lines between the centres of\n"
+      "contacts take the shortest path, through periodic sides where that is shorter.\n"
+      "Checkpoints are written with every digit or bit; the samples of a run (history.qsh) hold\n"
+      "positions to 1e-7 d, and angles, velocities and forces to seven digits.\n\n"
       "Examples:\n"
       "  quicksand export out/collapse --from 2 --to 4 --format vtk --out out/collapse/series\n"
       "  quicksand export out/collapse/state.cbor --format xyz --out collapse.xyz");

@@ -143,8 +143,8 @@ struct Listing {
 };
 constexpr auto kListings = std::to_array<Listing>(
     {{"scenes", "example scenes", list_scenes},
-     {"colours", "what grains can be coloured by", list_colours},
-     {"quantities", "columns of series.csv, which sessions can ask for", list_quantities},
+     {"colours", "quantities by which grains can be coloured", list_colours},
+     {"quantities", "columns of series.csv, also available in sessions", list_quantities},
      {"columns", "columns of exported tables", list_columns},
      {"units", "units of both, as JSON", list_json<units>},
      {"commands", "commands of sessions, with their arguments", list_text<commands_text>},
@@ -153,15 +153,14 @@ constexpr auto kListings = std::to_array<Listing>(
      {"session_schema", "JSON schema of sessions", list_json<session_schema>},
      {"scene_reference", "every key of a scene, as Markdown", list_text<scene_reference>},
      {"session_reference", "every command of sessions, as Markdown", list_text<session_reference>},
-     {"completion", "completion of options for bash", list_completion}});
+     {"completion", "option completion for bash", list_completion}});
 
 int list(const std::string& what, const CLI::App& program) {
   if (what.empty()) {
     for (const Listing& known : kListings) std::printf("%-18s %s\n", known.name, known.help);
     return kFine;
   }
-  named(kListings, what, &Listing::name, "list " + what, "is nothing that can be listed")
-      .print(program);
+  named(kListings, what, &Listing::name, "list " + what, "cannot be listed").print(program);
   return kFine;
 }
 
@@ -169,13 +168,12 @@ int list(const std::string& what, const CLI::App& program) {
 
 Command add_list(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
-      "list",
-      "List what there is to choose from: scenes, colours, quantities, commands, references.");
+      "list", "List the available scenes, colours, quantities, commands and references.");
   const auto what = std::make_shared<std::string>();
   command
       ->add_option(
           "what", *what,
-          joined(kListings, ", ", &Listing::name) + "; without it: all of them, in a line each")
+          joined(kListings, ", ", &Listing::name) + "; without it: these names, one per line")
       ->type_name("WHAT");
   command->footer("Examples:\n  quicksand list\n  quicksand list quantities");
   return {command, [what, &program] { return list(*what, program); }};

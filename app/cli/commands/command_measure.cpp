@@ -57,7 +57,7 @@ StateFile state_at(const fs::path& run, const char* option, double time) {
 StateFile measured_state(const MeasureArguments& options) {
   const bool of_run = is_folder(options.state);
   if (options.time && !of_run)
-    throw InputError(options.state.string(), "is one state; --time needs the folder of a run");
+    throw InputError(options.state.string(), "is a single state; --time needs the folder of a run");
   if (options.time) return state_at(options.state, "--time", *options.time);
   return read_state(of_run ? RunFolder{options.state}.state() : options.state);
 }
@@ -79,11 +79,11 @@ Changes changes_since(const MeasureArguments& options, const World& now) {
   const std::string where = "--since " + *options.since;
   if (!same_specimen(before, now))
     throw InputError(where,
-                     "is of another specimen: box or disks differ, or some were taken away or "
+                     "belongs to another specimen: box or disks differ, or some were removed or "
                      "replaced in between");
   if (before.time > now.time)
     throw InputError(where, "is later, at " + message_number(before.time) +
-                                " sqrt(d/g), than the state that is measured, at " +
+                                " sqrt(d/g), than the measured state, at " +
                                 message_number(now.time));
   return changes_between(before, now);
 }
@@ -103,8 +103,7 @@ int measure_and_report(const MeasureArguments& options) {
 
 Command add_measure(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
-      "measure",
-      "Measure a state of a run: regions, profile, angles, forces, and what has changed.");
+      "measure", "Measure a state of a run: regions, profile, angles, forces and changes.");
   const auto options = std::make_shared<MeasureArguments>();
   constexpr double kFar = 1e6;
   command->add_option("state", options->state, "folder of a run, or a checkpoint")
@@ -118,9 +117,9 @@ Command add_measure(CLI::App& program) {
       ->check(in_range(between(0, 1e12, "sqrt(d/g)")));
   command
       ->add_option("--since", options->since,
-                   "tell what has changed since this time of the run, or this checkpoint")
+                   "report the changes since this time of the run, or since this checkpoint")
       ->type_name("TIME|STATE.cbor");
-  command->add_option("--out", options->out, "folder that receives measures.json and CSV files")
+  command->add_option("--out", options->out, "folder for measures.json and CSV files")
       ->type_name("DIR");
   command->add_flag("--json", options->json, "print measures.json instead of a table");
   command->option_defaults()->group("Regions");
@@ -130,35 +129,33 @@ Command add_measure(CLI::App& program) {
       ->capture_default_str();
   command
       ->add_option("--channel-margin", options->choices.channel_margin,
-                   "the channel: centres nearer to the intruder's trajectory, that of its centre "
-                   "or, if it is tall, of its axis, than its half width and this [d]")
+                   "the channel: grain centres nearer to the intruder's trajectory (of its centre "
+                   "or, if it is tall, of its axis) than its half width plus this [d]")
       ->type_name("LENGTH")
       ->check(in_range(between(0, kFar, "d")))
       ->capture_default_str();
   command
       ->add_option("--intact-distance", options->choices.intact_distance,
-                   "the intact region: centres farther from that trajectory than this [widths of "
-                   "the intruder, a disk's diameter]")
+                   "the intact region: grain centres farther from that trajectory than this "
+                   "[widths of the intruder; for a disk, its diameter]")
       ->type_name("NUMBER")
       ->check(in_range(between(0, kFar, "widths of the intruder")))
       ->capture_default_str();
   command
       ->add_option("--above-begins", options->choices.above_begins,
-                   "where above the intruder begins, over its centre: 1 its top, -1 its lowest "
-                   "point [radii of a disk]")
+                   "height over the intruder's centre from which a grain counts as above it: 1 its "
+                   "top, -1 its lowest point [radii of a disk]")
       ->type_name("NUMBER")
       ->check(in_range(between(-kFar, kFar, "radii")))
       ->capture_default_str();
   command->footer(
-      "Regions: the whole specimen; the channel that the intruder swept; what is intact because it "
-      "is\n"
-      "far from there; and kept_bonds, the grains whose initial bonds all hold. A contact counts "
-      "for\n"
-      "a region by the share of its grains in it.\n"
+      "Regions: the whole specimen; the channel swept by the intruder; the intact region, far\n"
+      "from its trajectory; and kept_bonds, the grains whose initial bonds all hold. A contact\n"
+      "counts towards a region by the share of its grains in it.\n"
       "DIR receives measures.json, profile.csv, bond_angles.csv, contact_orientations.csv,\n"
-      "contact_forces.csv and bond_tensions.csv; with --since displacements.csv, a row a grain.\n"
-      "A profile of more than 10000 slices is left out, and the answer says so.\n"
-      "Displaced are grains that moved by more than d/2.\n\n"
+      "contact_forces.csv and bond_tensions.csv; with --since, displacements.csv, one row per\n"
+      "grain. A profile of more than 10000 slices is left out, and the output says so.\n"
+      "A grain counts as displaced if it moved by more than d/2.\n\n"
       "Examples:\n"
       "  quicksand measure out/collapse --time 13 --since 5.96\n"
       "  quicksand measure out/collapse/state.cbor --out out/collapse/measures --slice 2");

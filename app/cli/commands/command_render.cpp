@@ -53,7 +53,7 @@ void write_picture(const RenderArguments& options, const std::vector<Shown>& sho
   constexpr std::size_t kMostPanels = 26;
   if (shown.size() > kMostPanels)
     throw InputError("a picture of " + std::to_string(shown.size()) + " panels",
-                     "has more than there are letters; draw a film");
+                     "has more panels than there are letters; draw a film");
   std::vector<SideBySide> panels;
   panels.reserve(shown.size());
   for (const Shown& one : shown)
@@ -64,9 +64,10 @@ void write_picture(const RenderArguments& options, const std::vector<Shown>& sho
 
 void render_states(const RenderArguments& options, const View& view) {
   if (!options.times.empty() || options.film || options.moments.given() || options.range)
-    throw InputError(options.sources.front().string(),
-                     "is one state; --time, --film, --from, --to and --range need the folder of a "
-                     "run");
+    throw InputError(
+        options.sources.front().string(),
+        "is a single state; --time, --film, --from, --to and --range need the folder of a "
+        "run");
   std::vector<Shown> shown;
   for (const fs::path& source : options.sources) {
     StateFile state = read_state(source);
@@ -79,7 +80,8 @@ void render_states(const RenderArguments& options, const View& view) {
 // Whether scales are those of the whole history.
 bool fixed_scales(const RenderArguments& options) {
   const std::string word = options.range.value_or(std::string(kRanges.front()));
-  return named(kRanges, word, std::identity(), "--range " + word, "is no range") == kRanges.front();
+  return named(kRanges, word, std::identity(), "--range " + word, "is not a range") ==
+         kRanges.front();
 }
 
 void render_moments(const RenderArguments& options, const History& history,
@@ -109,16 +111,16 @@ void render_film(const RenderArguments& options, const History& history, const M
     throw InputError(options.out.string(), problem);
   if (write_film_page(folder.film_page(), RunFolder{options.sources.front()}, view, moments.first,
                       moments.end, {.scales_of_run = scales_of_run}) == 0)
-    std::fprintf(stderr, "quicksand: no %s: one sample is larger than a page may be\n",
+    std::fprintf(stderr, "quicksand: no %s: a single sample exceeds the size limit of a page\n",
                  folder.film_page().c_str());
 }
 
 void render_run(const RenderArguments& options, View view) {
   if (!options.times.empty() && (options.film || options.moments.given()))
-    throw InputError("--time", "draws one moment; a film is from --from to --to");
+    throw InputError("--time", "draws single moments; a film covers --from to --to");
   if (options.moments.given() && !options.film)
     throw InputError("--from and --to",
-                     "are of a film; add --film, or draw one moment with --time");
+                     "apply to a film; add --film, or draw one moment with --time");
   if (!options.film) require_png(options.out);
   const bool fixed = fixed_scales(options);
   const History history = history_of(RunFolder{options.sources.front()});
@@ -143,8 +145,8 @@ int render(const RenderArguments& options) {
     render_run(options, view);
   else
     throw InputError(options.sources[1].string(),
-                     "follows the folder of a run, of which one is drawn; give states, or several "
-                     "times of one run");
+                     "follows the folder of a run, but only one run can be drawn; give states, or "
+                     "several times of one run");
   std::printf("%s\n", options.out.c_str());
   return kFine;
 }
@@ -153,43 +155,41 @@ int render(const RenderArguments& options) {
 
 Command add_render(CLI::App& program) {
   CLI::App* command =
-      program.add_subcommand("render", "Draw a state, or any moment or part of a run again.");
+      program.add_subcommand("render", "Draw a state, or redraw any moment or part of a run.");
   const auto options = std::make_shared<RenderArguments>();
   command
       ->add_option("source", options->sources,
-                   "checkpoint, or the folder of a run, finished or still computing; of several "
-                   "checkpoints each is a panel: a, b, c")
+                   "checkpoint, or folder of a run, finished or still running; several checkpoints "
+                   "become panels a, b, c")
       ->type_name("STATE.cbor|DIR")
       ->required();
   command
       ->add_option("--out", options->out,
-                   "picture to write; with --film, folder that receives frames/, film.png, "
-                   "film.mp4 and film.html, a page in which the run plays")
+                   "picture to write; with --film, folder for frames/, film.png, film.mp4 and "
+                   "film.html, a page that plays the run")
       ->type_name("IMAGE.png|DIR")
       ->required();
   command->option_defaults()->group("Moments of a run");
   command
       ->add_option("--time", options->times,
-                   "draw the sample nearest to this time [sqrt(d/g)], of several each as a panel; "
-                   "the last one if absent")
+                   "draw the sample nearest to this time [sqrt(d/g)], or one panel for each of "
+                   "several times; the last sample if absent")
       ->type_name("TIME,...")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(in_range(between(0, 1e12, "sqrt(d/g)")));
-  command->add_flag("--film", options->film, "draw all samples, and join them to a film");
+  command->add_flag("--film", options->film, "draw all samples and join them into a film");
   add_moment_options(*command, options->moments);
   command
-      ->add_option(
-          "--range", options->range,
-          "what the range of colours and the scale of forces fit, where no number is given: "
-          "the whole history, or each moment by itself [history]")
+      ->add_option("--range", options->range,
+                   "data that set the colour range and the force scale where no number is given: "
+                   "the whole history, or each moment by itself [history]")
       ->type_name("history|moment");
   add_picture_options(*command, options->picture);
   command->footer(
-      "Moments come from history.qsh in DIR, nothing is computed again; they are as far apart as\n"
-      "the samples of the run. In all pictures of a run the same colour is the same value, and "
-      "the\n"
-      "same width the same force.\n\n"
+      "Moments are read from history.qsh in DIR, without computing anything again; they are as\n"
+      "far apart as the samples of the run. In all pictures of a run the same colour means the\n"
+      "same value, and the same width the same force.\n\n"
       "Examples:\n"
       "  quicksand render out/collapse --time 3.2 --colour pressure --out pressure.png\n"
       "  quicksand render out/collapse --film --from 2 --to 4 --forces --out out/forces");

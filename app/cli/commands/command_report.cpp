@@ -52,8 +52,9 @@ int write(Report page, const std::vector<std::string>& words, std::optional<doub
 
 int report_of_campaign(const ReportArguments& options) {
   const std::filesystem::path& folder = options.folders.front();
-  if (options.folders.size() > 1) throw InputError(folder.string(), "is a campaign; give it alone");
-  if (!options.from.empty()) throw InputError("--from", "is for runs, and this is a campaign");
+  if (options.folders.size() > 1)
+    throw InputError(folder.string(), "is a campaign; give it on its own");
+  if (!options.from.empty()) throw InputError("--from", "applies to runs, but this is a campaign");
   std::vector<std::string> words{"quicksand", "report", folder.string()};
   if (!options.out.empty()) words.insert(words.end(), {"--out", options.out.string()});
   double seconds = 0;
@@ -89,32 +90,32 @@ int report(const ReportArguments& options) {
 Command add_report(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "report",
-      "Write a page about a finished run, about several side by side, or about a campaign.");
+      "Write a report on a finished run, on several runs side by side, or on a campaign.");
   const auto options = std::make_shared<ReportArguments>();
   command
       ->add_option("runs", options->folders,
-                   "folders of runs or of recordings of sessions, or that of a campaign")
+                   "folders of runs or of session recordings, or the folder of a campaign")
       ->type_name("DIR")
       ->required();
   command
       ->add_option(
           "--out", options->out,
-          "folder of the report [that of a single run or campaign; out/report for several runs]")
+          "folder for the report [that of a single run or campaign; out/report for several runs]")
       ->type_name("DIR");
   command
       ->add_option("--from", options->from,
-                   "name of the phase that time histories begin with, which is their time 0; so "
-                   "runs compare whose earlier phases took different times")
+                   "name of the phase at whose start time histories begin, as time 0; this aligns "
+                   "runs whose earlier phases took different times")
       ->type_name("PHASE");
   command->footer(
-      "Writes report.html (one file, to be read and sent), film.html beside it for a single run\n"
-      "(at most 20 MB, in which its history plays without a network), report.md, plots/ (CSV,\n"
-      "gnuplot script, PNG and SVG of each) and pictures/. Plots need gnuplot; without it their\n"
+      "Writes report.html (a single file, easy to send), film.html beside it for a single run\n"
+      "(at most 20 MB; plays the history of the run offline), report.md, plots/ (CSV, gnuplot\n"
+      "script, PNG and SVG of each) and pictures/. Plots need gnuplot; without it, only their\n"
       "data and scripts are written.\n\n"
-      "Of a campaign it shows means over realizations with standard errors; what it shows says "
-      "the\n"
-      "campaign's file under \"report\".\n\n"
-      "Examples:\n  quicksand report out/collapse\n"
+      "For a campaign it shows means over realizations with standard errors, as chosen under\n"
+      "\"report\" in the campaign file.\n\n"
+      "Examples:\n"
+      "  quicksand report out/collapse\n"
       "  quicksand report out/collapse out/strong --from push --out out/comparison");
   return {command, [options] { return report(*options); }};
 }

@@ -78,7 +78,8 @@ PaperScale scale_of(const ReproduceArguments& options, std::string_view method) 
   }
   if (options.push_step && options.method_in_use() != kExactMethod)
     throw InputError("--push-step",
-                     "is of exact steps, NSCD has its own; leave it out, or add --method exact");
+                     "applies to exact steps only, NSCD has its own time step; leave it out, or "
+                     "add --method exact");
   if (options.push_step)
     scale.push_step =
         checked("--push-step", *options.push_step, kLeastStep, kMostStep, " sqrt(d/g)");
@@ -154,7 +155,7 @@ std::optional<MethodFindings> beside(const ReproduceArguments& options,
   for (const Programme& programme : programmes)
     if (programme.method == other.method)
       throw InputError(options.beside->string(),
-                       "is of the method " + other.method + ", which has a column already");
+                       "was made with the method " + other.method + ", which already has a column");
   return other;
 }
 
@@ -187,7 +188,7 @@ void list_unfinished(const std::vector<Job>& jobs, const std::vector<JobOutcome>
     if (outcomes[k].status == JobStatus::failed)
       std::fprintf(stderr, "failed: %s: %s\n", jobs[k].id.c_str(), outcomes[k].failure.c_str());
     else if (outcomes[k].status == JobStatus::elsewhere)
-      std::fprintf(stderr, "another process computes it: %s\n", jobs[k].id.c_str());
+      std::fprintf(stderr, "another process is computing it: %s\n", jobs[k].id.c_str());
   }
 }
 
@@ -269,7 +270,7 @@ int reproduce(const ReproduceArguments& options) {
   std::printf("%zu of %zu runs finished\n", counts.finished, counts.all);
   name_report(made.folder);
   if (interrupted) {
-    std::printf("interrupted; the same command goes on from there\n");
+    std::printf("interrupted; the same command continues from there\n");
     return kInterrupted;
   }
   return options.report || counts.finished == counts.all ? kFine : kRunFailed;
@@ -280,79 +281,82 @@ int reproduce(const ReproduceArguments& options) {
 Command add_reproduce(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "reproduce",
-      "Run the paper's experiments and write a report that sets its numbers beside ours.");
+      "Run the paper's experiments and write a report that compares its numbers with ours.");
   const auto options = std::make_shared<ReproduceArguments>();
   const std::string names = joined(paper_figures(), ", ", &PaperFigure::name);
-  CLI::Option* const figures = command
-                                   ->add_option("figures", options->figures,
-                                                "all if none is given; one or more of: " + names)
-                                   ->type_name("FIGURE");
-  command->add_option("--out", options->out, "folder of runs and report [out/paper]")
+  CLI::Option* const figures =
+      command
+          ->add_option("figures", options->figures,
+                       "one or more of the following, or all if none is given: " + names)
+          ->type_name("FIGURE");
+  command->add_option("--out", options->out, "folder for the runs and the report [out/paper]")
       ->type_name("DIR");
   CLI::Option* const report =
       command
           ->add_option(
               "--report", options->report,
-              "compute nothing: write into this folder the report of what is finished in --out")
+              "write the report of the runs finished in --out into this folder; compute nothing")
           ->type_name("DIR");
   CLI::Option* const collect =
       command
           ->add_option("--collect", options->collect,
-                       "findings.json of reports: write one table of them into --report; of each "
-                       "number the first file that has it counts")
+                       "merge the findings.json of several reports into one table in --report; for "
+                       "each number the first file that has it counts")
           ->type_name("FILE")
           ->needs(report)
           ->excludes(figures);
   add_threads_option(*command, options->threads, kThreadsOfRuns);
   command->add_flag("--quick", options->quick,
-                    "a small box, two realizations and both methods, in minutes");
+                    "a small box, two realizations and both methods; takes minutes");
   command->add_flag("--dry-run", options->dry_run, "list the runs");
-  command->add_flag("--quiet", options->quiet, "no progress");
+  command->add_flag("--quiet", options->quiet, "show no progress");
   command->option_defaults()->group("Size");
   command
-      ->add_option("--realizations", options->realizations, "specimens of each kind [10; quick: 2]")
+      ->add_option("--realizations", options->realizations,
+                   "number of specimens of each kind [10; quick: 2]")
       ->type_name("N");
-  command->add_option("--width", options->width, "of the box [51 d; quick: 24 d]")->type_name("W");
-  command->add_option("--height", options->height, "of the box [199 d; quick: 50 d]")
+  command->add_option("--width", options->width, "width of the box [51 d; quick: 24 d]")
+      ->type_name("W");
+  command->add_option("--height", options->height, "height of the box [199 d; quick: 50 d]")
       ->type_name("H");
   command
       ->add_option("--push-forces", options->push_forces,
-                   "of the push curves [0.1,0.33,0.67,1,2,3 F_c; quick: 0.1,0.33,1,3]")
+                   "forces of the push curves [0.1,0.33,0.67,1,2,3 F_c; quick: 0.1,0.33,1,3]")
       ->type_name("F,...")
       ->delimiter(',')
       ->allow_extra_args(false);
   command
       ->add_option("--time-steps", options->time_steps,
-                   "of break_rule [0.01,0.003,0.001 sqrt(d/g); quick: 0.01,0.003]")
+                   "time steps of break_rule [0.01,0.003,0.001 sqrt(d/g); quick: 0.01,0.003]")
       ->type_name("DT,...")
       ->delimiter(',')
       ->allow_extra_args(false);
   command
       ->add_option("--grains-per-depth", options->grains_per_depth,
-                   "sheared at each depth [10, by NSCD 1; quick: 1]")
+                   "grains sheared at each depth [10, with NSCD 1; quick: 1]")
       ->type_name("N");
   command->option_defaults()->group("Method");
   command
       ->add_option("--method", options->method,
-                   "exact: every step solved; nscd: the paper's own, standard nonsmooth contact "
-                   "dynamics; both, in folders of their names [exact; quick: both]")
+                   "exact: every step is solved; nscd: the paper's own method, standard nonsmooth "
+                   "contact dynamics; both: each in a folder of its name [exact; quick: both]")
       ->check(CLI::IsMember({"exact", "nscd", "both"}))
       ->type_name("METHOD");
   command
       ->add_option("--push-step", options->push_step,
-                   "time step of exact pushes [0.001 sqrt(d/g); quick: 0.01]")
+                   "time step of pushes with the exact method [0.001 sqrt(d/g); quick: 0.01]")
       ->type_name("DT");
   command
       ->add_option("--beside", options->beside,
-                   "findings.json of another method's report, for a column of its own")
+                   "findings.json of another method's report, to show in a column of its own")
       ->type_name("FILE")
       ->excludes(collect);
   command->footer(
-      "Runs that have finished are not repeated: the same command goes on after an interruption.\n"
-      "DIR receives report.html, report.md, plots/ and a folder for each run; where it holds runs "
-      "of\n"
-      "other settings, they stay and nothing is computed.\n\n"
-      "Examples:\n  quicksand reproduce --quick --out out/quick\n"
+      "Finished runs are not repeated: after an interruption, the same command continues.\n"
+      "DIR receives report.html, report.md, plots/ and a folder for each run; if it holds runs\n"
+      "with other settings, they are kept and nothing is computed.\n\n"
+      "Examples:\n"
+      "  quicksand reproduce --quick --out out/quick\n"
       "  quicksand reproduce --collect out/nscd/findings.json out/paper/findings.json --report "
       "out/all");
   return {command, [options] { return reproduce(*options); }};

@@ -73,15 +73,15 @@ int resume(const ResumeArguments& asked) {
 
 Command add_resume(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
-      "resume", "Go on with a run that was killed, interrupted or out of disk space.");
+      "resume", "Continue a run that was killed, interrupted or ran out of disk space.");
   const auto options = std::make_shared<ResumeArguments>();
   command->add_option("folder", options->folder, "folder of the run")->type_name("DIR")->required();
   add_threads_option(*command, options->threads, kThreadsOfOneRun);
-  command->add_flag("--quiet", options->quiet, "print nothing but where the results are");
+  command->add_flag("--quiet", options->quiet, "print only where the results are");
   add_strict_options(*command, options->strict);
   command->footer(
-      "The results are those of a run that nothing had stopped. Rows and frames after the last\n"
-      "checkpoint are computed again; without a usable checkpoint the run starts again.\n\n"
+      "The results are those of an uninterrupted run. Rows and frames after the last checkpoint\n"
+      "are computed again; without a usable checkpoint the run starts over.\n\n"
       "Examples:\n"
       "  quicksand resume out/collapse\n"
       "  quicksand resume out/collapse --strict --threads 2");

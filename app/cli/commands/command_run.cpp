@@ -39,32 +39,34 @@ Command add_run(CLI::App& program) {
   CLI::App* command =
       program.add_subcommand("run", "Run a scene and write pictures, numbers and checkpoints.");
   const auto options = std::make_shared<RunArguments>();
-  command->add_option("--out", options->run.out, "folder of the results [out/<scene name>]")
+  command->add_option("--out", options->run.out, "folder for the results [out/<scene name>]")
       ->type_name("DIR");
-  command->add_flag("--overwrite", options->overwrite, "replace the run that the folder holds");
+  command->add_flag("--overwrite", options->overwrite, "replace the run already in the folder");
   command
       ->add_option("--continue", options->run.continued_from,
-                   "go on from the state of an earlier run of this scene, with other step, solver "
-                   "or phases; `resume` goes on with the same")
+                   "continue from the state of an earlier run of this scene, with a different "
+                   "step, solver or phases; `resume` continues with the same")
       ->type_name("STATE.cbor");
   add_threads_option(*command, options->threads, kThreadsOfOneRun);
-  command->add_flag("--quiet", options->run.quiet, "print nothing but where the results are");
+  command->add_flag("--quiet", options->run.quiet, "print only where the results are");
   add_scene_options(*command, options->scene);
-  command->option_defaults()->group("Times of output");
+  command->option_defaults()->group("Output times");
   command
       ->add_option("--every", options->run.every,
                    "time between samples and frames [sqrt(d/g)], instead of the scene's")
       ->type_name("TIME")
       ->check(in_range(above(0, kLongestSampleTime, "sqrt(d/g)")));
   command
-      ->add_option("--checkpoint-every", options->run.checkpoint_every,
-                   "wall time between checkpoints [s]; there is one at each end of a phase, too")
+      ->add_option(
+          "--checkpoint-every", options->run.checkpoint_every,
+          "wall time between checkpoints [s]; one is also written at the end of each phase")
       ->type_name("SECONDS")
       ->check(in_range(between(0, kLongestCheckpointTime, "s")))
       ->capture_default_str();
   command
-      ->add_option("--history", options->run.history_limit,
-                   "size of history.qsh [MB] from which on every second sample is dropped; 0: none")
+      ->add_option(
+          "--history", options->run.history_limit,
+          "size of history.qsh [MB] above which every second sample is dropped; 0: no history")
       ->type_name("MB")
       ->check(in_range(between(0, kLargestHistory, "MB")))
       ->capture_default_str();
@@ -72,12 +74,11 @@ Command add_run(CLI::App& program) {
   add_strict_options(*command, options->run.strict);
   add_picture_options(*command, options->picture);
   command->footer(
-      "DIR receives scene.json, run.json, frames/, film.png (animated, for a browser), film.mp4 "
-      "(with\n"
-      "ffmpeg), series.csv, history.qsh (the states of all samples, for `render` and `export`),\n"
-      "summary.json and state.cbor. Ctrl-C gives up the step under way and ends with "
-      "complete results;\n"
-      "`quicksand resume DIR` goes on, after a kill or a power cut, too.\n\n"
+      "DIR receives scene.json, run.json, frames/, film.png (animated, for a browser), film.mp4\n"
+      "(with ffmpeg), series.csv, history.qsh (the states of all samples, for `render` and\n"
+      "`export`), summary.json and state.cbor. Ctrl-C abandons the current step and leaves\n"
+      "complete results; `quicksand resume DIR` continues the run, even after a kill or a power\n"
+      "cut.\n\n"
       "Examples:\n"
       "  quicksand run assets/scenes/collapse.json\n"
       "  quicksand run assets/scenes/collapse.json --out out/strong --set "

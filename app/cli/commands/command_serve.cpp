@@ -18,24 +18,24 @@ Command add_serve(CLI::App& program) {
   const auto threads = std::make_shared<std::int64_t>(0);
   constexpr int kLastPort = 65535;
   command
-      ->add_option(
-          "file", options->file,
-          "scene, by name or path, folder of a run, which is walked through, or a session that is "
-          "played first; the demo if absent")
+      ->add_option("file", options->file,
+                   "scene (by name or path), folder of a run to walk through, or session to play "
+                   "first; the demo if absent")
       ->type_name("SCENE|RUN|SESSION");
-  command->add_flag("--open", options->open, "open the browser of this machine");
-  command->add_option("--port", options->port, "of the server; 0: any that is free")
+  command->add_flag("--open", options->open, "open the page in this machine's browser");
+  command->add_option("--port", options->port, "port of the server; 0: any free one")
       ->type_name("N")
       ->check(whole_in_range(0, kLastPort))
       ->capture_default_str();
   command
-      ->add_option("--listen", options->address,
-                   "address to listen at; another than the default lets other machines connect")
+      ->add_option(
+          "--listen", options->address,
+          "address to listen on; an address other than the default lets other machines connect")
       ->type_name("ADDRESS")
       ->capture_default_str();
   command
       ->add_option("--host", options->host,
-                   "name by which browsers call this machine, where it is not the address")
+                   "name by which browsers reach this machine, if not by its address")
       ->type_name("NAME");
   command
       ->add_option("--token-file", options->token_file,
@@ -43,10 +43,12 @@ Command add_serve(CLI::App& program) {
       ->type_name("FILE");
   command->add_flag("--pixels", options->pixels, "send pictures, for browsers without WebGL 2");
   command
-      ->add_option("--record", options->record,
-                   "write what was done by hand as a session file that replays to the same state")
+      ->add_option(
+          "--record", options->record,
+          "write the actions done by hand as a session file that replays to the same state")
       ->type_name("FILE.json");
-  command->add_option("--out", options->out, "folder of the files that can be fetched [out/serve]")
+  command
+      ->add_option("--out", options->out, "folder for the files offered for download [out/serve]")
       ->type_name("DIR");
   add_threads_option(*command, *threads, kThreadsOfOneRun);
   command->footer(

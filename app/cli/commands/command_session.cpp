@@ -12,31 +12,28 @@ namespace quicksand {
 
 Command add_session(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
-      "session", "Play a file of commands, or take commands from standard input.");
+      "session", "Play a file of commands, or read commands from standard input.");
   const auto options = std::make_shared<PlayOptions>();
   const auto threads = std::make_shared<std::int64_t>(0);
   command
       ->add_option("file", options->file,
-                   "session file; - takes a command a line from standard input")
+                   "session file; - reads one command per line from standard input")
       ->type_name("FILE.json|-")
       ->required();
-  command->add_option("--out", options->out, "folder that receives every file [out/<session name>]")
+  command->add_option("--out", options->out, "folder for all files written [out/<session name>]")
       ->type_name("DIR");
   command->add_flag("--keep-going", options->keep_going,
-                    "go on after a command failed, and list all failures at the end");
-  command->add_option("--stop-after", options->stop_after, "stop after so many commands")
+                    "continue after a failed command, and list all failures at the end");
+  command->add_option("--stop-after", options->stop_after, "stop after this many commands")
       ->type_name("N")
       ->check(whole_in_range(0, std::numeric_limits<int>::max()));
   add_threads_option(*command, *threads, kThreadsOfOneRun);
   command->add_flag("--quiet", options->quiet, "show no progress");
   command->footer(
-      "Of a file, DIR receives transcript.jsonl: each command with its result, time and the hash "
-      "of\n"
-      "the world. Exit code: 0, 1 if a command of the file failed (answers to standard input say "
-      "it\n"
-      "themselves), 2 if the file is malformed, 130 after Ctrl-C (the state is in "
-      "interrupted.cbor).\n"
-      "`quicksand list commands` tells what there is to say.\n\n"
+      "For a file, DIR receives transcript.jsonl: each command with its result, time and the hash\n"
+      "of the world. Exit code: 0, 1 if a command of the file failed (for standard input, the\n"
+      "answer to the command says so), 2 if the file is malformed, 130 after Ctrl-C (the state is\n"
+      "in interrupted.cbor). `quicksand list commands` lists the commands.\n\n"
       "Examples:\n"
       "  quicksand session assets/sessions/what_if.json\n"
       "  echo '{\"command\": \"load\", \"scene\": \"chain\"}' | quicksand session -");

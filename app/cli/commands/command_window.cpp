@@ -17,21 +17,20 @@ Command add_window(CLI::App& program) {
   command
       ->add_option(
           "file", options->file,
-          "scene, by name or path, the folder of a run that is walked through, finished or "
-          "still computing, a saved state, or a session that is played before the window opens; "
-          "the demo if absent")
+          "scene (by name or path), folder of a run to walk through (finished or still running), "
+          "saved state, or session to play before the window opens; the demo if absent")
       ->type_name("SCENE|DIR|STATE|SESSION");
   command
-      ->add_option("--record", options->record,
-                   "write what was done by hand as a session file that replays to the same state")
+      ->add_option(
+          "--record", options->record,
+          "write the actions done by hand as a session file that replays to the same state")
       ->type_name("FILE.json");
-  command
-      ->add_option("--out", options->out, "folder that receives states and recordings [out/window]")
+  command->add_option("--out", options->out, "folder for states and recordings [out/window]")
       ->type_name("DIR");
-  command->add_option("--scale", options->scale, "size of letters and controls, 0.5 to 4")
+  command->add_option("--scale", options->scale, "scale of text and controls, 0.5 to 4")
       ->type_name("NUMBER")
       ->capture_default_str();
-  command->add_option("--size", *size, "of the window in pixels")
+  command->add_option("--size", *size, "size of the window in pixels")
       ->type_name("WxH")
       ->capture_default_str();
   command->footer(

@@ -16,18 +16,18 @@ _FAILED = 1  # exit code: some runs failed
 
 def campaign(scene, grid=None, *, points=None, set=None, realizations=1, name=None, frames=False, out=None,
              quiet=False, program=None, **options) -> "Campaign":
-    """Computes all runs on all cores and returns their results, a row a run.
+    """Computes all runs on all cores and returns their results, one row per run.
 
     scene:        the name of a shipped scene, the path of a file, or the scene itself, a dict
-    grid:         lists of values by their paths; all combinations are run: {"contact.friction": [0.3, 0.6]}
-    points:       single points instead or besides, each a dict of values by their paths
+    grid:         lists of values by path; all combinations are run: {"contact.friction": [0.3, 0.6]}
+    points:       single points instead of or in addition to a grid, each a dict of values by path
     set:          values for all runs
-    realizations: runs of each point, with seeds s, s+1, ... from the scene's s
-    out:          the folder of the results, out/<name> by default
+    realizations: runs of each point, with seeds s, s+1, ..., where s is the scene's seed
+    out:          the folder for the results, out/<name> by default
     options:      the other options of `quicksand campaign`: threads=2, engine="slurm", wait=True
 
-    The same call again computes only what is new or was interrupted. A run that fails stops nothing: the column
-    `status` tells it, and a warning. Raises InputError, Interrupted.
+    The same call, given again, computes only runs that are new or were interrupted. A failed run stops nothing: the
+    column `status` shows it, and a warning is issued. Raises InputError, Interrupted.
     """
     if name is None:
         stem = scene.get("name", "scene") if isinstance(scene, dict) else Path(scene).stem
@@ -66,7 +66,7 @@ def _scene(scene):
 
 
 class Campaign(Table):
-    """The results of a campaign, a row a run: parameters, seed, status, and the quantities at the end of the run."""
+    """The results of a campaign, one row per run: parameters, seed, status, and the quantities at the end of the run."""
 
     def __init__(self, folder, program=None):
         self.folder = Path(folder)
@@ -85,9 +85,9 @@ class Campaign(Table):
         return [Run(self.folder / "runs" / str(name), self._program) for name in self["run"]]
 
     def mean(self, *quantities) -> Table:
-        """A row a point: its parameters, the number n of finished runs, and of each quantity (named as in
-        `quicksand list quantities`) the mean over the seeds and, as NAME_error, its standard error; that of one run
-        is nan."""
+        """One row per point: its parameters, the number n of finished runs, and for each quantity (named as in
+        `quicksand list quantities`) the mean over the seeds and, as NAME_error, its standard error, which is nan for
+        a single run."""
         points = {}
         for row in self.rows():
             values = points.setdefault(tuple(row[name] for name in self.parameters), [])

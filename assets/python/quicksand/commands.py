@@ -1,11 +1,11 @@
-"""Methods of sessions, made from the schema that the program prints: they cannot know other commands than it does."""
+"""Methods of sessions, made from the schema that the program prints, so that both have the same commands."""
 import inspect
 import keyword
 from typing import Any, Literal
 
 
 class Reply(dict):
-    """What a command tells, and where the world stands after it: step, time [sqrt(d/g)] and hash."""
+    """The result of a command, and the step, time [sqrt(d/g)] and hash of the world after it."""
 
     step: int | None
     time: float | None

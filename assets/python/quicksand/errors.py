@@ -1,4 +1,4 @@
-"""What can go wrong, by who can mend it."""
+"""The errors of this module, by who can fix them."""
 import contextlib
 import re
 
@@ -8,16 +8,16 @@ class Error(Exception):
 
 
 class ProgramNotFound(Error):
-    """There is no program to call, or it does not start."""
+    """The program was not found, or it does not start."""
 
 
 class InputError(Error, ValueError):
     """A scene, an option, a file or the arguments of a command are wrong.
 
-    where:   the place, as messages say it: "scene.json: contact.frction (from --set)"
+    where:   the place, as messages name it: "scene.json: contact.frction (from --set)"
     file:    the file, if it is known
     path:    the place inside the file or the command: "contact.frction"
-    message: what is wrong, and what is possible
+    message: what is wrong, and what is allowed
     nearest: the valid name nearest to a mistyped one, or None
     """
 
@@ -26,7 +26,7 @@ class InputError(Error, ValueError):
         self.message, self.where, self.file, self.path, self.nearest = message, where, file, path, nearest
 
     def of_argument(self, file, argument, names) -> "InputError":
-        """The same error for one who gave the file's content as arguments and never saw the file."""
+        """The same error for a caller who gave the file's content as arguments and never saw the file."""
         place = f"{argument}: " if argument else ""
         where, message = (text.replace(f"{file}: ", place).replace(file, argument or "the arguments")
                           for text in (self.where, self.message))
@@ -37,7 +37,7 @@ class InputError(Error, ValueError):
 
 
 class RunFailed(Error):
-    """The simulation stopped, the disk or the memory is full.
+    """The simulation stopped, or disk or memory is full.
 
     message:      why
     kind:         "run_failed", "scene", "session", "validation", "disk_full", "memory" or "unexpected"
@@ -84,9 +84,9 @@ class Interrupted(KeyboardInterrupt):
 
 @contextlib.contextmanager
 def file_of_argument(file, argument="", names=None):
-    """Errors inside are not told of this file, which soon is no more, but of the argument that it was made from.
+    """Errors raised inside name the argument that this file was made from, not the file, which will soon be gone.
 
-    names: arguments that have another name here than the key of the file that they become
+    names: arguments whose name here differs from their key in the file
     """
     try:
         yield
@@ -99,7 +99,7 @@ _OPTION = re.compile(r"(?<![\w-])--([a-z][a-z-]*)")
 
 
 def _as_keywords(text, names):
-    """Options as one calls them here: "--no-frames" is no_frames."""
+    """Options by their names here: "--no-frames" is no_frames."""
     def keyword(option):
         return names.get(option[1], option[1].replace("-", "_"))
 
@@ -107,9 +107,9 @@ def _as_keywords(text, names):
 
 
 def error_of(told, exit_code, names=None):
-    """The exception for what the program told as JSON, or for its exit code alone if that is None.
+    """The exception for the error that the program reported as JSON, or for its exit code alone if there is none.
 
-    names: arguments that have another name here than the option they become
+    names: arguments whose name here differs from their option
     """
     if told is None:
         return RunFailed(f"the program ended with exit code {exit_code}")

@@ -17,7 +17,7 @@ _AS_WRITTEN = 0.005  # pictures round times to two digits [sqrt(d/g)]
 
 
 class Sample:
-    """One of them. disks, contacts, walls: tables, with the columns of a State."""
+    """One sample. disks, contacts, walls: tables, with the columns of a State."""
 
     def __init__(self, history, folder, suffix, about):
         self._history = history  # with which the folder goes
@@ -48,9 +48,9 @@ class Sample:
 
 
 class History(Sequence):
-    """The samples that `history.qsh` of a run holds, in their order: `history[-1].disks["position_y"]`, `history.at(3.2)`.
+    """The samples in `history.qsh` of a run, in order: `history[-1].disks["position_y"]`, `history.at(3.2)`.
 
-    The program writes them to a temporary folder when the first is asked for; each is read when it is looked at.
+    The program writes them to a temporary folder when the first is requested; each is read when it is used.
     """
 
     def __init__(self, folder, program=None, **bounds):
@@ -76,7 +76,7 @@ class History(Sequence):
         return [sample.about["time"] for sample in self._samples]
 
     def at(self, time) -> Sample:
-        """The sample nearest to a time. Raises InputError if the run has not been there."""
+        """The sample nearest to a time. Raises InputError if the run does not cover that time."""
         first, last = self.times[0], self.times[-1]
         slack = max(_AS_WRITTEN, _ROUNDING * last)
         if not first - slack <= time <= last + slack:

@@ -16,7 +16,7 @@ INTERRUPTED = 130  # exit code
 
 
 def find_program(program=None) -> Path:
-    """The program: `program`, else $QUICKSAND, else `quicksand` on the PATH, else that of the folder of this module.
+    """The program: `program`, else $QUICKSAND, else `quicksand` on the PATH, else the one in the folder of this module.
 
     Raises ProgramNotFound.
     """
@@ -38,7 +38,7 @@ def find_program(program=None) -> Path:
             return path
     raise ProgramNotFound(
         "there is no program quicksand on the PATH, and none of: " + ", ".join(map(str, beside)) +
-        "; build it with app/run.sh --version, or name it by QUICKSAND in the environment or by program=...")
+        "; build it with app/run.sh --version, or name it with QUICKSAND in the environment or with program=...")
 
 
 def start(words, program, **pipes) -> subprocess.Popen:
@@ -52,7 +52,7 @@ def start(words, program, **pipes) -> subprocess.Popen:
 
 
 class Messages:
-    """What the program says on standard error: lines, some of them errors as JSON, and a status that is written over."""
+    """The program's standard error: lines, some of them errors as JSON, and a status line that is overwritten."""
 
     def __init__(self, progress):
         self.progress = progress
@@ -78,14 +78,14 @@ class Messages:
 
 
 class Outcome:
-    """What a finished call left: its standard output and its notes."""
+    """The result of a finished call: its standard output and its notes."""
 
     def __init__(self, out, notes, exit_code):
         self.out, self.notes, self.exit_code = out, notes, exit_code
 
 
 def call(words, program=None, quiet=True, fine=(0,), names=None) -> Outcome:
-    """Runs the program to its end. Raises what it tells, and Interrupted after a Ctrl-C, which it is told of.
+    """Runs the program to its end. Raises the error that it reports, and Interrupted after a Ctrl-C, which it receives.
 
     names: as of error_of
     """
@@ -145,7 +145,7 @@ def option_words(options) -> list[str]:
     words = []
     for name, value in options.items():
         if name in ("help", "version"):
-            raise InputError("is for the command line", where=name, path=name)
+            raise InputError("is for the command line only", where=name, path=name)
         option = "--" + name.replace("_", "-")
         if value is None or value is False:
             continue
@@ -158,9 +158,9 @@ def option_words(options) -> list[str]:
 
 
 def plain(value, where=""):
-    """A value as JSON takes it: numbers and arrays of numpy, tuples and paths, too.
+    """A value as JSON accepts it, including numbers and arrays of numpy, tuples and paths.
 
-    Raises InputError for nan and infinity, which JSON does not have, and names their place from `where` on.
+    Raises InputError for nan and infinity, which JSON cannot represent, and names their place from `where` on.
     """
     if isinstance(value, dict):
         return {str(key): plain(item, f"{where}.{key}" if where else str(key)) for key, item in value.items()}
@@ -173,12 +173,12 @@ def plain(value, where=""):
     if isinstance(value, float) and not math.isfinite(value):
         raise InputError(f"is {value}, must be a finite number", where=where, path=where)
     if not isinstance(value, (str, int, float, bool, type(None))):
-        raise InputError(f"is {type(value).__name__}, which JSON does not have", where=where, path=where)
+        raise InputError(f"is {type(value).__name__}, which JSON cannot represent", where=where, path=where)
     return value
 
 
 def plain_values(values, where) -> dict:
-    """Values by their paths, as JSON takes them; none for None. Raises InputError."""
+    """Values by path, as JSON accepts them; none for None. Raises InputError."""
     if not isinstance(values or {}, dict):
-        raise InputError(f"is {type(values).__name__}, must be a dict of values by their paths", where=where, path=where)
+        raise InputError(f"is {type(values).__name__}, must be a dict of values by path", where=where, path=where)
     return plain(values or {}, where)

@@ -1,4 +1,4 @@
-"""The line that says how far a computation is, in a terminal and in a notebook."""
+"""The progress line of a computation, in a terminal and in a notebook."""
 import sys
 
 
@@ -13,7 +13,7 @@ def _notebook_display():
 
 
 class Progress:
-    """Shows nothing if `quiet`, nor where nobody looks."""
+    """Shows nothing if `quiet`, or if there is neither a terminal nor a notebook."""
 
     def __init__(self, quiet):
         self._display = None if quiet else _notebook_display()
@@ -42,7 +42,7 @@ class Progress:
             sys.stderr.write(text + "\n")
 
     def end(self, last=""):
-        """A notebook keeps the last line, a terminal nothing."""
+        """A notebook keeps the last line, a terminal keeps nothing."""
         if self._handle is not None and last:
             self._handle.update({"text/plain": last}, raw=True)
         self._wipe()

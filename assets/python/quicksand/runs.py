@@ -1,4 +1,4 @@
-"""Runs: computing one, and reading what it left."""
+"""Runs: computing one, and reading its results."""
 import base64
 import difflib
 import html
@@ -17,7 +17,7 @@ from .table import Table, text_of
 
 
 def scene_file(scene, folder) -> str:
-    """What the program takes for a scene: a name, a path, or a file in `folder` that holds this dict."""
+    """The scene for the program: a name, a path, or a file in `folder` that holds this dict."""
     if not isinstance(scene, dict):
         if not isinstance(scene, (str, os.PathLike)):
             raise InputError(f"is {type(scene).__name__}, must be a name, a path or a dict", where="scene", path="scene")
@@ -45,16 +45,16 @@ def run(scene, set=None, *, seed=None, out=None, overwrite=False, resume=False, 
     """Computes a scene and returns the run.
 
     scene:     the name of a shipped scene, the path of a file, or the scene itself, a dict
-    set:       values of the scene by their paths: {"contact.friction": 0.5, "phases[1].force": 2e4}
-    out:       the folder of the results, out/<name of the scene> by default
-    overwrite: replaces the run that the folder holds
-    resume:    goes on with the run of this very scene that the folder holds; if it is finished, only reads it
+    set:       values of the scene by path: {"contact.friction": 0.5, "phases[1].force": 2e4}
+    out:       the folder for the results, out/<name of the scene> by default
+    overwrite: replaces the run already in the folder
+    resume:    continues the run of this very scene in the folder; if it is finished, only reads it
     quiet:     shows no progress
     options:   the other options of `quicksand run`: every=0.1, no_frames=True, threads=1, strict=True,
                colour="speed", size=(640, 480)
 
-    Ctrl-C raises Interrupted, a KeyboardInterrupt, once the program has saved what it computed; its `run`, or
-    resume=True, goes on. Raises InputError, RunFailed (with its `run`), ValidationFailed.
+    Ctrl-C raises Interrupted, a KeyboardInterrupt, once the program has saved what it computed; continue with its
+    `run` or with resume=True. Raises InputError, RunFailed (with its `run`), ValidationFailed.
     """
     with tempfile.TemporaryDirectory(prefix="quicksand-") as folder, file_of_argument(f"{folder}/scene.json", "scene"):
         words = [scene_file(scene, folder)]
@@ -72,7 +72,7 @@ def _compute(words, out, quiet, program) -> "Run":
     try:
         call(words, program, quiet)
     except Interrupted:
-        raise Interrupted(f"interrupted; Run({str(out)!r}).resume() goes on", run=Run(out, program)) from None
+        raise Interrupted(f"interrupted; Run({str(out)!r}).resume() continues it", run=Run(out, program)) from None
     except RunFailed as error:
         error.run = Run(out, program)
         raise
@@ -80,7 +80,7 @@ def _compute(words, out, quiet, program) -> "Run":
 
 
 class Run:
-    """The folder of a run, finished or not. What was read stays as it is: make a new Run to read again."""
+    """The folder of a run, finished or not. Files are read once: make a new Run to read them again."""
 
     def __init__(self, folder, program=None):
         self.folder = Path(folder)
@@ -94,7 +94,7 @@ class Run:
 
     @cached_property
     def scene(self) -> dict:
-        """The scene with every default explicit; it can be run again."""
+        """The scene with every default made explicit; it can be run again."""
         return self._json("scene.json")
 
     @cached_property
@@ -113,7 +113,7 @@ class Run:
 
     @cached_property
     def series(self) -> Table:
-        """The time history, a row a sample; `quicksand list quantities` tells its columns and units."""
+        """The time history, one row per sample; `quicksand list quantities` lists its columns and units."""
         return Table.read(self.folder / "series.csv", units("series", self._program))
 
     def table(self, name) -> Table:
@@ -121,14 +121,14 @@ class Run:
         file = self.folder / f"{name}.csv"
         if not file.exists():
             there = sorted(one.stem for one in self.folder.glob("*.csv"))
-            raise InputError(f"is no table of this run, which has: {', '.join(there) or 'none'}",
+            raise InputError(f"is not a table of this run, which has: {', '.join(there) or 'none'}",
                              where=f"{self.folder}: {name}", path=str(name),
                              nearest=next(iter(difflib.get_close_matches(str(name), there, 1)), None))
         return Table.read(file)
 
     @property
     def state(self) -> State:
-        """The last state that was saved."""
+        """The last saved state."""
         return State(self.folder / "state.cbor", self._program)
 
     def measure(self, **options) -> dict:
@@ -138,12 +138,12 @@ class Run:
 
     @cached_property
     def history(self) -> History:
-        """The states of all samples; of a long run, `between` takes a part."""
+        """The states of all samples; `between` selects a part of a long run."""
         return History(self.folder, self._program)
 
     @property
     def frames(self) -> list[Path]:
-        """The pictures of the samples, in their order."""
+        """The pictures of the samples, in order."""
         return sorted((self.folder / "frames").glob("frame_*.png"))
 
     @property
@@ -158,7 +158,7 @@ class Run:
 
     @property
     def figures(self) -> dict[str, Picture]:
-        """The plots of the report by their names; writes the report where there is none."""
+        """The plots of the report by name; writes the report if there is none."""
         if not (self.folder / "plots").exists():
             self.report()
         return {file.stem: Picture.read(file) for file in sorted((self.folder / "plots").glob("*.png"))}
@@ -170,7 +170,7 @@ class Run:
         return self.state.picture(**options)
 
     def resume(self, quiet=False) -> "Run":
-        """Goes on with an interrupted or killed run; the results are those of a run that nothing stopped."""
+        """Continues an interrupted or killed run; the results are those of an uninterrupted run."""
         return _compute(["resume", self.folder, *option_words({"quiet": quiet})], self.folder, quiet, self._program)
 
     def _resume_as(self, scene, quiet) -> "Run":

@@ -1,4 +1,4 @@
-"""A simulation that is steered while it runs, over the program's live connection."""
+"""A simulation steered while it runs, over the program's live connection."""
 import json
 import shutil
 import signal
@@ -37,7 +37,7 @@ class Session:
     options: the other options of `quicksand session`: threads=1
 
     A method returns a Reply: a dict, with the attributes step, time and hash. It raises InputError for wrong
-    arguments and CommandFailed for what could not be done; the session goes on after both. Ctrl-C ends the session:
+    arguments and CommandFailed for what could not be done; the session continues after both. Ctrl-C ends the session:
     it raises Interrupted, whose `state` is what the program has saved.
     """
 
@@ -113,14 +113,14 @@ class Session:
         raise SessionEnded(f"the program has ended with exit code {code}: {' '.join(messages.notes)}")
 
     def picture(self, **arguments) -> Picture:
-        """The present moment, as `view` and `camera` say; arguments are those of `snapshot` but its file."""
+        """A picture of the current moment, as `view` and `camera` set it; arguments: those of `snapshot`, without file."""
         self._pictures += 1
         file = f"picture_{self._pictures}.png"
         self.command("snapshot", file=file, **arguments)
         return Picture.read(self.folder / file)
 
     def state(self) -> State:
-        """The present state with its tables of disks, contacts and walls."""
+        """The current state with its tables of disks, contacts and walls."""
         self._pictures += 1
         file = f"state_{self._pictures}.cbor"
         self.command("save", file=file)

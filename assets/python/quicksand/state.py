@@ -10,14 +10,14 @@ from .table import Table
 
 
 def measure(path, program, options) -> dict:
-    """What `quicksand measure --json` tells of a state or of a run."""
+    """The output of `quicksand measure --json` for a state or a run."""
     return json.loads(call(["measure", path, "--json", *option_words(options)], program).out)
 
 
 class State:
-    """A checkpoint (`state.cbor` of a run, or what a session saves).
+    """A checkpoint (`state.cbor` of a run, or a state saved by a session).
 
-    disks, contacts, walls: tables; `quicksand list columns` tells their columns and units
+    disks, contacts, walls: tables; `quicksand list columns` lists their columns and units
     """
 
     def __init__(self, path, program=None):
@@ -49,9 +49,9 @@ class State:
         return self._tables["states"].rows()[0]
 
     def measure(self, **options) -> dict:
-        """Regions, profile and distributions, as `quicksand measure --json` tells them, with its options.
+        """Regions, profile and distributions, as `quicksand measure --json` gives them, with its options.
 
-        since: the path of an earlier state, to which `changes` then compares
+        since: the path of an earlier state, relative to which `changes` are then given
         """
         return measure(self.path, self._program, options)
 

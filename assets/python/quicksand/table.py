@@ -43,8 +43,8 @@ def column(values):
 
 
 class Table(Mapping):
-    """Columns by name, each an array of numpy (a list without numpy); what a row does not have is nan, or
-    None among true and false.
+    """Columns by name, each an array of numpy (a list without numpy); missing values are nan, or None in
+    columns of true and false.
 
     `table["depth"]` is a column, `table.rows()` a list of dicts, `table.frame()` a frame of pandas, and
     `table.label("depth")` the label of an axis.
@@ -56,7 +56,7 @@ class Table(Mapping):
 
     @classmethod
     def read(cls, path, units=None) -> "Table":
-        """A CSV file with a line of names. A last line that is not complete, of a run that still computes, is left out."""
+        """Reads a CSV file with a header. An incomplete last line, of a run that is still computing, is left out."""
         with open(path, newline="", encoding="utf-8") as file:
             names, *rows = csv.reader(file)
         rows = [row for row in rows if len(row) == len(names)]
@@ -68,7 +68,7 @@ class Table(Mapping):
             return self._columns[name]
         except KeyError:
             near = difflib.get_close_matches(str(name), self, 1)
-            raise KeyError(f"{name} is no column" + (f"; did you mean {near[0]}?" if near else "")) from None
+            raise KeyError(f"{name} is not a column" + (f"; did you mean {near[0]}?" if near else "")) from None
 
     def __iter__(self):
         return iter(self._columns)
@@ -115,7 +115,7 @@ class Table(Mapping):
 
 
 def text_of(value) -> str:
-    """A value as tables for people show it."""
+    """A value as text for a table."""
     if value is None or (isinstance(value, float) and math.isnan(value)):
         return ""
     return f"{value:.6g}" if isinstance(value, float) else str(value)

@@ -225,7 +225,7 @@ TEST(Benchmark, WhatCannotBeWrittenIsToldByItsName) {
   std::ofstream(folder.path() / "results/problems") << "a file";
   const Outcome outcome = run_bench({"problems", "--quick", "--out", "results"}, folder.path());
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(outcome.out.find("recorded problems: results/problems/push: cannot be made"),
+  EXPECT_NE(outcome.out.find("recorded problems: results/problems/push: cannot be created"),
             std::string::npos)
       << outcome.out;
 }

@@ -29,7 +29,7 @@ TEST_F(CampaignFailure, OfAPhaseThatRefusesWhatItFindsAdvisesAnotherScene) {
     if (again) words.emplace_back("--status");
     const Outcome outcome = quicksand(words);
     EXPECT_EQ(outcome.exit_code, 1);
-    EXPECT_NE(outcome.err.find("grains are where the vane is to be"), std::string::npos)
+    EXPECT_NE(outcome.err.find("grains are in the place of the vane"), std::string::npos)
         << outcome.err;
     EXPECT_NE(outcome.err.find("  change its scene, as in: quicksand run "), std::string::npos)
         << outcome.err;

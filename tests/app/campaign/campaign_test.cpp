@@ -242,7 +242,7 @@ TEST_F(CampaignTest, RunsThatAnotherProcessComputesHaveNotFailed) {
     EXPECT_EQ(outcome.err, "");
     EXPECT_NE(outcome.out.find("6 runs, 5 finished, 1 running elsewhere"), std::string::npos)
         << outcome.out;
-    EXPECT_NE(outcome.out.find("another process computes"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("another process is computing"), std::string::npos) << outcome.out;
     EXPECT_NE(quicksand({"campaign", "many.json", "--status"})
                   .out.find("6 runs, 5 finished, 1 running elsewhere"),
               std::string::npos);
@@ -268,6 +268,18 @@ TEST_F(CampaignTest, RunsOfAnotherCampaignAreNotOverwritten) {
   EXPECT_EQ(quicksand({"campaign", "many.json"}).exit_code, 0);
   EXPECT_EQ(fs::last_write_time(at("out/many/runs/00001/summary.json")), before);
   EXPECT_TRUE(fs::exists(at("out/many/runs/00002_2/summary.json")));
+}
+
+// What a scene says of its purpose does not change what is computed.
+TEST_F(CampaignTest, RunsOfTheSameSceneInOtherWordsAreKept) {
+  ASSERT_EQ(quicksand({"campaign", "many.json"}).exit_code, 0);
+  const auto before = fs::last_write_time(at("out/many/runs/00001/summary.json"));
+  Json scene = Json::parse(contents(at("small.json")));
+  scene["description"] = "in other words";
+  folder_.write("small.json", scene.dump());
+  const Outcome again = quicksand({"campaign", "many.json"});
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(fs::last_write_time(at("out/many/runs/00001/summary.json")), before);
 }
 
 TEST_F(CampaignTest, ATaskComputesItsChunkOnly) {

@@ -276,7 +276,7 @@ TEST_F(ProgramTest, ASceneMayStartFromTheStateOfAnother) {
   const Outcome narrow =
       quicksand({"run", "next.json", "--no-frames", "--overwrite", "--set", "box.width=7"});
   EXPECT_EQ(narrow.exit_code, 2);
-  EXPECT_NE(narrow.err.find("another width (6 d)"), std::string::npos) << narrow.err;
+  EXPECT_NE(narrow.err.find("differs in width (6 d)"), std::string::npos) << narrow.err;
 
   const std::string piston =
       R"([{"type": "piston", "mass": 5, "force": 10, "max_time": 1.1, "remove": false}])";

@@ -36,9 +36,9 @@ TEST_F(RefusedInput, DifferencesReplaceNoFileButAPicture) {
   folder_.write("notes.txt", "mine");
   const std::string a = contents(at("a.png"));
   expect_refused({"compare", "a.png", "b.png", "--difference", "a.png"},
-                 "--difference a.png: is what is read");
+                 "--difference a.png: is one of the pictures to compare; choose another file");
   expect_refused({"compare", "b.png", "a.png", "--difference", "./a.png"},
-                 "--difference ./a.png: is what is read");
+                 "--difference ./a.png: is one of the pictures to compare; choose another file");
   expect_refused({"compare", "a.png", "b.png", "--difference", "notes.txt"},
                  "notes.txt: must end in .png; that is what is written");
   expect_refused({"compare", ".", "a.png"}, ".: is a folder, not a PNG file");
@@ -76,7 +76,7 @@ TEST_F(RefusedInput, CheckLooksAtTheStateThatASceneStartsFrom) {
   for (const auto& [start, problem] :
        {std::pair{"none.cbor", "none.cbor: cannot be read: No such file"},
         {"r", "is a folder; give the state in it, "},
-        {"small.json", "is not a whole checkpoint"}}) {
+        {"small.json", "is not a complete checkpoint"}}) {
     const Outcome outcome = check(start);
     EXPECT_EQ(outcome.exit_code, 2) << start;
     EXPECT_NE(outcome.err.find(problem), std::string::npos) << outcome.err;
@@ -102,16 +102,16 @@ TEST_F(RefusedInput, SaysOnceWhatIsWrongAndWithWhichFile) {
   run();
   folder_.write("f.txt", "text");
   expect_refused({"report", "r", "--out", "f.txt"},
-                 "f.txt: is a file, the results need a folder; choose another with --out");
+                 "f.txt: is a file, but the results need a folder; choose another with --out");
   expect_refused({"run", "small.json", "--continue", "r"},
                  "r: is a folder; give the state in it, r/state.cbor");
   expect_refused({"run", "small.json", "--out", ""}, "--out: is empty");
   expect_refused({"check", "nosuch"},
-                 "\"nosuch\" is neither a file nor a shipped scene; `quicksand list scenes` shows "
-                 "what is shipped");
+                 "\"nosuch\" is neither a file nor a shipped scene; `quicksand list scenes` lists "
+                 "the shipped scenes");
   expect_refused({"check", "r"},
                  "\"r\" is a folder, and no shipped scene has this name; `quicksand list scenes` "
-                 "shows what is shipped");
+                 "lists the shipped scenes");
   const Outcome collected = quicksand({"reproduce", "--collect", "f.txt", "--report", "all"});
   EXPECT_EQ(collected.exit_code, 2);
   EXPECT_EQ(collected.err.find("quicksand: f.txt: not valid JSON"), 0U) << collected.err;
@@ -120,7 +120,8 @@ TEST_F(RefusedInput, SaysOnceWhatIsWrongAndWithWhichFile) {
 TEST_F(RefusedInput, HelpIsAskedOfNoCommandThatDoesNotExist) {
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"rum", "--help"}, {"--help", "rum"}, {"--version", "rum"}}) {
-    expect_refused(words, "\"rum\" is no command; did you mean \"run\"? (see `quicksand --help`)");
+    expect_refused(words,
+                   "\"rum\" is not a command; did you mean \"run\"? (see `quicksand --help`)");
   }
 }
 
@@ -136,7 +137,7 @@ TEST_F(RefusedInput, CountsOneThingAsOne) {
       quicksand({"check", "small.json", "--set", "method=nscd", "--set", "nscd.sweeps=1", "--set",
                  "phases[+]={\"type\": \"shear\", "
                  "\"depths\": [1], \"first_force\": 1, \"grains_per_depth\": 1}"});
-  EXPECT_NE(checked.out.find(" 1 sweep a step in "), std::string::npos)
+  EXPECT_NE(checked.out.find(" 1 sweep per step in "), std::string::npos)
       << checked.out << checked.err;
   EXPECT_NE(checked.out.find(" 1 grain each at depths of "), std::string::npos) << checked.out;
 }

@@ -124,9 +124,9 @@ TEST_F(RunHistoryTest, WhatIsNotThereIsRefusedWithWhatIs) {
   refused({"render", "run", "--from", "0.1", "--out", "x.png"}, "add --film");
   refused({"render", "run", "--film", "--out", "run"}, "holds a run");
   refused({"render", "run", "--range", "histry", "--out", "x.png"}, "did you mean \"history\"?");
-  refused({"render", "run/state.cbor", "--time", "0.1", "--out", "x.png"}, "is one state");
+  refused({"render", "run/state.cbor", "--time", "0.1", "--out", "x.png"}, "is a single state");
   refused({"export", "run/state.cbor", "--to", "1", "--format", "csv", "--out", "x"},
-          "is one state");
+          "is a single state");
   const std::string whole = contents(at("run/history.qsh"));
   std::string damaged = whole;
   damaged[whole.size() / 2] = static_cast<char>(damaged[whole.size() / 2] ^ 4);

@@ -331,7 +331,7 @@ TEST_F(ExportTest, DoesNotReplaceWhatItReads) {
     const std::string out = "out/pierced/" + std::string(file), before = contents(at(out));
     const Outcome outcome = quicksand({"export", "out/pierced", "--format", "xyz", "--out", out});
     EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_NE(outcome.err.find("is what is read"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("is the input"), std::string::npos) << outcome.err;
     EXPECT_EQ(contents(at(out)), before);
   }
 }
@@ -369,7 +369,7 @@ TEST_F(ExportTest, RefusesWhatItCannotExport) {
       {{kState, "--format", "cvs", "--out", "x"}, "did you mean \"csv\""},
       {{"nowhere.cbor", "--format", "csv", "--out", "x"}, "nowhere.cbor: cannot be read"},
       {{kState, "text.cbor", "--format", "xyz", "--out", "a.xyz"},
-       "text.cbor: is not a whole checkpoint"},
+       "text.cbor: is not a complete checkpoint"},
       {{kState, "--format", "csv", "--out", "file"}, "file: is a file"},
       {{kState, "--format", "xyz", "--out", "folder"}, "folder: is a folder"},
   };

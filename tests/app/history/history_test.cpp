@@ -255,7 +255,7 @@ TEST_F(HistoryTest, ThatIsDamagedIsRefusedWithThePlace) {
     EXPECT_NE(refused.find("byte "), std::string::npos) << refused;
   }
   folder_.write("history.qsh", "time,step\n");
-  EXPECT_NE(refusal().find("is no history of a run"), std::string::npos);
+  EXPECT_NE(refusal().find("is not the history of a run"), std::string::npos);
   fs::remove(path_);
   EXPECT_NE(refusal().find("cannot be read"), std::string::npos);
 }

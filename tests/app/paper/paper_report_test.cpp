@@ -153,9 +153,9 @@ TEST_F(PaperReportTest, NamesTheCommandUnderEachFigureAndTheBuildsOfTheRuns) {
     }
   EXPECT_GT(figures, 0);
   for (const char* told : {"NSCD: 10 of 10 runs finished.", "exact: 9 of 10 runs finished.",
-                           "Made by: 9 by commit of_another_build."})
+                           "Computed: 9 by commit of_another_build."})
     EXPECT_NE(runs.find(told), std::string::npos) << told << "\n" << runs;
-  EXPECT_NE(runs.find("were made by other builds"), std::string::npos) << runs;
+  EXPECT_NE(runs.find("were made by builds other"), std::string::npos) << runs;
 }
 
 class Records : public PaperFixture {};
@@ -216,7 +216,8 @@ TEST_F(PaperReportTest, OfOtherReportsTakesEachNumberFromTheFirstThatHasIt) {
   EXPECT_EQ(of_density[3].links[0].address, "exact/report.md");
   EXPECT_EQ(row(table, "after the piston: coordination number")[2].links[0].text, "one");
   const Plot& plot = std::get<Figure>(report.sections[0].blocks.at(0)).plot;
-  const auto curve = std::ranges::find(plot.curves, "NSCD, chose its setting", &Curve::name);
+  const auto curve =
+      std::ranges::find(plot.curves, "NSCD, used to choose its settings", &Curve::name);
   ASSERT_NE(curve, plot.curves.end());
   EXPECT_TRUE(curve->open);
   ASSERT_EQ(curve->x.size(), 1U);

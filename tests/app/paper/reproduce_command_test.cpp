@@ -44,7 +44,7 @@ TEST_F(ReproduceCommand, ByNscdLeavesOutWhatIsAboutExactSteps) {
   EXPECT_EQ(all.out.find("setting_a"), std::string::npos) << all.out;
   const Outcome other = reproduce({"--method", "nscd", "--push-step", "0.01", "--dry-run"});
   EXPECT_EQ(other.exit_code, 2);
-  EXPECT_NE(other.err.find("is of exact steps"), std::string::npos) << other.err;
+  EXPECT_NE(other.err.find("applies to exact steps only"), std::string::npos) << other.err;
   EXPECT_EQ(reproduce({"--method", "nsdc", "--dry-run"}).exit_code, 2);
   const Outcome criteria = reproduce({"break_rule", "--method", "nscd", "--dry-run"});
   EXPECT_EQ(criteria.exit_code, 2);
@@ -135,7 +135,7 @@ TEST_F(ReproduceParts, SlowReportsOnWhatRanAndRepeatsNothing) {
     EXPECT_NE(contents(out + "/plots/structure_" + of + ".csv").find("after the piston"),
               std::string::npos)
         << of;
-  EXPECT_EQ(page.find("pull-out force over the push force before"), std::string::npos)
+  EXPECT_EQ(page.find("ratio of the pull-out force to the preceding push force"), std::string::npos)
       << "of another figure";
   const auto when = std::filesystem::last_write_time(out + "/runs/sample/00/summary.json");
   ASSERT_EQ(reproduce(words(out)).exit_code, 0);

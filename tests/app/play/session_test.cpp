@@ -33,13 +33,14 @@ TEST_F(SessionTest, ComputesMeasuresAndWritesATranscript) {
 }
 
 // The disk slides, at friction, before it would roll.
-TEST_F(SessionTest, ARunTellsWhatItsSearchesFound) {
-  const Outcome played = play({R"({"command": "load", "scene": {"gravity": {},
+constexpr const char* kSheared = R"({"command": "load", "scene": {"gravity": {},
       "box": {"width": 9, "height": 4}, "contact": {"friction": 0.3, "rolling_friction": 10},
       "bodies": [{"position": [3, 0.5]}], "phases": [
       {"type": "settle", "until_rest": false, "max_time": 0.1},
-      {"type": "shear", "depths": [0.5], "distance": 1, "first_force": 1, "tolerance": 0.1}]}})",
-                               R"({"command": "run", "phase_end": true})",
+      {"type": "shear", "depths": [0.5], "distance": 1, "first_force": 1, "tolerance": 0.1}]}})";
+
+TEST_F(SessionTest, ARunTellsWhatItsSearchesFound) {
+  const Outcome played = play({kSheared, R"({"command": "run", "phase_end": true})",
                                R"({"command": "run", "phase_end": true})"});
   ASSERT_EQ(played.exit_code, 0) << played.err;
   EXPECT_FALSE(transcript()[1]["result"].contains("critical_forces"));
@@ -47,6 +48,26 @@ TEST_F(SessionTest, ARunTellsWhatItsSearchesFound) {
   ASSERT_EQ(found.size(), 1U);
   EXPECT_LE(found[0]["force_low"], 0.3);
   EXPECT_GE(found[0]["force_high"], 0.3);
+}
+
+TEST_F(SessionTest, ACriticalForceIsExpectedWithItsWholeInterval) {
+  const auto expecting = [&](const std::string& bounds, int runs) {
+    std::vector<std::string> commands{kSheared};
+    commands.insert(commands.end(), runs, R"({"command": "run", "phase_end": true})");
+    commands.push_back(R"({"command": "expect_critical_force", )" + bounds + "}");
+    return play(commands);
+  };
+  EXPECT_EQ(expecting(R"("at_least": 0.25, "at_most": 0.35)", 2).exit_code, 0);
+  const Outcome above = expecting(R"("at_least": 0.3)", 2);
+  EXPECT_EQ(above.exit_code, 1);
+  EXPECT_NE(above.err.find("the critical force of body 0 lies between 0."), std::string::npos)
+      << above.err;
+  EXPECT_EQ(expecting(R"("at_most": 0.3)", 2).exit_code, 1);
+  const Outcome early = expecting(R"("at_most": 1)", 1);
+  EXPECT_EQ(early.exit_code, 1);
+  EXPECT_NE(early.err.find("no search has found a critical force yet"), std::string::npos)
+      << early.err;
+  EXPECT_EQ(expecting(R"("at_least": 2, "at_most": 1)", 0).exit_code, 2);
 }
 
 // The fixed grain at (0, 5) is outside of the lens, the hanging one at (0, 4) inside.

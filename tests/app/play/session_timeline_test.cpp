@@ -39,9 +39,9 @@ TEST_F(SessionTimelineTest, WhatCannotBeIsRefused) {
            {R"({"command": "show", "sample": 99})", "must be at most "},
            {R"({"command": "show", "phase": 7})",
             "the run has no sample of phase 7; its last is 1"},
-           {R"({"command": "start"})", "go_on computes on from it"},
-           {R"({"command": "run", "steps": 1})", "go_on computes on from it"},
-           {R"({"command": "save", "file": "x.cbor"})", "go_on computes on from it"}}) {
+           {R"({"command": "start"})", "go_on continues computing from it"},
+           {R"({"command": "run", "steps": 1})", "go_on continues computing from it"},
+           {R"({"command": "save", "file": "x.cbor"})", "go_on continues computing from it"}}) {
     const Outcome outcome = play({kOpen, command});
     EXPECT_NE(outcome.exit_code, 0) << command;
     EXPECT_NE(outcome.err.find(reason), std::string::npos) << outcome.err;

@@ -55,9 +55,9 @@ TEST_F(KeptResults, TextThatIsNoUtf8IsRefusedAndReplacesNothing) {
     "start_from": "state.cbor", "phases": [{"type": "settle"}]})");
   const auto before = kept();
   const std::pair<std::vector<std::string>, std::string> mistakes[] = {
-      {{"small.json", "--set", "description=caf\xE9"}, "--set description: is no UTF-8"},
+      {{"small.json", "--set", "description=caf\xE9"}, "--set description: is not valid UTF-8"},
       {{"bad\xFF.json"}, "name: is missing"},
-      {{"bad\xFF/from.json"}, "start_from: is in a folder whose name is no UTF-8"}};
+      {{"bad\xFF/from.json"}, "start_from: is in a folder whose name is not valid UTF-8"}};
   for (const auto& [words, answer] : mistakes) {
     std::vector<std::string> arguments{"run", "--no-frames", "--overwrite", "--out", "kept"};
     arguments.insert(arguments.end(), words.begin(), words.end());
@@ -125,7 +125,7 @@ TEST_F(KeptResults, AFullDiskBeforeTheFirstCheckpointSaysToResume) {
     GTEST_SKIP() << "a small disk cannot be mounted here: needs root";
   const Outcome full = quicksand({"run", "small.json", "--no-frames", "--quiet", "--out", "kept"});
   EXPECT_EQ(full.exit_code, 1);
-  EXPECT_NE(full.err.find("go on with: "), std::string::npos) << full.err;
+  EXPECT_NE(full.err.find("continue with: "), std::string::npos) << full.err;
   EXPECT_NE(full.err.find("quicksand resume kept"), std::string::npos) << full.err;
   ASSERT_EQ(mount("none", at("kept").c_str(), "tmpfs", MS_REMOUNT, "size=64m"), 0);
   const Outcome resumed = quicksand({"resume", "kept"});

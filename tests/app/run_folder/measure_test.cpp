@@ -139,7 +139,7 @@ TEST_F(MeasureTest, RefusesWhatItCannotMeasure) {
   const std::pair<std::vector<std::string>, std::string> mistakes[] = {
       {{"measure"}, "state is required"},
       {{"measure", "nowhere.cbor"}, "nowhere.cbor: cannot be read"},
-      {{"measure", "text.cbor"}, "text.cbor: is not a whole checkpoint"},
+      {{"measure", "text.cbor"}, "text.cbor: is not a complete checkpoint"},
       {{"measure", state, "--slices", "3"}, "did you mean \"--slice\""},
       {{"measure", state, "--slice", "0"}, "--slice: is 0, must be a number from 0.1"},
       {{"measure", state, "--slice", "nan"}, "--slice: is nan, must be a number from 0.1"},
@@ -280,8 +280,7 @@ TEST_F(MeasureTest, RefusesToCompareMomentsBetweenWhichGrainsWereTakenAwayOrRepl
   const double begin = columns_of(at("out/pierced")).at("time").back() - 0.06;
   const Outcome cleared = quicksand({"measure", "out/pierced", "--since", "0"});
   EXPECT_EQ(cleared.exit_code, 2);
-  EXPECT_NE(cleared.err.find("taken away or replaced in between"), std::string::npos)
-      << cleared.err;
+  EXPECT_NE(cleared.err.find("removed or replaced in between"), std::string::npos) << cleared.err;
   EXPECT_EQ(quicksand({"measure", "out/pierced", "--since", std::to_string(begin)}).exit_code, 0);
   folder_.write("later.json", R"({"box": {"width": 12}, "gravity": {}, "contact": {"friction": 0.3,
                  "cohesion_force": 1000}, "start_from": "out/pierced/state.cbor",

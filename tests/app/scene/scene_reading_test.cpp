@@ -145,8 +145,9 @@ TEST(SceneReading, WhatFollowsFromAKeyIsRefusedBeyondItsRange) {
 TEST(SceneReading, BondsOfListedBodiesAreRefusedWhereAStateBringsItsOwn) {
   const std::string message =
       refusal(kSceneReadingScene, {"bodies=null", "start_from=a.cbor", "initial_bonds=touching"});
-  EXPECT_NE(message.find("initial_bonds (from --set): is \"touching\", but start_from brings"),
-            std::string::npos)
+  EXPECT_NE(
+      message.find("initial_bonds (from --set): is \"touching\", but start_from already brings"),
+      std::string::npos)
       << message;
 }
 

@@ -88,10 +88,9 @@ TEST(SceneReport, AThresholdIsSoughtInTrialsAndNothingIsReleased) {
 TEST(SceneSize, WhatCannotBeListedIsRefused) {
   if (!kMemoryCanBeBounded) GTEST_SKIP() << "not under the address sanitizer";
   const BoundedMemory bound(kRoom);
-  EXPECT_EQ(
-      refusal_of([] { row_of("4e6"); }),
-      "bodies: are 4000000 with their repeats; listing them takes at least 2.0 GB of memory, and "
-      "1.0 GB is all there is");
+  EXPECT_EQ(refusal_of([] { row_of("4e6"); }),
+            "bodies: are 4000000 with their repeats; listing them takes at least 2.0 GB of memory, "
+            "but only 1.0 GB is available");
 }
 
 TEST(SceneSize, WhatCanBeListedButNotComputedIsRefusedWhereItStarts) {
@@ -99,7 +98,7 @@ TEST(SceneSize, WhatCanBeListedButNotComputedIsRefusedWhereItStarts) {
   const BoundedMemory bound(kRoom);
   const Scenario row = row_of("1e6");
   EXPECT_EQ(refusal_of([&] { start_world(row); }).substr(0, 70),
-            "row: to compute about 1000000 bodies takes at least 2.7 GB of memory, ");
+            "row: computing about 1000000 bodies takes at least 2.7 GB of memory, ");
   EXPECT_NE(refusal_of([] { start_world(deposit_of("1e6")); }), "was not refused");
   start_world(deposit_of("1e5"));
 }

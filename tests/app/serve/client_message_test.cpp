@@ -40,7 +40,7 @@ TEST(ClientMessage, EachCommandIsAdmittedOrRefusedByItsName) {
     if (refusal.empty()) {
       ++admitted;
     } else {
-      EXPECT_NE(refusal.find("not for browsers"), std::string::npos) << refusal;
+      EXPECT_NE(refusal.find("not available to browsers"), std::string::npos) << refusal;
       EXPECT_TRUE(command.group == "Panel" || command.group == "Session" ||
                   command.name == "open" || command.name == "expect_image")
           << command.name;

@@ -52,7 +52,7 @@ TEST_F(ServeProgram, TellsAnAddressFromAPortThatIsWrong) {
   for (const char* address : {"nosuchhost", "192.0.2.7"}) {
     const Outcome end = refused({"serve", "chain", "--listen", address}, folder_.path());
     EXPECT_EQ(end.exit_code, 2);
-    EXPECT_NE(end.err.find("--listen: " + std::string(address) + " is no address"),
+    EXPECT_NE(end.err.find("--listen: " + std::string(address) + " is not an address"),
               std::string::npos)
         << end.err;
   }

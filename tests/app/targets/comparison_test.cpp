@@ -97,8 +97,8 @@ TEST_F(TargetsTest, AreRefusedWithThePlaceOfTheMistake) {
       {one(R"("words": "w")"), "printed or interval or at_least or at_most"},
       {one(R"("printed": "1", "at_least": 2)"), "only one"},
       {one(R"("printed": 1)"), "targets[0].printed"},
-      {one(R"("printed": "1e4")"), "targets[0].printed: is no decimal number"},
-      {one(R"("printed": "1.")"), "targets[0].printed: is no decimal number"},
+      {one(R"("printed": "1e4")"), "targets[0].printed: is not a decimal number"},
+      {one(R"("printed": "1.")"), "targets[0].printed: is not a decimal number"},
       {one(R"("interval": [2, 1])"), "wrong way round"},
       {one(R"("printed": "1", "becaus": "")"), "did you mean \"because\""},
       {R"({"source": "s", "targets": [)", "not valid JSON"},
@@ -193,7 +193,7 @@ TEST_F(ComparisonTable, SaysWhyWhatIsOutsideIsOrThatNoReasonIsMeasured) {
   EXPECT_EQ(coordination.text, "Both count more.") << "once, of both methods";
   EXPECT_EQ(row("penetration.1.0.active_of_contacts").back().text, "") << "nothing is outside";
   const Table none = comparison_table(paper_, {exact_}, {}, "out");
-  EXPECT_EQ(none.rows[1].back().text, "no reason is measured.");
+  EXPECT_EQ(none.rows[1].back().text, "No reason has been measured.");
   EXPECT_EQ(none.rows[1][3].text, "outside");
 }
 

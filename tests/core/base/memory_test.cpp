@@ -43,7 +43,7 @@ TEST_F(Memory, IsWhatTheProcessMayStillTakeIfThatIsLess) {
   EXPECT_NEAR(available_memory(), 500000000, 50000000);
   EXPECT_EQ(memory_problem(400000000), "");
   EXPECT_EQ(memory_problem(2500000000),
-            "takes at least 2.5 GB of memory, and 0.5 GB is all there is");
+            "takes at least 2.5 GB of memory, but only 0.5 GB is available");
 }
 
 // One more body than a world was made for takes little more memory, and n of them a time in proportion to n.

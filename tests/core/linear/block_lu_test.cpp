@@ -270,7 +270,7 @@ TEST(BlockLu, RefusesWhatItHasNoMemoryForBeforeItTakesIt) {
     } catch (const NotEnoughMemory& error) {
       EXPECT_NE(
           std::string(error.what())
-              .find("to factorise the contacts of 1500 bodies takes at least 0.4 GB of memory"),
+              .find("factorising the contacts of 1500 bodies takes at least 0.4 GB of memory"),
           std::string::npos)
           << error.what();
     }

@@ -27,7 +27,7 @@ TEST(ForceBracket, HoldsTheThresholdWithinItsTolerance) {
         EXPECT_LE(found.low, threshold);
         EXPECT_GT(*found.high, threshold);
         EXPECT_LE(*found.high - found.low, tolerance * *found.high);
-        const double doublings = std::abs(std::log2(threshold / first)) + 2;
+        const double doublings = std::abs(std::log2(threshold / first)) + 3;
         EXPECT_LE(found.trials, doublings + std::ceil(std::log2(1 / tolerance)));
       }
     }
@@ -47,11 +47,18 @@ TEST(ForceBracket, DoublesUntilItMovesThenTriesTheMiddle) {
   EXPECT_FALSE(bracket.done(0.49));
 }
 
+TEST(ForceBracket, WhatMovesWithoutAForceIsFoundInTheFourthTrial) {
+  const ForceBracket found = search(-1, 8, 0.02);
+  EXPECT_EQ(found.low, 0);
+  EXPECT_EQ(found.high, 0);
+  EXPECT_EQ(found.trials, 4);
+}
+
 TEST(ForceBracket, WhatMovesAtAnyForceEndsAtTheSmallest) {
   const ForceBracket found = search(0, 8, 0.02);
   EXPECT_EQ(found.low, 0);
   EXPECT_EQ(*found.high, std::ldexp(8, -ForceBracket::kMostDoublings));
-  EXPECT_EQ(found.trials, ForceBracket::kMostDoublings + 1);
+  EXPECT_EQ(found.trials, ForceBracket::kMostDoublings + 2);  // one of them without a force
 }
 
 TEST(ForceBracket, WhatNeverMovesEndsAtTheLargest) {
