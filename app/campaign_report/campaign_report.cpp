@@ -143,9 +143,9 @@ class Writer {
                                      " runs have finished; the others are left out."});
     if (moved > 0)
       page.lead.emplace_back(
-          Remark{Remark::Kind::note,
-                 count_text(moved, "run") + " ended a phase at its max_time, before it came to "
-                                            "rest (missed_rest in results.csv)."});
+          Remark{Remark::Kind::note, count_text(moved, "run") +
+                                         " ended a phase at its max_time, before it came to "
+                                         "rest (missed_rest in results.csv)."});
     if (finished > 0)
       for (const std::string& path : reported_paths(campaign_.report))
         if (std::ranges::none_of(points_, [&](const CampaignPoint& point) {

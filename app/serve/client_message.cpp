@@ -16,9 +16,10 @@ namespace {
 // Besides these, those that begin a phase. What acts on the panel of a window, reads other files or ends the program is
 // not for clients.
 constexpr auto kAdmitted = std::to_array<std::string_view>(
-    {"load",    "set",      "undo",   "show",    "play",   "go_on",  "reset",      "save",
-     "restore", "run",      "start",  "pause",   "pace",   "apply",  "view",       "camera",
-     "pick",    "snapshot", "record", "measure", "export", "expect", "expect_hash"});
+    {"load",   "set",     "undo",    "show",   "play",        "go_on",
+     "reset",  "save",    "restore", "run",    "start",       "pause",
+     "pace",   "apply",   "view",    "camera", "pick",        "snapshot",
+     "record", "measure", "export",  "expect", "expect_hash", "expect_critical_force"});
 
 // Arguments that name a file or a folder.
 constexpr auto kFileArguments = std::to_array<const char*>({"file", "folder", "out"});

@@ -186,7 +186,7 @@ class Errors(InFolder):
                 (lambda: quicksand.run(SMALL, {"contact.frction": 1}), r"^scene: contact.frction \(from set\): is not"),
                 (lambda: quicksand.run(SMALL, {"contact.friction": float("nan")}), "^set.contact.friction: is nan, must be"),
                 (lambda: quicksand.run("chain", helpp=True), "^helpp is not an option of run$"),
-                (lambda: quicksand.run("chain", help=True), "^help: is for the command line$"),
+                (lambda: quicksand.run("chain", help=True), "^help: is for the command line only$"),
                 (lambda: quicksand.run("chain", xx=1), "^xx is not an option of run; known: out, "),
                 (lambda: quicksand.run("chain", every=-1), r"^every: is -1, must be a number [^(]*sqrt\(d/g\)$")):
             with self.assertRaisesRegex(quicksand.InputError, message) as caught:

@@ -199,7 +199,7 @@ const Mistake kMistakes[] = {
      {"start_from (from set; run 00000", "no.cbor"}},
     {"HistoryOfNoColumn",
      R"({"report": {"histories": [{"x": "tme", "y": "depth", "phase": "push"}]}})",
-     {"report.histories[0].x", "no column", "did you mean \"time\""}},
+     {"report.histories[0].x", "is not a column", "did you mean \"time\""}},
     {"HistoryOfNoPhase",
      R"({"report": {"histories": [{"x": "time", "y": "depth", "phase": "pusch"}]}})",
      {"report.histories[0].phase", "did you mean \"push\""}},
