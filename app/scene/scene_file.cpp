@@ -74,6 +74,21 @@ void require_beginnings(const Scenario& scenario, const World& state) {
   }
 }
 
+// The state that a scene starts from, which must suit it.
+World read_start(const Scenario& scenario) {
+  refuse_folder(scenario.start_from);
+  Checkpoint start = read_checkpoint(scenario.start_from);
+  if (start.protocol.search.base)
+    throw InputError(scenario.start_from,
+                     "was saved during a trial of a search, whose force still acts; finish its run "
+                     "first, with `quicksand resume`");
+  require_memory(scenario, start.world.disks.size(), scenario.start_from);
+  require_same_box(scenario, start.world);
+  require_beginnings(scenario, start.world);
+  refuse_swept_shapes(scenario, start.world, scenario.start_from);
+  return std::move(start.world);
+}
+
 }  // namespace
 
 void require_memory(const Scenario& scenario, int present, const std::string& where) {
@@ -180,25 +195,6 @@ void refuse_swept_shapes(const Scenario& scenario, const World& world, const std
       where,
       "has an intruder of several parts, but nscd handles only disks and walls; leave nscd out");
 }
-
-namespace {
-
-// The state that a scene starts from, which must suit it.
-World read_start(const Scenario& scenario) {
-  refuse_folder(scenario.start_from);
-  Checkpoint start = read_checkpoint(scenario.start_from);
-  if (start.protocol.search.base)
-    throw InputError(scenario.start_from,
-                     "was saved during a trial of a search, whose force still acts; finish its run "
-                     "first, with `quicksand resume`");
-  require_memory(scenario, start.world.disks.size(), scenario.start_from);
-  require_same_box(scenario, start.world);
-  require_beginnings(scenario, start.world);
-  refuse_swept_shapes(scenario, start.world, scenario.start_from);
-  return std::move(start.world);
-}
-
-}  // namespace
 
 World start_world(const Scenario& scenario) {
   if (scenario.start_from.empty()) {

@@ -131,7 +131,7 @@ void report_nscd(std::span<const Row> rows, const Options&, Section& section) {
                           {"updates a second", true},
                           {"residual after them", true}}};
   Plot plot{.name = "nscd_chain",
-            .title = "Sweeps until a chain is at rest with itself",
+            .title = "Sweeps until a pulled chain moves as one",
             .x = {.label = "contacts of the chain", .logarithmic = true},
             .y = {.label = "sweeps", .logarithmic = true},
             .legend = LegendPlace::top_left};

@@ -125,7 +125,7 @@ TEST_F(SearchRun, SaysWhatWasNotFoundAndFromWhatItBegan) {
   const Outcome whole = run(kSearchRunScene);
   EXPECT_NE(whole.err.find(none), std::string::npos) << whole.err;
   EXPECT_EQ(whole.err.find(held), std::string::npos) << whole.err;
-  EXPECT_EQ(whole.err.find("that move"), std::string::npos) << whole.err;
+  EXPECT_EQ(whole.err.find("begin with moving bodies"), std::string::npos) << whole.err;
   // Too weak a first force, and the intruder still in free fall.
   std::string falling = kSearchRunScene;
   falling.replace(falling.find("[14, 1]"), 7, "[14, 5]");
@@ -143,11 +143,21 @@ TEST_F(SearchRun, SaysWhatWasNotFoundAndFromWhatItBegan) {
   EXPECT_NE(text("report.md").find("times first\\_force moved 1 body"), std::string::npos);
 }
 
+TEST(SearchWarnings, TellABodyThatNeedsNoForceFromOneThatNeedsLessThanWasTried) {
+  const auto warned = [](double high) {
+    const Json found = {{"force_low", 0}, {"force_held", 0}, {"force_high", high}};
+    return search_warnings({{"critical_forces", Json::array({found})}}, 1);
+  };
+  EXPECT_EQ(warned(0), std::vector<std::string>{"1 body moved without any force."});
+  EXPECT_EQ(warned(1e-6),
+            std::vector<std::string>{"1 body moved at every force down to first_force/2^20."});
+}
+
 TEST_F(SearchRun, OfTheShippedPullOutBeginsAndHoldsAtRest) {
   const fs::path scene = kSource / "assets/scenes/pull_out.json";
   const Outcome pulled = run_program({"run", scene, "--no-frames", "--out", "out"}, folder_.path());
   ASSERT_EQ(pulled.exit_code, 0) << pulled.err;
-  EXPECT_EQ(pulled.err.find("that move"), std::string::npos) << pulled.err;
+  EXPECT_EQ(pulled.err.find("begin with moving bodies"), std::string::npos) << pulled.err;
   const Json found = parse_json(text("summary.json"))["critical_forces"][0];
   EXPECT_EQ(found["undecided"], 0);
   EXPECT_TRUE(found["force_high"].is_number());
