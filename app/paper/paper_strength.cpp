@@ -122,7 +122,8 @@ StrengthRuns plan_strength(PaperJobs& jobs) {
   // About where the packings end, over the height of the box: deposited, after the piston, and deposited with bonds
   // so weak that the deposit is dense.
   constexpr double kLooseTop = 0.9, kCompactTop = 0.5, kWeakTop = 0.55;
-  constexpr double kFirstForce = 100;  // of the first trials [F_g]
+  // Of the first trials [F_g]. Apart by a power of two, so that all searches try forces of one sequence.
+  constexpr double kFirstForce = 100, kFirstForceStrong = 32 * kFirstForce;
   const double height = jobs.scale().height;
   const RunGroup usual = jobs.samples();
   const auto with_cohesion = [&](const char* tag, double force) {
@@ -133,7 +134,7 @@ StrengthRuns plan_strength(PaperJobs& jobs) {
   const RunGroup rough = jobs.samples("friction_0.6", {{"contact.friction", 0.6}});
   return {.loose = jobs.shears(usual, kLooseTop * height, kFirstForce),
           .weak = jobs.shears(weak, kWeakTop * height, kFirstForce),
-          .strong = jobs.shears(strong, kLooseTop * height, kFirstForce),
+          .strong = jobs.shears(strong, kLooseTop * height, kFirstForceStrong),
           .compact = jobs.shears(jobs.pistons(usual), kCompactTop * height, kFirstForce),
           .compact_rough = jobs.shears(jobs.pistons(rough), kCompactTop * height, kFirstForce)};
 }
