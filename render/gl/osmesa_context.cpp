@@ -1,9 +1,11 @@
-// The only file that knows OSMesa.
+// The only file that knows OSMesa. It is opened only when something is drawn: it brings LLVM, whose start takes ten times
+// as long as that of a command that draws nothing.
 #include "render/base/render_error.h"
 #include "render/gl/offscreen.h"
 
 #if QUICKSAND_OSMESA
 #include <GL/osmesa.h>
+#include <dlfcn.h>
 
 #include <array>
 #include <string>
@@ -17,6 +19,39 @@ extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa\n"
 
 namespace quicksand {
 namespace {
+
+// What is used of it, under its own names.
+struct OsMesa {
+  decltype(&OSMesaCreateContextAttribs) create = function("OSMesaCreateContextAttribs");
+  decltype(&OSMesaDestroyContext) destroy = function("OSMesaDestroyContext");
+  decltype(&OSMesaMakeCurrent) make_current = function("OSMesaMakeCurrent");
+  decltype(&OSMesaGetCurrentContext) current = function("OSMesaGetCurrentContext");
+  decltype(&OSMesaPixelStore) pixel_store = function("OSMesaPixelStore");
+  decltype(&OSMesaGetProcAddress) gl_function = function("OSMesaGetProcAddress");
+
+ private:
+  struct Function {
+    void* address;
+    template <class Pointer>
+    operator Pointer() const {  // NOLINT(google-explicit-constructor): each member says which it is
+      return reinterpret_cast<Pointer>(address);
+    }
+  };
+
+  static Function function(const char* name) {
+    static void* const library = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
+    if (library == nullptr)
+      throw RenderError(
+          "no OpenGL 3.3 context for drawing: libOSMesa.so.8 cannot be opened. Install the package "
+          "libosmesa6.");
+    return {dlsym(library, name)};
+  }
+};
+
+const OsMesa& osmesa() {
+  static const OsMesa functions;
+  return functions;
+}
 
 class OsMesaContext final : public GlContext {
  public:
@@ -34,26 +69,27 @@ class OsMesaContext final : public GlContext {
                                               0,
                                               0,
                                               0};
-    context_ = OSMesaCreateContextAttribs(kAttributes.data(), nullptr);
+    context_ = osmesa().create(kAttributes.data(), nullptr);
     if (context_ == nullptr)
       throw RenderError(
           "no OpenGL 3.3 context for drawing: OSMesa could not make one. Install the package "
           "libosmesa6, and unset GALLIUM_DRIVER if it is set.");
   }
   ~OsMesaContext() override {
-    if (is_current()) OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
-    OSMesaDestroyContext(context_);
+    if (is_current()) osmesa().make_current(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+    osmesa().destroy(context_);
   }
 
-  bool is_current() const override { return OSMesaGetCurrentContext() == context_; }
+  bool is_current() const override { return osmesa().current() == context_; }
   void make_current(int width, int height) override {
     surface_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
-    if (OSMesaMakeCurrent(context_, surface_.data(), GL_UNSIGNED_BYTE, width, height) != GL_TRUE)
+    if (osmesa().make_current(context_, surface_.data(), GL_UNSIGNED_BYTE, width, height) !=
+        GL_TRUE)
       throw RenderError("no drawing surface of " + std::to_string(width) + "x" +
                         std::to_string(height) + " pixels: OSMesa refused it");
-    OSMesaPixelStore(OSMESA_Y_UP, 0);
+    osmesa().pixel_store(OSMESA_Y_UP, 0);
   }
-  GlFunction function(const char* name) const override { return OSMesaGetProcAddress(name); }
+  GlFunction function(const char* name) const override { return osmesa().gl_function(name); }
   const std::uint8_t* pixels() override { return surface_.data(); }
 
  private:
