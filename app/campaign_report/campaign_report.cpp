@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "app/campaign_report/campaign_remarks.h"
 #include "app/campaign_report/points.h"
 #include "app/plot/typeset_number.h"
 #include "app/run_folder/run_folder.h"
@@ -101,7 +102,8 @@ class Writer {
     page.intro.push_back(
         "Numbers are means over realizations, which differ only in their seed, with standard "
         "errors of the mean.");
-    add_warnings(page);
+    for (Remark& remark : campaign_remarks(jobs_, records_, points_, campaign_.report))
+      page.lead.emplace_back(std::move(remark));
     Section results{.title = "Results"};
     results.add(table());
     for (std::size_t k = 0; k < campaign_.report.plots.size(); ++k) add_plot(results, k);
@@ -129,33 +131,6 @@ class Writer {
   void choose_axis() {
     if (x().path.empty() && !paths_.empty()) x().path = paths_.front();
     if (x().label.empty()) x().label = last_words(x().path);
-  }
-
-  void add_warnings(Report& page) const {
-    std::size_t finished = 0, moved = 0;
-    for (const RunRecord& record : records_) {
-      finished += record.status == JobStatus::finished ? 1 : 0;
-      moved += record.summary.is_object() && record.summary.value("missed_rest", false) ? 1 : 0;
-    }
-    if (finished < jobs_.size())
-      page.lead.emplace_back(Remark{
-          Remark::Kind::warning, std::to_string(finished) + " of " + std::to_string(jobs_.size()) +
-                                     " runs have finished; the others are left out."});
-    if (moved > 0)
-      page.lead.emplace_back(
-          Remark{Remark::Kind::note, count_text(moved, "run") +
-                                         " ended a phase at its max_time, before it came to "
-                                         "rest (missed_rest in results.csv)."});
-    if (finished > 0)
-      for (const std::string& path : reported_paths(campaign_.report))
-        if (std::ranges::none_of(points_, [&](const CampaignPoint& point) {
-              return measured_at(point, records_, {.path = path}).has_value();
-            }))
-          page.lead.emplace_back(Remark{
-              Remark::Kind::warning,
-              "No run has a number `" + path + "` in its summary.json" + meant_by(path, records_)});
-    for (const std::string& warning : warnings_of(jobs_))
-      page.lead.emplace_back(Remark{Remark::Kind::warning, warning + "."});
   }
 
   const ReportParameter* parameter(const std::string& path) const {
