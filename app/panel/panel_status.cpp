@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include "app/panel/panel_frame.h"
+#include "app/view/film.h"
 #include "core/base/format.h"
 #include "core/problem/solver_settings.h"
 #include "render/base/nice_numbers.h"
@@ -80,10 +81,7 @@ void show_status(PanelFrame& frame) {
   const std::int64_t unconverged = session.protocol().state().unconverged_steps;
   std::string warning;
   const bool nscd = session.scenario().step.nscd.has_value();
-  if (nscd) {
-    const int sweeps = session.scenario().step.nscd->sweeps;
-    put("Method", "NSCD, " + grouped(sweeps) + " " + noun_for(sweeps, "sweep"), 150);
-  }
+  if (nscd) put("Method", method_label(session.scenario()), 150);
   if (session.failed()) {
     warning = "Stopped: a step did not converge";
   } else if (nscd) {

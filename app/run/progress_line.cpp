@@ -1,5 +1,6 @@
 #include "app/run/progress_line.h"
 
+#include "app/view/film.h"
 #include "core/base/format.h"
 
 namespace quicksand {
@@ -12,6 +13,11 @@ double seconds(std::chrono::steady_clock::duration time) {
 
 std::string present_bodies(const World& world) {
   return count_text(world.disks.size(), "body", "bodies");
+}
+
+std::string by_method(const Protocol& protocol) {
+  const std::string method = method_label(protocol.scenario());
+  return method.empty() ? "" : " (" + method + ")";
 }
 
 }  // namespace
@@ -34,17 +40,18 @@ std::string ProgressLine::line(const Protocol& protocol, double since_shown) {
   const double rate =
       since_shown > 0 ? static_cast<double>(world.step - shown_step_) / since_shown : 0;
   const ProtocolState& state = protocol.state();
-  return format("%-7s %3.0f %%%s  t = %.4g  %s  %.0f steps/s  residual %.1e  unconverged %lld",
+  return format("%-7s %3.0f %%%s  t = %.4g  %s  %.0f steps/s  residual %.1e  unconverged %lld%s",
                 std::string(phase_name(*protocol.phase())).c_str(), 100 * share, left.c_str(),
                 world.time, present_bodies(world).c_str(), rate,
                 protocol.last_step().solve.residual.natural,
-                static_cast<long long>(state.unconverged_steps));
+                static_cast<long long>(state.unconverged_steps), by_method(protocol).c_str());
 }
 
 // The line at the beginning of a phase.
 std::string ProgressLine::heading(const Protocol& protocol) {
-  return format("%s begins at t = %.4g with %s", std::string(phase_name(*protocol.phase())).c_str(),
-                protocol.world().time, present_bodies(protocol.world()).c_str());
+  return format("%s begins at t = %.4g with %s%s",
+                std::string(phase_name(*protocol.phase())).c_str(), protocol.world().time,
+                present_bodies(protocol.world()).c_str(), by_method(protocol).c_str());
 }
 
 void ProgressLine::show(const Protocol& protocol) {

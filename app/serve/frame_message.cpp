@@ -220,6 +220,7 @@ Json look_of(const Session& session) {
   const View& view = session.view;
   const WorldRect window = view_window(world, session.shown());
   return {{"theme", view.theme == Theme::dark ? "dark" : "light"},
+          {"method", view.method},
           {"palette", palette_json(view.theme)},
           {"text_size", text_size(view)},
           {"box",

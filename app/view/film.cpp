@@ -21,6 +21,10 @@ constexpr std::size_t kLongestQueue = 2;  // worlds in memory that wait to be dr
 
 }  // namespace
 
+std::string method_label(const Scenario& scenario) {
+  return scenario.step.nscd ? "NSCD, " + count_text(scenario.step.nscd->sweeps, "sweep") : "";
+}
+
 View view_of(const Scenario& scenario, View view) {
   view.fit = scenario.box.width > 0 && scenario.box.height > 0 ? Fit::box : Fit::content;
   view.physical = scenario.physical;
@@ -32,8 +36,7 @@ View view_of(const Scenario& scenario, View view) {
   view.names_applied_force = std::ranges::any_of(scenario.phases, [](const Phase& phase) {
     return std::holds_alternative<PushPhase>(phase.kind);
   });
-  view.method =
-      scenario.step.nscd ? "NSCD, " + count_text(scenario.step.nscd->sweeps, "sweep") : "";
+  view.method = method_label(scenario);
   return view;
 }
 

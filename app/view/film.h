@@ -14,6 +14,10 @@
 
 namespace quicksand {
 
+// "NSCD, 100 sweeps": what must be said wherever results of a method are shown that does not solve its steps; empty for
+// the exact method.
+std::string method_label(const Scenario& scenario);
+
 // The view of a scene's whole box, or of its bodies where the box has no size, with SI units where the
 // scene gives physical values.
 View view_of(const Scenario& scenario, View view);

@@ -23,6 +23,7 @@ function tell() {
   frame.timeline = {...now};
   timeline.set_moment(frame);
   const readings = [["Time", `${frame.time.toFixed(3)} √(d/g)`], ["Phase", frame.phase_name], ["Bodies", frame.bodies]];
+  if (frame.method) readings.push(["Method", frame.method]);
   by_id("status").replaceChildren(...readings.map(([name, value]) =>
     element("div", {}, element("dt", {}, name), element("dd", {}, String(value)))));
 }

@@ -91,7 +91,8 @@ function show_status() {
     ["Steps/s", frame.steps_per_second && frame.running ? grouped(frame.steps_per_second) : "–"],
     ["Residual", short(frame.residual ?? null)],
   ];
-  if (frame.unconverged > 0) list.push(["Not converged", `${grouped(frame.unconverged)} steps`]);
+  if (frame.method) list.push(["Method", frame.method]);
+  if (frame.unconverged > 0) list.push(["Not converged", `${grouped(frame.unconverged)} steps${frame.method ? ", by design" : ""}`]);
   const part = by_id("status");
   part.hidden = frame.shows?.numbers === false;
   while (part.children.length < list.length) part.append(element("div", {}, element("dt", {}), element("dd", {})));

@@ -40,6 +40,12 @@ TEST(ServedSession, APictureHoldsEachBodyAndWhatTheViewShows) {
   EXPECT_EQ(count_of(head, "colours") % 3, 0U);
 }
 
+TEST(ServedSession, EachPictureNamesAMethodThatDoesNotSolveItsSteps) {
+  SessionServer nscd("paper_method"), exact("chain");
+  EXPECT_EQ(Page(nscd).picture()["method"], "NSCD, 100 sweeps");
+  EXPECT_EQ(Page(exact).picture()["method"], "");
+}
+
 TEST(ServedSession, TellsTheStateThatThePageDrawsItsControlsFrom) {
   SessionServer server("chain");
   Page page(server);
