@@ -4,6 +4,7 @@
 #include <set>
 
 #include "app/campaign/campaign.h"
+#include "app/run_report/run_report.h"
 #include "core/base/format.h"
 
 namespace quicksand {
@@ -12,26 +13,24 @@ namespace {
 
 // Of the finished runs by NSCD together; empty if there is none.
 std::string about_nscd(std::span<const Job> jobs, std::span<const RunRecord> records) {
-  std::int64_t runs = 0, steps = 0, unconverged = 0, broken = 0;
+  std::size_t runs = 0;
+  NscdWork work;
   std::set<int> sweeps;
   for (std::size_t k = 0; k < jobs.size(); ++k) {
+    if (!jobs[k].scenario.step.nscd || records[k].status != JobStatus::finished) continue;
     const Json& summary = records[k].summary;
-    if (!jobs[k].scenario.step.nscd || !summary.is_object()) continue;
     ++runs;
     sweeps.insert(jobs[k].scenario.step.nscd->sweeps);
-    steps += summary.value("steps", std::int64_t{0});
-    unconverged += summary.value("unconverged_steps", std::int64_t{0});
-    broken += summary.value("bonds_broken_in_unconverged_steps", std::int64_t{0});
+    work.steps += summary.value("steps", 0.0);
+    work.unconverged += summary.value("unconverged_steps", 0.0);
+    work.broken_in_unconverged += summary.value("bonds_broken_in_unconverged_steps", 0.0);
   }
   if (runs == 0) return {};
-  std::string numbers = std::to_string(*sweeps.begin());
-  if (sweeps.size() > 1) numbers += " to " + std::to_string(*sweeps.rbegin());
-  return "Standard nonsmooth contact dynamics (NSCD) computed " + count_text(runs, "run") + " of " +
-         std::to_string(jobs.size()) + ", with " + numbers + " sweeps per step, accepted as they " +
-         "are: " + std::to_string(unconverged) + " of " + count_text(steps, "step") +
-         " did not converge, and " + count_text(broken, "bond") +
-         " failed in them by the gap criterion, as the method prescribes. The results depend on "
-         "the number of sweeps and on the time step.";
+  work.sweeps = std::to_string(*sweeps.begin());
+  if (sweeps.size() > 1) work.sweeps += " to " + std::to_string(*sweeps.rbegin());
+  return nscd_warning("Standard nonsmooth contact dynamics (NSCD) computed " +
+                          count_text(runs, "run") + " of " + std::to_string(jobs.size()),
+                      work);
 }
 
 }  // namespace

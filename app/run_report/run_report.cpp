@@ -268,6 +268,15 @@ std::vector<std::string> warnings_of_scene(const RunResults& run) {
   }
 }
 
+std::string nscd_warning(const std::string& opening, const NscdWork& work) {
+  return opening + ", with " + work.sweeps + (work.sweeps == "1" ? " sweep" : " sweeps") +
+         " per step, accepted as they are: " + typeset(work.unconverged) + " of " +
+         typeset(work.steps) + " " + noun_for(work.steps, "step") + " did not converge, and " +
+         typeset(work.broken_in_unconverged) + " " + noun_for(work.broken_in_unconverged, "bond") +
+         " failed in them by the gap criterion, as the method prescribes. The results depend on "
+         "the number of sweeps and on the time step.";
+}
+
 std::vector<std::string> run_warnings(const RunResults& run) {
   std::vector<std::string> warnings;
   const Json& summary = run.summary();
@@ -277,15 +286,13 @@ std::vector<std::string> run_warnings(const RunResults& run) {
   if (summary.value("interrupted", false)) warnings.emplace_back("The run was interrupted.");
   const double unconverged = number_or(run, "unconverged_steps", 0);
   if (is_nscd(run)) {
-    const double sweeps = number_or(run, "sweeps", 0);
-    warnings.push_back("Computed by standard nonsmooth contact dynamics (NSCD), with " +
-                       typeset(sweeps) + " " + noun_for(sweeps, "sweep") +
-                       " per step, accepted as they are: " + typeset(unconverged) + " of " +
-                       typeset(number_or(run, "steps", 0)) + " steps did not converge, and " +
-                       typeset(number_or(run, "bonds_broken_in_unconverged_steps", 0)) +
-                       " bonds failed in them by the gap criterion, as the method prescribes. The "
-                       "results depend on the number of sweeps and on the time step; the section "
-                       "on computing shows the errors of the steps.");
+    warnings.push_back(nscd_warning("Computed by standard nonsmooth contact dynamics (NSCD)",
+                                    {.sweeps = typeset(number_or(run, "sweeps", 0)),
+                                     .steps = number_or(run, "steps", 0),
+                                     .unconverged = unconverged,
+                                     .broken_in_unconverged =
+                                         number_or(run, "bonds_broken_in_unconverged_steps", 0)}) +
+                       " The section on computing shows the errors of the steps.");
   } else {
     if (unconverged > 0) {
       warnings.push_back(typeset(unconverged) + " " + noun_for(unconverged, "step") +

@@ -26,6 +26,15 @@ std::vector<Figure> run_figures(std::span<const RunResults> runs, const std::str
 std::vector<Block> found_by_searches(std::span<const RunResults> runs,
                                      const std::vector<std::string>& names);
 
+// What runs by standard nonsmooth contact dynamics did together.
+struct NscdWork {
+  std::string sweeps;  // per step: "100", "50 to 100"
+  double steps = 0, unconverged = 0, broken_in_unconverged = 0;
+};
+
+// What a reader of such results must be warned of: a sentence that `opening` begins, and one more.
+std::string nscd_warning(const std::string& opening, const NscdWork& work);
+
 // A value of summary.json in a cell of a table; "-" where there is none.
 std::string cell_text(const Json& value);
 

@@ -1,5 +1,5 @@
-// The only file that knows OSMesa. It is opened only when something is drawn: it brings LLVM, whose start takes ten times
-// as long as that of a command that draws nothing.
+// The only file that knows OSMesa. It is opened only when something is drawn: it brings LLVM, which takes three times as
+// long to load as all the rest of the program.
 #include "render/base/render_error.h"
 #include "render/gl/offscreen.h"
 
@@ -20,31 +20,35 @@ extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa\n"
 namespace quicksand {
 namespace {
 
-// What is used of it, under its own names.
+[[noreturn]] void refuse(const std::string& why) {
+  throw RenderError("no OpenGL 3.3 context for drawing: " + why +
+                    ". Install the package libosmesa6, and unset GALLIUM_DRIVER if it is set.");
+}
+
+template <class Function>
+void find(Function& function, const char* name) {
+  static void* const library = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr) refuse("libOSMesa.so.8 cannot be opened");
+  function = reinterpret_cast<Function>(dlsym(library, name));
+  if (function == nullptr) refuse(std::string("OSMesa lacks ") + name);
+}
+
+// What is used of it.
 struct OsMesa {
-  decltype(&OSMesaCreateContextAttribs) create = function("OSMesaCreateContextAttribs");
-  decltype(&OSMesaDestroyContext) destroy = function("OSMesaDestroyContext");
-  decltype(&OSMesaMakeCurrent) make_current = function("OSMesaMakeCurrent");
-  decltype(&OSMesaGetCurrentContext) current = function("OSMesaGetCurrentContext");
-  decltype(&OSMesaPixelStore) pixel_store = function("OSMesaPixelStore");
-  decltype(&OSMesaGetProcAddress) gl_function = function("OSMesaGetProcAddress");
+  decltype(&OSMesaCreateContextAttribs) create = nullptr;
+  decltype(&OSMesaDestroyContext) destroy = nullptr;
+  decltype(&OSMesaMakeCurrent) make_current = nullptr;
+  decltype(&OSMesaGetCurrentContext) current = nullptr;
+  decltype(&OSMesaPixelStore) pixel_store = nullptr;
+  decltype(&OSMesaGetProcAddress) gl_function = nullptr;
 
- private:
-  struct Function {
-    void* address;
-    template <class Pointer>
-    operator Pointer() const {  // NOLINT(google-explicit-constructor): each member says which it is
-      return reinterpret_cast<Pointer>(address);
-    }
-  };
-
-  static Function function(const char* name) {
-    static void* const library = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
-    if (library == nullptr)
-      throw RenderError(
-          "no OpenGL 3.3 context for drawing: libOSMesa.so.8 cannot be opened. Install the package "
-          "libosmesa6.");
-    return {dlsym(library, name)};
+  OsMesa() {
+    find(create, "OSMesaCreateContextAttribs");
+    find(destroy, "OSMesaDestroyContext");
+    find(make_current, "OSMesaMakeCurrent");
+    find(current, "OSMesaGetCurrentContext");
+    find(pixel_store, "OSMesaPixelStore");
+    find(gl_function, "OSMesaGetProcAddress");
   }
 };
 
@@ -70,10 +74,7 @@ class OsMesaContext final : public GlContext {
                                               0,
                                               0};
     context_ = osmesa().create(kAttributes.data(), nullptr);
-    if (context_ == nullptr)
-      throw RenderError(
-          "no OpenGL 3.3 context for drawing: OSMesa could not make one. Install the package "
-          "libosmesa6, and unset GALLIUM_DRIVER if it is set.");
+    if (context_ == nullptr) refuse("OSMesa could not make one");
   }
   ~OsMesaContext() override {
     if (is_current()) osmesa().make_current(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
