@@ -21,9 +21,10 @@ std::string about_nscd(std::span<const Job> jobs, std::span<const RunRecord> rec
     const Json& summary = records[k].summary;
     ++runs;
     sweeps.insert(jobs[k].scenario.step.nscd->sweeps);
-    work.steps += summary.value("steps", 0.0);
-    work.unconverged += summary.value("unconverged_steps", 0.0);
-    work.broken_in_unconverged += summary.value("bonds_broken_in_unconverged_steps", 0.0);
+    work.steps += summary.value("steps", std::int64_t{0});
+    work.unconverged += summary.value("unconverged_steps", std::int64_t{0});
+    work.broken_in_unconverged +=
+        summary.value("bonds_broken_in_unconverged_steps", std::int64_t{0});
   }
   if (runs == 0) return {};
   work.sweeps = std::to_string(*sweeps.begin());

@@ -270,9 +270,9 @@ std::vector<std::string> warnings_of_scene(const RunResults& run) {
 
 std::string nscd_warning(const std::string& opening, const NscdWork& work) {
   return opening + ", with " + work.sweeps + (work.sweeps == "1" ? " sweep" : " sweeps") +
-         " per step, accepted as they are: " + typeset(work.unconverged) + " of " +
-         typeset(work.steps) + " " + noun_for(work.steps, "step") + " did not converge, and " +
-         typeset(work.broken_in_unconverged) + " " + noun_for(work.broken_in_unconverged, "bond") +
+         " per step, accepted as they are: " + std::to_string(work.unconverged) + " of " +
+         count_text(work.steps, "step") + " did not converge, and " +
+         count_text(work.broken_in_unconverged, "bond") +
          " failed in them by the gap criterion, as the method prescribes. The results depend on "
          "the number of sweeps and on the time step.";
 }
@@ -286,13 +286,14 @@ std::vector<std::string> run_warnings(const RunResults& run) {
   if (summary.value("interrupted", false)) warnings.emplace_back("The run was interrupted.");
   const double unconverged = number_or(run, "unconverged_steps", 0);
   if (is_nscd(run)) {
-    warnings.push_back(nscd_warning("Computed by standard nonsmooth contact dynamics (NSCD)",
-                                    {.sweeps = typeset(number_or(run, "sweeps", 0)),
-                                     .steps = number_or(run, "steps", 0),
-                                     .unconverged = unconverged,
-                                     .broken_in_unconverged =
-                                         number_or(run, "bonds_broken_in_unconverged_steps", 0)}) +
-                       " The section on computing shows the errors of the steps.");
+    const auto count = [&](const char* key) { return summary.value(key, std::int64_t{0}); };
+    warnings.push_back(
+        nscd_warning("Computed by standard nonsmooth contact dynamics (NSCD)",
+                     {.sweeps = std::to_string(count("sweeps")),
+                      .steps = count("steps"),
+                      .unconverged = count("unconverged_steps"),
+                      .broken_in_unconverged = count("bonds_broken_in_unconverged_steps")}) +
+        " The section on computing shows the errors of the steps.");
   } else {
     if (unconverged > 0) {
       warnings.push_back(typeset(unconverged) + " " + noun_for(unconverged, "step") +

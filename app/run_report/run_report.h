@@ -2,6 +2,7 @@
 // a reader must be warned of. Several runs stand side by side, with what differs between them.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -29,7 +30,7 @@ std::vector<Block> found_by_searches(std::span<const RunResults> runs,
 // What runs by standard nonsmooth contact dynamics did together.
 struct NscdWork {
   std::string sweeps;  // per step: "100", "50 to 100"
-  double steps = 0, unconverged = 0, broken_in_unconverged = 0;
+  std::int64_t steps = 0, unconverged = 0, broken_in_unconverged = 0;
 };
 
 // What a reader of such results must be warned of: a sentence that `opening` begins, and one more.
