@@ -48,23 +48,33 @@ void tell_next(const RunFolder& folder) {
 }
 
 int tell_failure(const RunResult& result, const RunOptions& options) {
+  const RunEnd& end = result.end;
   const std::string folder = result.folder.path.string();
-  const std::string kind = failure_kind(result.end);
-  if (result.end.unwritable)
-    return tell_failed({kind, "the run ended early: " + result.end.failure,
-                        "what was written is in " + folder +
-                            "\nonce it can be written again, continue with: " + program_name() +
-                            " resume " + shell_text(result.folder.path)});
-  const std::string command = continue_command(result.folder, options);
-  if (result.end.refused)
-    return tell_failed({kind, "the run failed: " + result.end.failure,
-                        "results so far are in " + folder +
-                            "\nchange the scene there, as in: " + command + " --set PATH=VALUE"});
+  const std::string kind = failure_kind(end);
+  const std::string so_far = "results so far are in " + folder + "\n";
+  const std::string resume = program_name() + " resume " + shell_text(result.folder.path);
+  switch (end.cause) {
+    case RunEnd::Cause::disk_full:
+      return tell_failed({kind, "the run ended early: " + end.failure,
+                          "what was written is in " + folder +
+                              "\nonce it can be written again, continue with: " + resume});
+    case RunEnd::Cause::memory:
+      return tell_failed({kind, "the run ended early: " + end.failure,
+                          so_far + "where there is more memory, continue with: " + resume});
+    case RunEnd::Cause::unexpected:
+      return tell_failed({kind, "the run ended early by an unexpected error: " + end.failure,
+                          so_far + "continue with: " + resume});
+    case RunEnd::Cause::scene:
+      return tell_failed({kind, "the run failed: " + end.failure,
+                          so_far + "change the scene there, as in: " +
+                              continue_command(result.folder, options) + " --set PATH=VALUE"});
+    case RunEnd::Cause::step:
+      break;
+  }
   const auto [what, setting] = other_steps(result.most_halvings);
-  const std::string next = "continue with" + what + ": " + command + setting;
   return tell_failed(
-      {kind, "the run failed: " + result.end.failure,
-       "results so far are in " + folder + "\n" + next +
+      {kind, "the run failed: " + end.failure,
+       so_far + "continue with" + what + ": " + continue_command(result.folder, options) + setting +
            "\nor, to accept such steps as they are, with --set step.on_unconverged=continue"});
 }
 

@@ -100,11 +100,15 @@ bool History::replaced() const {
 }
 
 bool History::refresh() {
-  const bool anew = replaced();
+  if (replaced()) {
+    History now(path_);
+    if (now.moments_.empty()) return false;
+    *this = std::move(now);
+    return true;
+  }
   const std::size_t before = moments_.size();
-  if (anew) open();
   scan();
-  return anew || moments_.size() != before;
+  return moments_.size() != before;
 }
 
 std::size_t History::nearest(double time) const {

@@ -20,7 +20,8 @@ class History {
   const std::filesystem::path& path() const { return path_; }
   // Of the records, in their order; times never decrease. A record that is not yet written to its end is left out.
   const std::vector<Moment>& moments() const { return moments_; }
-  // Takes over what the run has added or thinned out since; true if something changed. Throws InputError.
+  // Takes over what the run has added or thinned out since; true if something changed. A run that began again in this
+  // folder is taken over with its first record. Throws InputError; what was listed then stays.
   bool refresh();
   // The moment nearest to a time; of equal times the last, after all that happened then. There must be one.
   std::size_t nearest(double time) const;

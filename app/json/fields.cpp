@@ -4,6 +4,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "app/base/nearest_name.h"
 #include "core/base/errors.h"
@@ -18,6 +20,21 @@ constexpr std::size_t kShortText = 60;
 bool admits(const Limits& limits, double number) {
   const bool inside = limits.above ? number > limits.low : number >= limits.low;
   return inside && number <= limits.high;
+}
+
+// Empty if it is none of 64 bits. 1e5 is written as a float, but is a whole number.
+std::optional<std::int64_t> whole_number(const Json& value) {
+  if (value.is_number_unsigned()) {
+    const auto number = value.get<std::uint64_t>();
+    if (!std::in_range<std::int64_t>(number)) return std::nullopt;
+    return static_cast<std::int64_t>(number);
+  }
+  if (value.is_number_integer()) return value.get<std::int64_t>();
+  if (!value.is_number_float()) return std::nullopt;
+  const auto number = value.get<double>();
+  constexpr double kExact = 0x1p53;  // beyond it, floats leave whole numbers out
+  if (!(std::abs(number) <= kExact) || number != std::floor(number)) return std::nullopt;
+  return static_cast<std::int64_t>(number);
 }
 
 double checked_number(const Json& value, const Limits& limits, const std::string& where) {
@@ -163,13 +180,11 @@ void Fields::numbers(const Field& field, const Limits& limits, std::size_t most,
 
 void Fields::integer(const Field& field, std::int64_t low, std::int64_t high, std::int64_t& value) {
   const auto read = [&](const Json& given, const std::string& where) {
-    // 1e5 is written as a float, but is a whole number.
-    const double number = given.is_number() ? given.get<double>() : std::nan("");
-    if (!(number >= static_cast<double>(low) && number <= static_cast<double>(high)) ||
-        number != std::floor(number))
+    const std::optional<std::int64_t> number = whole_number(given);
+    if (!number || *number < low || *number > high)
       refuse_value(given, where,
                    "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
-    value = given.is_number_float() ? static_cast<std::int64_t>(number) : given.get<std::int64_t>();
+    value = *number;
   };
   const auto schema = [&] {
     return Json{{"type", "integer"}, {"minimum", low}, {"maximum", high}};

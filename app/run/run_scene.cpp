@@ -1,6 +1,8 @@
 #include "app/run/run_scene.h"
 
 #include <chrono>
+#include <exception>
+#include <new>
 #include <optional>
 #include <utility>
 
@@ -21,6 +23,7 @@
 #include "app/series/series.h"
 #include "app/view/film.h"
 #include "core/base/errors.h"
+#include "core/base/memory.h"
 #include "core/base/whole_file.h"
 #include "core/world/extent.h"
 #include "render/picture/frame.h"
@@ -44,9 +47,13 @@ bool same_file(const fs::path& a, const fs::path& b) {
   return fs::equivalent(a, b, ignored);
 }
 
-void fail(RunEnd& end, const InputError& error) {
+void fail(RunEnd& end, RunEnd::Cause cause, const std::string& failure) {
   end.how = RunEnd::How::failed;
-  end.failure = error.where() + ": " + error.what();
+  end.cause = cause;
+  end.failure = failure;
+}
+void fail(RunEnd& end, RunEnd::Cause cause, const InputError& error) {
+  fail(end, cause, error.where() + ": " + error.what());
 }
 
 // One run: its steps and samples, and the files that record them.
@@ -123,12 +130,17 @@ class Run {
           result.notes.push_back(std::move(problem));
       }
     } catch (const PhaseRefused& error) {
-      fail(result.end, error);
-      result.end.refused = true;
+      fail(result.end, Cause::scene, error);
     } catch (const InputError& error) {
-      fail(result.end, error);
-      result.end.unwritable = true;
+      fail(result.end, Cause::disk_full, error);
+    } catch (const NotEnoughMemory& error) {
+      fail(result.end, Cause::memory, error.what());
+    } catch (const std::bad_alloc&) {
+      fail(result.end, Cause::memory, "there is not enough memory for the next step");
+    } catch (const std::exception& error) {
+      fail(result.end, Cause::unexpected, error.what());
     }
+    if (result.end.cause == Cause::memory || result.end.cause == Cause::unexpected) try_to_keep();
     const std::int64_t step = sampled_run_.world().step;
     result.end.steps = step - first_step_;
     result.end.computed_steps = step - began_at_step_;
@@ -144,14 +156,23 @@ class Run {
       write_whole(folder_.summary(), values.dump(2) + "\n");
       forget_computing_time(folder_);
     } catch (const InputError& error) {
-      fail(result.end, error);
-      result.end.unwritable = true;
+      fail(result.end, Cause::disk_full, error);
     }
     if (options_.strict) result.invalid = validate_now(*options_.strict);
     return result;
   }
 
  private:
+  using Cause = RunEnd::Cause;
+
+  // After a failure of which none of the files need be at fault: the last whole step. The one before stays if it fails, too.
+  void try_to_keep() {
+    try {
+      write_state();
+    } catch (const std::exception&) {
+    }
+  }
+
   const Protocol& protocol() const { return sampled_run_.protocol(); }
   WorkClock& clock() { return sampled_run_.protocol().clock(); }
 
@@ -315,8 +336,7 @@ RunResult run_scene(const Scenario& scenario, const RunOptions& options) {
     if (options.continued_from) throw;  // the same command does it
     // It would now find a run in the folder.
     RunResult result{.folder = folder};
-    fail(result.end, error);
-    result.end.unwritable = true;
+    fail(result.end, RunEnd::Cause::disk_full, error);
     return result;
   }
   return run->complete();

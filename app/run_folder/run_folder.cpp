@@ -49,7 +49,7 @@ void make_writable(const RunFolder& folder) {
     throw InputError(folder.path.string(), "cannot be created: " + error.message());
   }
   const fs::path probe = folder.path / ".quicksand_probe";
-  const bool written = static_cast<bool>(std::ofstream(probe) << "writable");
+  const bool written = static_cast<bool>(std::ofstream(probe) << "writable" << std::flush);
   fs::remove(probe, error);
   if (!written) {
     throw InputError(folder.path.string(), "cannot be written; choose another folder with --out");
@@ -78,11 +78,18 @@ void remove_earlier_results(const RunFolder& folder) {
 }
 
 bool leads_into(const fs::path& folder, const fs::path& path) {
-  std::error_code home_error, error;
-  fs::path home = fs::weakly_canonical(fs::absolute(folder), home_error);
+  // Empty if it cannot be told, as where the working folder has been removed.
+  const auto canonical = [](const fs::path& name) {
+    std::error_code error;
+    const fs::path absolute = fs::absolute(name, error);
+    fs::path found = error ? fs::path() : fs::weakly_canonical(absolute, error);
+    return error ? fs::path() : found;
+  };
+  fs::path home = canonical(folder);
   if (!home.has_filename()) home = home.parent_path();  // a slash at the end
-  const fs::path there = fs::weakly_canonical(fs::absolute(path), error);
-  if (home_error || error) return false;
+  const fs::path there = canonical(path);
+  if (home.empty() || there.empty()) return false;
+  std::error_code error;
   const auto [home_end, rest] = std::mismatch(home.begin(), home.end(), there.begin(), there.end());
   if (home_end != home.end()) return false;
   // What is not there is not followed, so that a link to nothing is still among the names.

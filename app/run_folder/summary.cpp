@@ -1,6 +1,7 @@
 #include "app/run_folder/summary.h"
 
 #include <algorithm>
+#include <array>
 #include <cinttypes>
 
 #include "app/base/build_info.h"
@@ -69,7 +70,8 @@ double seconds_in(const Json& json) {
 }  // namespace
 
 std::string failure_kind(const RunEnd& end) {
-  return end.unwritable ? "disk_full" : end.refused ? "scene" : "run_failed";
+  constexpr std::array kNames{"run_failed", "scene", "disk_full", "memory", "unexpected"};
+  return kNames.at(static_cast<std::size_t>(end.cause));
 }
 
 Json json_of(const Value& value) {

@@ -15,11 +15,17 @@ namespace quicksand {
 
 struct RunEnd {
   enum class How : std::uint8_t { finished, interrupted, failed };
+  enum class Cause : std::uint8_t {
+    step,        // did not converge
+    scene,       // a phase refused what it found
+    disk_full,   // results could not be written
+    memory,      // there was not enough
+    unexpected,  // such as an OpenGL that can no longer draw
+  };
   How how = How::finished;
   std::string failure;              // a sentence, if failed
+  Cause cause = Cause::step;        // if failed
   bool missed_rest = false;         // the last phase ended at its max_time instead
-  bool unwritable = false;          // failed because results could not be written
-  bool refused = false;             // failed because a phase refused what it found
   std::int64_t steps = 0;           // of this run, before it was interrupted too
   std::int64_t computed_steps = 0;  // of its last part, since it was last resumed
   double wall_seconds = 0;          // of all its parts, pictures included
@@ -28,7 +34,7 @@ struct RunEnd {
   WorkClock::Counts work_counts{};  // of that part
 };
 
-// Why a run failed: "disk_full", "scene" (a phase refused what it found) or "run_failed" (a step).
+// The cause of a failure as messages and summary.json name it: "run_failed" where it is a step, else the name above.
 std::string failure_kind(const RunEnd& end);
 
 // The value as JSON; null if there is none.

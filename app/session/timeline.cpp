@@ -5,7 +5,6 @@
 
 #include "app/series/read_series.h"
 #include "app/view/history_view.h"
-#include "core/base/errors.h"
 
 namespace quicksand {
 
@@ -24,13 +23,11 @@ bool Timeline::refresh() {
   const bool at_end = shown_ + 1 == moments().size();
   const double time = moment().time;
   if (!history_.refresh()) return false;
-  if (moments().empty())
-    throw InputError(history_.path().string(),
-                     "no longer has any sample; the run was started again");
-  rows_ = read_series(folder_.series(), most_rows_);
-  // Records may have been thinned out.
+  // Records may have been thinned out. Whatever fails from here on, the shown moment is one that is listed.
+  shown_ = at_end ? moments().size() - 1 : nearest(time);
   for (auto& [key, scales] : scales_) scales.added = std::min(scales.added, moments().size());
-  show(at_end ? moments().size() - 1 : nearest(time));
+  show(shown_);
+  rows_ = read_series(folder_.series(), most_rows_);
   return true;
 }
 

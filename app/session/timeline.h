@@ -33,7 +33,8 @@ class Timeline {
 
   // Throws InputError if the record is damaged; the shown moment then stays.
   void show(std::size_t k);
-  // Takes over what the run has added since; true if there is something. Who shows the end goes on showing it.
+  // Takes over what the run has added since; true if there is something. Who shows the end goes on showing it. Throws
+  // InputError if something of it cannot be read.
   bool refresh();
 
   // The view with scales that fit the whole history. Reads what was not read before.

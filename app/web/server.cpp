@@ -3,6 +3,7 @@
 #include <libwebsockets.h>
 
 #include <atomic>
+#include <exception>
 #include <map>
 #include <thread>
 
@@ -102,7 +103,12 @@ int Server::Impl::on_event(lws* wsi, lws_callback_reasons reason, void* /*user*/
                            std::size_t size) {
   lws_context* context = lws_get_context(wsi);
   auto* impl = static_cast<Impl*>(context != nullptr ? lws_context_user(context) : nullptr);
-  return impl == nullptr ? 0 : impl->serve(wsi, reason, in, size);
+  if (impl == nullptr) return 0;
+  try {
+    return impl->serve(wsi, reason, in, size);
+  } catch (const std::exception&) {
+    return -1;  // closes this connection; nothing may be thrown through the library, which is written in C
+  }
 }
 
 int Server::Impl::serve(lws* wsi, lws_callback_reasons reason, void* in, std::size_t size) {

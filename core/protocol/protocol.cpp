@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 #include "core/base/errors.h"
+#include "core/base/memory.h"
 #include "core/scene/make_world.h"
 #include "core/scene/validate.h"
 #include "core/step/assemble.h"
@@ -34,12 +36,22 @@ Progress Protocol::advance() {
   try {
     return go_on();
   } catch (const GivenUp&) {
-    std::swap(world_, kept_.world);
-    state_ = kept_.state;
-    report_ = kept_.report;
-    take_up();
+    return_to_kept();
     return Progress::given_up;
+  } catch (const NotEnoughMemory&) {
+    return_to_kept();
+    throw;
+  } catch (const std::bad_alloc&) {
+    return_to_kept();
+    throw;
   }
+}
+
+void Protocol::return_to_kept() {
+  std::swap(world_, kept_.world);
+  std::swap(state_, kept_.state);
+  report_ = kept_.report;
+  take_up();
 }
 
 Progress Protocol::go_on() {

@@ -26,7 +26,8 @@ class Protocol {
   // entered anew, from the base of the old search.
   Protocol(const Scenario& scenario, World world, const ProtocolState& state = {});
 
-  // At most one time step. Throws InputError where a phase cannot begin, or go on, in the world as it is, which stays.
+  // At most one time step. Throws InputError where a phase cannot begin, or go on, in the world as it is, which stays;
+  // NotEnoughMemory or bad_alloc, after which all is as it was before the step if steps can be given up.
   Progress advance();
 
   // What a person does to a run under way.
@@ -69,6 +70,7 @@ class Protocol {
 
   // The present phase, with the settings that the scene has for it now; null when finished.
   void take_up();
+  void return_to_kept();
 
   Scenario scenario_;
   World world_;

@@ -3,82 +3,63 @@
 #include <cmath>
 
 #include "core/base/errors.h"
+#include "core/scene/check_phases.h"
+#include "core/scene/number_checks.h"
 
 namespace quicksand {
 
 namespace {
 
-void refuse(const std::string& path, double x, const char* demand) {
-  throw InputError(path, "is " + message_number(x) + "; " + demand);
-}
-
-void positive(const std::string& path, const std::optional<double>& x) {
-  if (x && (!(*x > 0) || !std::isfinite(*x))) refuse(path, *x, "must be positive and finite");
-}
-
-void not_negative(const std::string& path, const std::optional<double>& x) {
-  if (x && (!(*x >= 0) || !std::isfinite(*x))) refuse(path, *x, "must be finite and at least 0");
-}
-
-void finite(const std::string& path, double x) {
-  if (!std::isfinite(x)) refuse(path, x, "must be finite");
-}
-
-template <int n>
-void finite(const std::string& path, const Eigen::Matrix<double, n, 1>& x) {
-  for (const double component : x) finite(path, component);
-}
-
 void check_law(const std::string& path, const std::optional<ContactLaw>& law) {
   if (!law) return;
-  not_negative(path + ".friction", law->friction);
-  not_negative(path + ".rolling_friction", law->rolling_friction);
-  not_negative(path + ".cohesion_force", law->cohesion_force);
-  positive(path + ".cohesion_range", law->cohesion_range);
+  require_not_negative(path + ".friction", law->friction);
+  require_not_negative(path + ".rolling_friction", law->rolling_friction);
+  require_not_negative(path + ".cohesion_force", law->cohesion_force);
+  require_positive(path + ".cohesion_range", law->cohesion_range);
 }
 
 void check_body(const std::string& path, const Disk& disk) {
-  positive(path + ".radius", disk.radius);
-  positive(path + ".density", disk.density);
-  finite(path + ".position", disk.position);
-  finite(path + ".velocity", disk.velocity);
-  finite(path + ".spin", disk.spin);
+  require_positive(path + ".radius", disk.radius);
+  require_positive(path + ".density", disk.density);
+  require_finite(path + ".position", disk.position);
+  require_finite(path + ".velocity", disk.velocity);
+  require_finite(path + ".spin", disk.spin);
 }
 
 }  // namespace
 
 void check_values(const Scenario& scenario) {
-  positive("step.dt", scenario.step.dt);
-  positive("step.max_turn", scenario.step.max_turn);
-  not_negative("step.max_halvings", scenario.step.max_halvings);
-  positive("solver.tolerance", scenario.solver.tolerance);
-  if (scenario.gravity) finite("gravity", *scenario.gravity);
-  if (scenario.box.sides != Sides::open) positive("box.width", scenario.box.width);
+  require_positive("step.dt", scenario.step.dt);
+  require_positive("step.max_turn", scenario.step.max_turn);
+  require_not_negative("step.max_halvings", scenario.step.max_halvings);
+  require_positive("solver.tolerance", scenario.solver.tolerance);
+  require_not_negative("solver.max_iterations", scenario.solver.max_iterations);
+  require_not_negative("solver.max_factorisations", scenario.solver.max_factorisations);
+  if (scenario.step.nscd) require_positive("nscd.sweeps", scenario.step.nscd->sweeps);
+  if (scenario.gravity) require_finite("gravity", *scenario.gravity);
+  if (scenario.box.sides != Sides::open) require_positive("box.width", scenario.box.width);
   check_law("contact", scenario.grain_law);
   check_law("wall_contact", scenario.wall_law);
   check_law("intruder_contact", scenario.intruder_law);
   for (std::size_t k = 0; k < scenario.disks.size(); ++k)
     check_body("bodies[" + std::to_string(k) + "]", scenario.disks[k]);
   for (std::size_t k = 0; k < scenario.disk_forces.size(); ++k)
-    finite("bodies[" + std::to_string(k) + "].force", scenario.disk_forces[k]);
+    require_finite("bodies[" + std::to_string(k) + "].force", scenario.disk_forces[k]);
   if (scenario.drag) {
-    not_negative("drag.linear", scenario.drag->linear);
-    not_negative("drag.quadratic", scenario.drag->quadratic);
+    require_not_negative("drag.linear", scenario.drag->linear);
+    require_not_negative("drag.quadratic", scenario.drag->quadratic);
   }
   for (std::size_t k = 0; k < scenario.walls.size(); ++k) {
     const std::string path = "walls[" + std::to_string(k) + "]";
-    finite(path + ".point", scenario.walls[k].point);
-    finite(path + ".velocity", scenario.walls[k].velocity);
-    not_negative(path + ".mass", scenario.walls[k].mass);
-    finite(path + ".normal", scenario.walls[k].normal);
-    finite(path + ".force", scenario.walls[k].force);
+    require_finite(path + ".point", scenario.walls[k].point);
+    require_finite(path + ".velocity", scenario.walls[k].velocity);
+    require_not_negative(path + ".mass", scenario.walls[k].mass);
+    constexpr double kRounding = 1e-9;
+    if (!(std::abs(scenario.walls[k].normal.norm() - 1) < kRounding))
+      throw InputError(path + ".normal", "is not a unit vector");
+    require_finite(path + ".force", scenario.walls[k].force);
   }
-  for (std::size_t k = 0; k < scenario.phases.size(); ++k) {
-    const std::string path = "phases[" + std::to_string(k) + "]";
-    positive(path + ".dt", scenario.phases[k].dt);
-    positive(path + ".sample_every", scenario.phases[k].sample_every);
-    positive(path + ".solver_tolerance", scenario.phases[k].solver_tolerance);
-  }
+  check_phase_values(scenario);
 }
 
 }  // namespace quicksand

@@ -6,9 +6,8 @@
 
 namespace quicksand {
 
-// Looks at steps, tolerances, gravity, drag, the box's width, contact laws, bodies with the forces on them, walls, and of
-// phases at what all have. Throws InputError where one is not finite, a length or duration is not positive, or a
-// coefficient is negative; its path is that of the same value in a file.
+// Throws InputError where a number is not finite, a length or duration is not positive, a coefficient is negative, or the
+// normal of a wall is not of unit length; its path is that of the same value in a file.
 void check_values(const Scenario& scenario);
 
 }  // namespace quicksand

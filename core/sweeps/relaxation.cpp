@@ -49,9 +49,10 @@ class WorkList {
 SolveReport solve_relaxation(const ContactProblem& problem, const SolverSettings& settings,
                              ContactState& state, RelaxationScratch& scratch) {
   SolveReport report;
-  if (report.measure(problem, settings, state) || settings.max_iterations <= 0) return report;
   report.stage = SolverStage::sweeps;
   const std::size_t nc = problem.contacts.size();
+  if (report.measure(problem, settings, state) || settings.max_iterations <= 0 || nc == 0)
+    return report;
   const std::vector<Vec3>& inverse = scratch.inverse_delassus;
   inverse_delassus(problem, scratch.inverse_delassus);
   ByBody& of_body = scratch.of_body;

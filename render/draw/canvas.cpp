@@ -34,10 +34,12 @@ Canvas::Canvas() : gl_(GlTable::load(*context_)) {
 }
 
 void Canvas::make_current(int width, int height) {
-  if (context_->is_current() && width == width_ && height == height_) return;
+  if (has_surface_ && context_->is_current() && width == width_ && height == height_) return;
+  has_surface_ = false;
+  context_->make_current(width, height);
+  has_surface_ = true;
   width_ = width;
   height_ = height;
-  context_->make_current(width, height);
 }
 
 GLuint Canvas::compile(GLenum stage, std::span<const char* const> parts) {

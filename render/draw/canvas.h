@@ -57,6 +57,7 @@ class Canvas {
   std::unique_ptr<GlContext> context_ = offscreen_context();
   GlTable gl_;
   int width_ = 1, height_ = 1;  // of the picture [px]
+  bool has_surface_ = false;    // of that size; none after one was refused
 };
 
 }  // namespace quicksand

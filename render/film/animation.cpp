@@ -151,6 +151,8 @@ VideoReport write_animation(const std::filesystem::path& frames,
     const std::size_t count = std::min(files.size(), kMostAnimatedFrames);
     const Image first = read_png(files.front());
     const int side = (std::max(first.width, first.height) - 1) / kLongestAnimatedSide + 1;
+    if (std::min(first.width, first.height) < side)
+      return {failed, "no film: its frames are too narrow for their length"};
     Image shown(first.width / side, first.height / side);
     AnimationFile film(path, shown.width, shown.height, count);
     const std::size_t last = std::max<std::size_t>(count - 1, 1);

@@ -1,6 +1,6 @@
 // A film that every browser plays: the frames of a folder as an animated PNG, without any other program.
 //
-// Frames are halved until they are small, every pixel that stays is left out, and a few frames at a time are in
+// Frames are reduced by a whole factor until they are small, every pixel that stays is left out, and a few frames at a time are in
 // memory, shared between the cores. Chunks acTL, fcTL and fdAT: [PNG 2003] with its third edition's animation.
 #pragma once
 

@@ -76,14 +76,15 @@ class EglContext final : public GlContext {
     make_current();
     bind_frame_buffer_(GL_FRAMEBUFFER, frame_buffer_);
     if (width == width_ && height == height_) return;
-    width_ = width;
-    height_ = height;
+    width_ = height_ = 0;  // where it fails there is no surface
     bind_render_buffer_(GL_RENDERBUFFER, colours_);
     storage_(GL_RENDERBUFFER, GL_RGBA8, width, height);
     attach_(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colours_);
     if (status_(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
       throw RenderError("no drawing surface of " + std::to_string(width) + "x" +
                         std::to_string(height) + " pixels: the OpenGL of this system refused it");
+    width_ = width;
+    height_ = height;
   }
 
   GlFunction function(const char* name) const override { return get_proc_address()(name); }

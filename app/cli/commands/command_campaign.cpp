@@ -174,6 +174,8 @@ class CampaignRun {
       next = "change its scene, as in: " + command + " --set PATH=VALUE";
     } else if (kind == "disk_full") {
       next = "once it can be written again, the same command continues it";
+    } else if (kind == "memory") {
+      next = "where there is more memory, the same command continues it";
     }
     if (!next.empty()) std::fprintf(stderr, "  %s\n", next.c_str());
   }

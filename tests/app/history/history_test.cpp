@@ -206,6 +206,25 @@ TEST_F(HistoryTest, IsReadWhileItGrows) {
   EXPECT_EQ(history.world(4).step, samples()[4].world.step);
 }
 
+// The run was started again in its folder, and has no sample yet.
+TEST_F(HistoryTest, StaysUntilARunThatReplacesItHasASample) {
+  record(0, 3);
+  const std::string before = contents(path_);
+  History history(path_);
+  fs::remove(path_);
+  record(0, 0);
+  EXPECT_FALSE(history.refresh());
+  EXPECT_EQ(history.moments().size(), 3U);
+  EXPECT_EQ(history.world(2).step, samples()[2].world.step);
+  record(0, 1);
+  EXPECT_TRUE(history.refresh());
+  EXPECT_EQ(history.moments().size(), 1U);
+  folder_.write("history.qsh", "time,step\n");
+  EXPECT_THROW(history.refresh(), InputError);
+  ASSERT_EQ(history.moments().size(), 1U) << "what was listed stays";
+  EXPECT_EQ(history.moments()[0].step, samples()[0].world.step);
+}
+
 TEST_F(HistoryTest, KeepsEverySecondRecordBeyondItsLimitAndIsReadMeanwhile) {
   record(0, 4);
   History history(path_);

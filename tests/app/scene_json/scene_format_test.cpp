@@ -272,6 +272,15 @@ TEST(SceneFormat, WholeNumbersMayBeWrittenAsPowersOfTen) {
   EXPECT_EQ(std::get<DepositPhase>(scene.phases[0].kind).grains, 1000);
 }
 
+TEST(SceneFormat, WholeNumbersAreComparedWithTheirLimitsExactly) {
+  const auto with_seed = [](const char* seed) {
+    return scenario(std::string(R"({"box": {"width": 9}, "seed": )") + seed + "}");
+  };
+  EXPECT_EQ(with_seed("9007199254740992").seed, 9007199254740992U);
+  for (const char* beyond : {"9007199254740993", "18446744073709551615", "1e300", "0.5"})
+    EXPECT_THROW(with_seed(beyond), InputError) << beyond;
+}
+
 TEST(SceneFormat, TheShippedSchemaIsTheOneThatTheReaderImplies) {
   EXPECT_EQ(contents(kSource / "assets/schemas/scene.schema.json"), scene_schema().dump(2) + "\n")
       << "write it anew: build/quicksand list schema > assets/schemas/scene.schema.json";

@@ -37,6 +37,17 @@ TEST(ServeReach, APathLeadsIntoAFolderOnlyIfAllItsLinksDo) {
   EXPECT_FALSE(all_lead_into(out, out / "sub"));
 }
 
+TEST(ServeReach, NothingLeadsAnywhereFromAFolderThatHasBeenRemoved) {
+  const TemporaryFolder folder;
+  const fs::path before = fs::current_path();
+  fs::create_directory(folder.path() / "gone");
+  fs::current_path(folder.path() / "gone");
+  fs::remove(folder.path() / "gone");
+  const bool leads = leads_into("out", "out/a");
+  fs::current_path(before);
+  EXPECT_FALSE(leads);
+}
+
 // The server looks for nothing in the present folder, where a user keeps what is his own.
 TEST(ServeReach, ClientsReadNothingBesideTheFolder) {
   const fs::path before = fs::current_path();

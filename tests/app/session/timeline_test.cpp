@@ -87,6 +87,23 @@ TEST_F(TimelineTest, IsShownWithoutTheStateThatTheRunStartedFrom) {
   EXPECT_EQ(session.timeline(), nullptr);
 }
 
+// Whatever becomes of the files, the moment that is shown is one of the list.
+TEST_F(TimelineTest, StandsThroughARunThatIsStartedAgain) {
+  const std::string whole = contents(run_ / "history.qsh");
+  const std::size_t shown = timeline().shown();
+  std::filesystem::remove(run_ / "history.qsh");
+  std::ofstream(run_ / "history.qsh") << whole.substr(0, kFileHeadSize);
+  EXPECT_FALSE(timeline().refresh());
+  EXPECT_EQ(timeline().shown(), shown);
+  EXPECT_EQ(timeline().moment().step, session_.world().step);
+  std::string damaged = whole;
+  damaged.back() = static_cast<char>(damaged.back() ^ 1);
+  std::filesystem::remove(run_ / "history.qsh");
+  std::ofstream(run_ / "history.qsh") << damaged;
+  EXPECT_THROW(timeline().refresh(), InputError);
+  EXPECT_LT(timeline().shown(), timeline().moments().size());
+}
+
 TEST_F(TimelineTest, PlaysToTheEndOrAroundIt) {
   timeline().show(0);
   timeline().playing = true;

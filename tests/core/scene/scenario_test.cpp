@@ -54,6 +54,38 @@ TEST(Validation, RefusesNumbersThatNoStepCanBeTakenWith) {
   EXPECT_EQ(of([](Scenario& s) { s.phases[0].dt = 0; }), "phases[0].dt");
   EXPECT_EQ(of([&](Scenario& s) { s.disk_forces = {{kNan, 0, 0}}; }), "bodies[0].force");
   EXPECT_EQ(of([](Scenario& s) { s.drag = Drag{.linear = -5}; }), "drag.linear");
+  EXPECT_EQ(of([](Scenario& s) { s.step.nscd = Nscd{.sweeps = -1}; }), "nscd.sweeps");
+  EXPECT_EQ(of([](Scenario& s) { s.solver.max_iterations = -1; }), "solver.max_iterations");
+  EXPECT_EQ(of([](Scenario& s) { s.walls = {{.normal = {0, 2}}}; }), "walls[0].normal");
+}
+
+// Some of these would never end, others make bodies of no size.
+TEST(Validation, RefusesPhasesOfImpossibleNumbers) {
+  const double kNan = std::numeric_limits<double>::quiet_NaN();
+  const auto of = [](const auto& phase) {
+    Scenario scene = small_collapse(Method::automatic);
+    scene.phases = {{phase}};
+    const std::string text = verdict(scene);
+    return text.substr(0, text.find(' '));
+  };
+  EXPECT_EQ(of(DepositPhase{.grains = -1}), "phases[0].grains");
+  EXPECT_EQ(of(DepositPhase{.height = kNan}), "phases[0].height");
+  EXPECT_EQ(of(DepositPhase{.grains = 3, .interval = -1}), "phases[0].interval");
+  EXPECT_EQ(of(DepositPhase{.grains = 3, .polydispersity = Polydispersity{kNan}}),
+            "phases[0].polydispersity.deviation");
+  EXPECT_EQ(of(DepositPhase{.grains = 3, .adiabatic = Adiabatic{.factor = 1}}),
+            "phases[0].adiabatic.factor");
+  EXPECT_EQ(of(SettlePhase{.max_time = kNan}), "phases[0].max_time");
+  EXPECT_EQ(of(PushPhase{.diameter = -3}), "phases[0].diameter");
+  EXPECT_EQ(of(PullPhase{}), "phases[0].first_force");
+  EXPECT_EQ(of(ShearPhase{.trials = {.first_force = 1}, .depths = {1, -1}}), "phases[0].depths[1]");
+  EXPECT_EQ(of(HealPhase{.waited = 1, .healing_time = 0}), "phases[0].healing_time");
+  EXPECT_EQ(of(PistonPhase{.mass = 0}), "phases[0].mass");
+  EXPECT_EQ(of(PenetratePhase{.shape = PlateIntruder{.width = 1, .thickness = 2}}),
+            "phases[0].shape.thickness");
+  EXPECT_EQ(of(PenetratePhase{.depth = 0}), "phases[0].depth");
+  EXPECT_EQ(of(VanePhase{.shape = VaneIntruder{.blades = 0}}), "phases[0].shape.blades");
+  EXPECT_EQ(of(VanePhase{.shape = VaneIntruder{}, .angle = kNan}), "phases[0].angle");
 }
 
 TEST(Validation, RefusesOverlappingBodiesAndSaysByHowMuch) {

@@ -102,6 +102,9 @@ TEST(Relaxation, EndsWhereItIsNotAllowedToWorkOrCannot) {
   broken.free_velocity[1].y() = std::numeric_limits<double>::quiet_NaN();
   ContactState state = zero_state(broken);
   EXPECT_FALSE(relax(broken, {.tolerance = 1e-11}, state).converged);
+  broken.contacts.clear();
+  state = zero_state(broken);
+  EXPECT_FALSE(relax(broken, {.tolerance = 1e-11}, state).converged) << "nothing to work on";
 }
 
 // While a loose heap falls in, some contacts stay undecided to the end of the interior point's path, long after

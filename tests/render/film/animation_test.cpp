@@ -148,6 +148,16 @@ TEST_F(Animation, IsReducedAndHasAtMostItsNumberOfFrames) {
   EXPECT_TRUE(same_look(shown.frames.back(), many - 1)) << "the last is there";
 }
 
+TEST_F(Animation, IsRefusedOfFramesThatWouldBeReducedToNothing) {
+  Sequence sequence(frames());
+  sequence.add(Image(1, 2 * kLongestAnimatedSide));
+  sequence.add(Image(1, 2 * kLongestAnimatedSide));
+  sequence.finish();
+  const VideoReport report = write_animation(frames(), film());
+  EXPECT_EQ(report.outcome, VideoReport::Outcome::failed);
+  EXPECT_NE(report.message.find("too narrow"), std::string::npos) << report.message;
+}
+
 TEST_F(Animation, IsThereAsAWholeOrNotAtAll) {
   draw(3, 16);
   std::ofstream(frame_path(frames(), 2)) << "torn";

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <limits>
 #include <string>
 
 #include "render/base/render_error.h"
+#include "render/draw/canvas.h"
 
 namespace quicksand {
 namespace {
@@ -47,6 +49,16 @@ TEST(Offscreen, HasASurfaceOfEachSizeThatIsAskedFor) {
     }
     EXPECT_NE(offscreen->function("glClear"), nullptr) << name;
   }
+}
+
+// Whoever goes on after a picture that did not fit must not paint beyond the surface of the one before.
+TEST(Offscreen, ASizeThatWasRefusedIsRefusedAgainAndOthersAreDrawn) {
+  constexpr int kTooLarge = std::numeric_limits<int>::max();
+  Canvas canvas;
+  canvas.clear(32, 20, {});
+  for (int k = 0; k < 2; ++k) EXPECT_ANY_THROW(canvas.clear(kTooLarge, kTooLarge, {}));
+  canvas.clear(32, 20, {1, 2, 3});
+  EXPECT_EQ(canvas.finish().pixel(31, 19)[2], 3);
 }
 
 }  // namespace
