@@ -35,7 +35,7 @@ class Transcript {
   // Throws InputError if the file cannot be written.
   explicit Transcript(std::filesystem::path path);
 
-  // A line is on disk when this returns. Throws DiskFull.
+  // A line is handed to the system when this returns. Throws DiskFull.
   void add(const Json& line);
 
  private:

@@ -107,7 +107,10 @@ void HistoryWriter::thin_out() {
   stride_ *= 2;
   file_.close();
   std::ifstream all(path_, std::ios::binary);
-  if (!stride_of(all)) throw InputError(path_.string(), "was damaged while the run was computing");
+  const auto refuse_damaged = [&] {
+    throw InputError(path_.string(), "was damaged while the run was computing");
+  };
+  if (!stride_of(all)) refuse_damaged();
   WholeFile fewer(path_);
   write(fewer.stream(), file_head(stride_));
   size_ = kFileHeadSize;
@@ -119,10 +122,11 @@ void HistoryWriter::thin_out() {
       continue;
     }
     body.resize(head->packed);
-    if (!read(all, body)) break;
+    if (!read(all, body)) refuse_damaged();
     write(write(fewer.stream(), bytes), body);
     size_ += static_cast<std::int64_t>(kRecordHeadSize + head->packed);
   }
+  if (!all.eof()) refuse_damaged();
   fewer.finish();
   append_from_here();
 }

@@ -22,8 +22,9 @@ constexpr int kCoordinateBits = 62;
 constexpr std::uint8_t kBond = 1, kBroken = 2, kInitial = 4, kContact = 8;
 constexpr std::uint8_t kIntruder = 1, kFixed = 2;
 
-// The bodies and their pairs, a column each; corners of shaped bodies have numbers of their own (shapes.h). A pair is the distance of its first body from that of the pair before it,
-// and that of its second body from its first; or -1 - k for wall k.
+// The bodies and their pairs, a column each; corners of shaped bodies have numbers of their own (shapes.h). A pair is
+// the distance of its first body from that of the pair before it, and that of its second body from its first; or -1 - k
+// for wall k.
 struct Columns {
   int exponent = 0;
   std::vector<std::int64_t> x, y;

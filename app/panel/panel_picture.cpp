@@ -6,6 +6,7 @@
 
 #include "app/panel/panel_frame.h"
 #include "app/session/disk_at.h"
+#include "core/base/format.h"
 #include "core/world/shaped_contact.h"
 #include "render/base/camera.h"
 #include "render/base/nice_numbers.h"
@@ -91,8 +92,8 @@ void tell_body(const PanelFrame& frame, int body) {
   }
   const bool intruder = world.disks.role[k] == DiskRole::intruder;
   frame.widgets.tooltip((intruder ? "intruder: " : "grain " + std::to_string(body) + ": ") +
-                        std::to_string(touches) + " contacts, " + std::to_string(bonds) +
-                        " active bonds\nspeed " +
+                        count_text(touches, "contact") + ", " + count_text(bonds, "active bond") +
+                        "\nspeed " +
                         short_number(world.disks.velocity[k].head<2>().norm()) +
                         " √(g d), pressed with at most " + short_number(pressed) + " F_g");
 }

@@ -4,6 +4,7 @@
 
 #include "app/base/exit_code.h"
 #include "app/base/interrupt.h"
+#include "app/base/shell_text.h"
 #include "app/commands/session_file.h"
 #include "app/commands/transcript.h"
 #include "app/run/progress_line.h"
@@ -81,8 +82,8 @@ class PlayedFile {
     std::fprintf(stderr, "quicksand: %s%s: %s\n  the command: %s\n", file_.where(i).c_str(),
                  inside.c_str(), answer.problem.c_str(), file_.commands[i].dump().c_str());
     if (options_.keep_going) return;
-    std::fprintf(stderr, "  to stop before it: quicksand session %s --stop-after %zu\n",
-                 options_.file.c_str(), i);
+    std::fprintf(stderr, "  to stop before it: %s session %s --stop-after %zu\n",
+                 program_name().c_str(), shell_text(options_.file).c_str(), i);
   }
 
   // Saves what was computed.

@@ -10,7 +10,8 @@
 namespace quicksand {
 
 // "critical_forces", "adiabatic" (its samples), "adiabatic_unsettled" (finished phases that did not reach their
-// tolerance), "shear_strength" (one entry a shear phase) and "drives" (of penetrate and vane phases); a key is left out if there is nothing to say under it.
+// tolerance), "shear_strength" (one entry a shear phase) and "drives" (of penetrate and vane phases); a key is left out
+// if there is nothing to say under it.
 Json search_results(const Scenario& scenario, const ProtocolState& state);
 
 // What a reader of these results (or of a summary that holds them) must know, a sentence each: critical forces

@@ -10,8 +10,8 @@ namespace {
 
 constexpr auto kFlags = std::to_array<ViewFlag>(
     {{{"bonds", "lines along the active bonds", "Bonds", true}, &View::bonds},
-     {{"forces", "lines along the contacts, with widths proportional to the normal force", "Forces",
-       true},
+     {{"forces", "lines along the contacts, as wide as the normal force is large, at most 1.2 d",
+       "Forces", true},
       &View::forces},
      {{"broken_bonds", "bars where bonds broke, as long as the bodies stay close", "Broken bonds"},
       &View::broken_bonds},

@@ -39,9 +39,15 @@ std::string_view host_of(std::string_view address) {
 std::string new_token(const std::filesystem::path& file) {
   std::string token = random_token();
   const OpenFile made(open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
-  if (made.number() < 0 ||
-      write(made.number(), token.data(), token.size()) != static_cast<ssize_t>(token.size()))
-    throw InputError(file.string(), std::string("cannot be written: ") + std::strerror(errno));
+  const auto refuse = [&](int error) {
+    throw InputError(file.string(), std::string("cannot be written: ") + std::strerror(error));
+  };
+  if (made.number() < 0) refuse(errno);
+  if (write(made.number(), token.data(), token.size()) != static_cast<ssize_t>(token.size())) {
+    const int error = errno;
+    unlink(file.c_str());  // a part of a token would be refused the next time
+    refuse(error);
+  }
   return token;
 }
 

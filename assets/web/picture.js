@@ -158,13 +158,13 @@ export class Picture {
       bar.style.background = `linear-gradient(to right, ${legend.bar.map(css).join()})`;
       part.append(bar, element("div", {className: "ends"}, ...legend.range.map((x) => element("span", {}, short(x)))));
     }
-    const list = (signs) => element("ul", {}, ...signs.map(([kind, colour, label]) => {
+    const list = (signs, className) => element("ul", {className}, ...signs.map(([kind, colour, label]) => {
       const sign = element("i", {className: kind});
       sign.style.setProperty("--sign", css(colour));
       return element("li", {}, sign, element("span", {}, ...typeset(label)));
     }));
-    if (legend.swatches.length) part.append(list(legend.swatches.map((swatch) => ["", ...swatch])));
-    if (drawn.length) part.append(list(drawn));
+    if (legend.swatches.length) part.append(list(legend.swatches.map((swatch) => ["", ...swatch]), "colours"));
+    if (drawn.length) part.append(list(drawn, "signs"));
   }
 
   // What the gestures ask for.

@@ -2,9 +2,9 @@
 //
 // Near a solution the trial impulse of each contact tells whether it is open or closed, sticks or slides, holds or
 // rolls (projection.h). What is closed, sticks or holds obeys u = 0, what slides R_t = +-friction N, what rolls
-// T = +-rolling N. These equations are linear; u = 0 is met by the proximal iteration p := p - u/(eps W), which leaves the solution as it
-// is and bounds what redundant contacts may ask for. Modes are read again after each solution
-// [Alart 1991].
+// T = +-rolling N. These equations are linear; u = 0 is met by the proximal iteration p := p - u/(eps W), which leaves
+// the solution as it is and bounds what redundant contacts may ask for. Modes are read again after each solution [Alart
+// 1991].
 //
 // Interior points end at products above zero: where the bodies that a contact force carries are many or
 // heavy, their velocities are still wrong when the residual of every contact is small. This is not so at

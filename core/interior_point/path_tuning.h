@@ -37,8 +37,9 @@ struct PathTuning {
   static constexpr double kNear = 30, kGain = 0.8;
   static constexpr int kPatience = 8, kTrySweeps = 100;
   // A path that is this long and comes within `kNear` goes on for the sake of some contacts that are still undecided,
-  // as far as velocities have settled to this share of their tolerance: so few sweeps are tried from there. 51 solutions of a collapse of 4900 grains take 11.7
-  // factorisations for 21.6; errors of their velocities are 0.4 % of the mean velocity for 0.15 %.
+  // as far as velocities have settled to this share of their tolerance: so few sweeps are tried from there. 51
+  // solutions of a collapse of 4900 grains take 11.7 factorisations for 21.6; errors of their velocities are 0.4 % of
+  // the mean velocity for 0.15 %.
   static constexpr int kLongPath = 8, kFewSweeps = 8;
   static constexpr double kSettledShare = 0.1;
 };

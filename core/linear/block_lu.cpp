@@ -277,7 +277,7 @@ void BlockLu::factorise(const std::function<void(int)>& fill) {
     for (const int s : subtrees_.top()) {
       const int rows = node[s].rows;
       factorise_columns(node[s], lower + node[s].offset, upper + node[s].offset, negative_);
-      if (threads == 1 || node[s].columns * rows * rows < kWorthSharing) {
+      if (threads == 1 || static_cast<double>(node[s].columns) * rows * rows < kWorthSharing) {
         for (int p = 0; p < rows; ++p) pass_on(plan_, node[s], p, lower, upper);
         continue;
       }

@@ -4,6 +4,7 @@
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "core/base/memory.h"
 
@@ -11,6 +12,16 @@ namespace quicksand {
 
 bool Elimination::analyse(int n, const std::vector<Edge>& edges, std::size_t bytes_of_slot) {
   if (n == n_ && edges == edges_) return false;
+  try {
+    plan(n, edges, bytes_of_slot);
+  } catch (...) {
+    n_ = -1;  // nothing is known of this graph
+    throw;
+  }
+  return true;
+}
+
+void Elimination::plan(int n, const std::vector<Edge>& edges, std::size_t bytes_of_slot) {
   n_ = n;
   edges_ = edges;
   order();
@@ -27,7 +38,6 @@ bool Elimination::analyse(int n, const std::vector<Edge>& edges, std::size_t byt
     edge_slot_[e] = slot(std::max(p, q), std::min(p, q));
     edge_flipped_[e] = p > q ? 1 : 0;
   }
-  return true;
 }
 
 void Elimination::order() {
@@ -117,12 +127,12 @@ void Elimination::make_room(std::size_t bytes_of_slot) {
   const std::string problem =
       memory_problem(static_cast<double>(more) * sizeof(int) +
                      static_cast<double>(slots) * static_cast<double>(bytes_of_slot));
-  if (!problem.empty()) {
-    const int bodies = n_;
-    n_ = -1;  // nothing is known of this graph
-    throw NotEnoughMemory("factorising the contacts of " + std::to_string(bodies) + " bodies " +
+  if (!problem.empty())
+    throw NotEnoughMemory("factorising the contacts of " + std::to_string(n_) + " bodies " +
                           problem + "; solver.method=gauss_seidel needs no factorisation");
-  }
+  if (!std::in_range<int>(slots))
+    throw NotEnoughMemory("factorising the contacts of " + std::to_string(n_) +
+                          " bodies takes more blocks than are counted");
   if (more > 0) target_.reserve(products + products / 4);
   slots_ = static_cast<int>(slots);
   int offset = 0;

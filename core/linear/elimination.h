@@ -49,6 +49,7 @@ class Elimination {
   std::size_t fill() const { return column_row_.size(); }  // blocks below the diagonal
 
  private:
+  void plan(int n, const std::vector<Edge>& edges, std::size_t bytes_of_slot);
   void order();
   void find_columns();
   void find_supernodes();

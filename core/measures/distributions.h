@@ -47,7 +47,7 @@ Histogram contact_forces(const World& world);
 // small against what they hold.
 Histogram bond_tensions(const World& world);
 
-// One horizontal slice of the sample.
+// One horizontal slice of the packing.
 struct Slice {
   double low = 0, high = 0;               // [d]
   std::optional<double> volume_fraction;  // of everything in it; empty where the sides are open

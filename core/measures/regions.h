@@ -1,8 +1,8 @@
-// Parts of a sample, and what is measured in each: bonds, contacts and coordination of its grains.
+// Parts of a packing, and what is measured in each: bonds, contacts and coordination of its grains.
 //
 // A contact (or bond) counts for a region by the share of its grains that lie in it: by one or by a
 // half between two grains, by one or not at all between a grain and a wall or the intruder. So regions
-// that fill the sample add up to the whole, and no contact is lost at their borders.
+// that fill the packing add up to the whole, and no contact is lost at their borders.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct MeasureChoices {
   double channel_margin = 0.5;
   // The intact region: grains farther from the trajectory than this. Where it lies, not what became of its
   // bonds, decides, so that a share of active bonds below one can show there; the other definition,
-  // by the bonds, is kept_all_bonds(). In the paper's box at F_c (one sample, a straight trajectory assumed)
+  // by the bonds, is kept_all_bonds(). In the paper's box at F_c (one specimen, a straight trajectory assumed)
   // at least 0.99 of the initial bonds remain from 6 diameters on and 0.63 at 3 while the intruder is
   // half-way down; with it at the bottom and debris still falling no distance in that box is whole.
   // [widths of the intruder, of a disk its diameter]

@@ -67,11 +67,14 @@ namespace {
 // A scene is checked without the phases that are begun by hand, and what they leave is in the way of its own.
 void require_way_down(const Phase& phase, const Stage& stage) {
   if (!places_from_above(phase)) return;
-  const std::string wall = wall_in_the_way(stage.world, stage.world.walls.size());
-  if (!wall.empty())
+  const std::string in_the_way =
+      stage.world.shapes.empty() ? wall_in_the_way(stage.world, stage.world.walls.size())
+                                 : "the intruder of several parts";
+  if (!in_the_way.empty())
     throw InputError("phases[" + std::to_string(stage.state.phase) + "]",
                      "is of type " + std::string(phase_name(phase)) +
-                         ", which places bodies from above, but " + wall + " is in their way");
+                         ", which places bodies from above, but " + in_the_way +
+                         " is in their way");
 }
 
 }  // namespace

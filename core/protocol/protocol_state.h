@@ -34,19 +34,19 @@ struct Search {
   double force = 0;                   // on the target in it [F_g]
   ForceBracket bracket;               // of the present target
   int undecided = 0;                  // trials of the present target
-  double interval = 0;                // adiabatic: between the grains of this sample [sqrt(d/g)]
+  double interval = 0;                // adiabatic: between the grains of this specimen [sqrt(d/g)]
   std::int64_t breaks = 0;            // Bonds::broken as last looked at
   double last_break = -1;             // when it was found changed in this trial [sqrt(d/g)]
 };
 
-// One sample of an adiabatic deposition.
+// One specimen of an adiabatic deposition.
 struct AdiabaticDeposit {
   int phase = 0;                      // index
   double interval = 0;                // between grains [sqrt(d/g)]
   double volume_fraction = 0;         // as Sample::volume_fraction [1]
   double coordination = 0;            // as Sample::coordination [1]
   std::int64_t grains = 0;            // as Sample::grains
-  std::optional<double> change = {};  // of the volume fraction since the last sample, relative [1]
+  std::optional<double> change = {};  // of the volume fraction since the last specimen, relative [1]
 
   bool operator==(const AdiabaticDeposit&) const = default;
 };

@@ -15,7 +15,7 @@ namespace quicksand {
 // Which touches form a bond where bonds form: the first of a pair, or each while it has no active bond.
 enum class BondingTouch : std::uint8_t { first, every };
 
-// Whole samples are deposited, each at an interval longer by the factor, until the volume fraction
+// Whole specimens are deposited, each at an interval longer by the factor, until the volume fraction
 // changes by less than the tolerance; the last one stays.
 struct Adiabatic {
   double tolerance = 1e-3;  // relative change of the volume fraction [1]

@@ -44,7 +44,7 @@ struct NearestPoint {
 };
 NearestPoint nearest_to_origin(std::span<const Vec2> corners);
 
-// Why this is no convex part ("turns back at corner 3"); null if it is one. Clockwise corners are none either.
+// Why this is no convex part ("has no corners"); null if it is one. With its corners clockwise it is none.
 const char* defect_of(const ConvexPart& part);
 
 // The corners of all shaped bodies of a world, part by part. Corner k is number kCornerBase + k in a Pair, and a part

@@ -231,6 +231,7 @@ SolveReport LocalSolver::solve(const ContactProblem& problem, const SolverSettin
   if (start.measure(problem, settings, state);
       settings.distance(start.residual) < settings.distance(report.residual)) {
     start.velocity_change.reset();
+    start.converged = false;  // it was not taken as it is
     return start;
   }
   std::swap(state.impulse, start_impulse_);

@@ -39,7 +39,7 @@ class EnergyCriterion {
  public:
   // Evaluates the criterion for the bonds among `contacts`, the solved step of `world`, whose impulses they hold. Returns
   // the breaks in the order of the contacts. `cost` holds the stage that solved the step, below which
-  // there is no use to begin; the rule's own solution is added to it. If that did not converge, nor did
+  // there is no use to begin; the work of the criterion's own solutions is added to it. If that did not converge, nor did
   // `cost`, and there are no breaks.
   const std::vector<BondBreak>& failures(const World& world, const std::vector<Contact>& contacts,
                                          const StepSettings& step, const SolverSettings& settings,

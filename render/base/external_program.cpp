@@ -17,7 +17,9 @@ namespace {
 class Output {
  public:
   Output() : descriptor_(memfd_create("output", MFD_CLOEXEC)) {}
-  ~Output() { close(descriptor_); }
+  ~Output() {
+    if (descriptor_ >= 0) close(descriptor_);
+  }
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
 
@@ -45,6 +47,8 @@ ProgramEnd run_external(std::vector<std::string> words, const std::filesystem::p
   argv.push_back(nullptr);
 
   const Output answer, messages;
+  if (answer.descriptor() < 0 || messages.descriptor() < 0)
+    return {-1, false, {}, std::generic_category().message(errno)};
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
   posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);

@@ -1,8 +1,8 @@
 // The colours of both themes and the colour maps of continuous quantities.
 //
-// Both themes have the hues of the bonds in one order. The colours for bonds differ by a CIEDE2000 of at least 11 in normal, protanope, deuteranope and
-// tritanope sight. Continuous quantities use viridis [Smith 2015], which is perceptually uniform
-// and safe for the colour-blind.
+// Both themes have the hues of the bonds in one order. The colours for bonds differ by a CIEDE2000 of at least 11 in
+// normal, protanope, deuteranope and tritanope sight. Continuous quantities use viridis [Smith 2015], which is
+// perceptually uniform and safe for the colour-blind.
 #pragma once
 
 #include <array>

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/base/view.h"
+
 namespace quicksand {
 namespace {
 
@@ -78,7 +80,8 @@ int fitting_height(const LayoutRequest& r, const Legend& key) {
   const double head = key.empty() ? 0 : strip_place(r, key).height + 2 * pad_of(r);
   const Vec2 margins(r.margins.left + r.margins.right, r.margins.top + r.margins.bottom);
   const double scale = std::max(1.0, r.width - margins.x()) / r.world.x();
-  return static_cast<int>(std::ceil(head + r.world.y() * scale + margins.y()));
+  return static_cast<int>(
+      std::min(std::ceil(head + r.world.y() * scale + margins.y()), kLargestPicture + 0.0));
 }
 
 Layout arrange(const LayoutRequest& request, const Legend& key) {

@@ -2,6 +2,8 @@
 // from picture to picture.
 #pragma once
 
+#include <vector>
+
 #include "core/world/world.h"
 #include "render/base/view.h"
 
@@ -14,15 +16,15 @@ class CommonScales {
   // Whether the view takes a scale from the data; else there is nothing to add.
   bool needed() const { return colours_ || forces_; }
   void add(const World& world);
-  // A view with the widest range and the largest force of what was added, where it has none of its own; where nothing
-  // moved or pressed, from the data as before.
+  // A view with a range and a force that suit what was added, where it has none of its own: nine moments in ten have no
+  // wider range and no larger force, since in the scale of a shock nothing else would be seen; of a few moments, none has.
+  // Where nothing moved or pressed, they are from the data as before.
   View fixed(View view) const;
 
  private:
   Colouring colouring_;
   bool colours_, forces_;
-  double colour_high_ = 0;
-  double force_ = 0;
+  std::vector<double> colour_highs_, force_scales_;  // of the moments in which there is something to see
 };
 
 }  // namespace quicksand

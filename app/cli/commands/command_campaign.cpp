@@ -120,9 +120,9 @@ class CampaignRun {
     }
     std::printf(
         "job %s with %s is in the queue; messages go to %s\n"
-        "  show the progress and merge results.csv with: quicksand campaign %s --out %s --status\n",
+        "  show the progress and merge results.csv with: %s campaign %s --out %s --status\n",
         job.c_str(), count_text(std::ssize(tasks), "task").c_str(), (out_ / "slurm").c_str(),
-        shell_text(options_.file).c_str(), shell_text(out_).c_str());
+        program_name().c_str(), shell_text(options_.file).c_str(), shell_text(out_).c_str());
     return kFine;
   }
 
@@ -159,7 +159,7 @@ class CampaignRun {
   // Only of a failure that its summary knows: others were none of a step or a scene.
   void tell_how_to_go_on(const Job& job, const RunRecord& record) const {
     const RunFolder& folder = job.folder;
-    const std::string command = "quicksand run " + shell_text(folder.scene()) + " --continue " +
+    const std::string command = program_name() + " run " + shell_text(folder.scene()) + " --continue " +
                                 shell_text(folder.state()) + " --out " +
                                 shell_text(out_ / "repeats" / job.id) +
                                 (campaign_.frames ? "" : " --no-frames");
