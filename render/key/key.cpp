@@ -13,6 +13,19 @@
 namespace quicksand {
 namespace {
 
+double reserved_for(const Font& font, const Reading& reading) {
+  return std::max(font.width(reading.longest), font.width(reading.text));
+}
+
+// A number in two units that is wider than the picture is broken between them.
+std::vector<Reading> parts_of(const Font& font, const Reading& reading, double widest) {
+  constexpr std::string_view kEqual = " = ";
+  const std::size_t last = reading.text.rfind(kEqual), of_longest = reading.longest.rfind(kEqual);
+  if (reserved_for(font, reading) <= widest || last == reading.text.find(kEqual)) return {reading};
+  return {{reading.text.substr(0, last), reading.longest.substr(0, of_longest)},
+          {reading.text.substr(last + 1), reading.longest.substr(of_longest + 1)}};
+}
+
 void add_numbers(Legend& key, const KeyContent& content, double widest, bool all) {
   const Colour ink = palette(content.view.theme).ink;
   Legend::Group captions{.title = {}, .words = {}, .line_each = true};
@@ -24,9 +37,9 @@ void add_numbers(Legend& key, const KeyContent& content, double widest, bool all
   Legend::Group numbers{.title = {}, .words = {}, .line_each = true};
   for (const Reading& reading : content.readings) {
     if (reading.text.empty() && !all && !content.view.expects_intruder) continue;
-    const double reserved =
-        std::max(content.font.width(reading.longest), content.font.width(reading.text));
-    numbers.words.push_back(text_word(content.font, reading.text, reserved, ink));
+    for (const Reading& part : parts_of(content.font, reading, widest))
+      numbers.words.push_back(
+          text_word(content.font, part.text, reserved_for(content.font, part), ink));
   }
   key.add(std::move(numbers));
 }

@@ -30,7 +30,8 @@ bool has_gravity(const World& world);
 std::optional<Vec2> unusual_gravity(const World& world);
 
 // `pixels_per_diameter`: scale of the panel that widths and the scale bar refer to; the room that
-// the words take does not depend on it. Captions are given `widest` [px] and cut to it. With `all`,
+// the words take does not depend on it. Captions are given `widest` [px] and cut to it, numbers
+// in two units broken between them. With `all`,
 // words are included that the world does not need now but may need later: so much room is kept.
 Legend make_key(const KeyContent& content, double pixels_per_diameter, double widest, bool all);
 

@@ -9,6 +9,8 @@
 #include "core/scene/scenario.h"
 #include "core/world/reaction.h"
 #include "render/base/nice_numbers.h"
+#include "render/key/key.h"
+#include "tests/support/render/worlds.h"
 
 namespace quicksand {
 namespace {
@@ -39,6 +41,28 @@ TEST(Readings, OfAShapedIntruderTellForceAndTorque) {
   ASSERT_GT(reaction.torque, 0) << "the disk is on its right";
   EXPECT_TRUE(tells(protocol.world(), "reaction " + short_number(reaction.force.norm()) + " "));
   EXPECT_TRUE(tells(protocol.world(), "torque " + short_number(reaction.torque) + " "));
+}
+
+TEST(Readings, InTwoUnitsAreBrokenBetweenThemWhereTheyAreTooWide) {
+  const Font font(12);
+  const World world = worlds::arch();
+  View view;
+  view.physical = PhysicalScale{.grain_diameter = 344e-6, .grain_density = 1000};
+  const ColourScale colours;
+  const std::vector<Reading> time{readings(world, view).front()};
+  const KeyContent content{.world = world,
+                           .view = view,
+                           .font = font,
+                           .colours = colours,
+                           .force_scale = 1,
+                           .caption = {},
+                           .readings = time};
+  const double whole = font.width(time.front().text);
+  const double lower = make_key(content, 1, 2 * whole, false).height(2 * whole, false);
+  const double narrow = 0.8 * whole;
+  EXPECT_GT(make_key(content, 1, narrow, false).height(narrow, false), lower + 6)
+      << "another line";
+  EXPECT_LE(font.width("= 00.0 ms"), narrow);
 }
 
 }  // namespace
