@@ -1,9 +1,9 @@
 // Controls made from the descriptions that the server sends: each sends a command when it is changed, and shows why a
 // value was refused.
-import {capitalised, element, short, typeset, unit_text} from "./numbers.js";
+import {capitalised, element, sentence, short, typeset, unit_text} from "./numbers.js";
 
 function help_of(field) {
-  let help = capitalised(field.help || field.label);
+  let help = field.help ? sentence(field.help) : capitalised(field.label);
   if (field.low !== undefined) {
     const unit = unit_text(field.unit);
     help += `. From ${field.above_low ? "above " : ""}${short(field.low)} to ${short(field.high)}${unit ? " " + unit : ""}`;
@@ -20,7 +20,7 @@ function input_of(field) {
   if (field.kind === "flag") return element("input", {type: "checkbox", checked: Boolean(field.value)});
   const number = element("input", {type: "number", step: field.kind === "integer" ? "1" : "any", min: field.low, max: field.high});
   number.value = field.value ?? "";
-  if (field.value === null) number.placeholder = "none";
+  number.placeholder = "none";
   return number;
 }
 

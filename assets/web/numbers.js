@@ -26,7 +26,9 @@ export function duration(seconds) {
   return (seconds / 3600).toFixed(1) + " h";
 }
 
-export function capitalised(text) { return text[0].toUpperCase() + text.slice(1).replaceAll("_", " "); }
+// A sentence keeps the underscores of its symbols and keys, a name has spaces for them.
+export function sentence(text) { return text[0].toUpperCase() + text.slice(1); }
+export function capitalised(text) { return sentence(text).replaceAll("_", " "); }
 
 // A column of series.csv in the words of the panel.
 export function quantity(name) { return capitalised(name.replace("bond_fraction", "share")); }

@@ -1,5 +1,5 @@
 // Histories over time or over the way of an intruder: small plots with one cursor, which is a time.
-import {capitalised, element, nice_step, quantity, short, typeset, unit_text} from "./numbers.js";
+import {element, nice_step, quantity, sentence, short, typeset, unit_text} from "./numbers.js";
 
 const kFirst = ["active_bond_fraction", "coordination", "depth"];
 // What a plot may be over, and what a scene with a driven intruder shows first.
@@ -134,7 +134,7 @@ export class Plots {
       if (shown[i]) [low, high, from, to] = [Math.min(low, v), Math.max(high, v), Math.min(from, places[i]), Math.max(to, places[i])];
     });
     if (plot.over === "time" && times.length) [from, to] = [times[0], times.at(-1)];
-    plot.select.title = column ? capitalised(column.help) : "";
+    plot.select.title = column ? sentence(column.help) : "";
     if (!(low <= high)) {
       plot.scale = null;
       plot.output.textContent = "";
