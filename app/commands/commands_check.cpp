@@ -124,8 +124,11 @@ struct ExpectHash {
   std::string hash;
 
   void describe(Fields& f) {
-    f.text({"hash", "16 hexadecimal digits, as shown in transcripts", Presence::required}, hash);
+    f.text({"hash", "16 hexadecimal digits, as shown in transcripts and summary.json",
+            Presence::required},
+           hash);
     constexpr std::size_t kDigits = 16;
+    if (f.reading() && hash.starts_with("0x")) hash.erase(0, 2);
     if (f.reading() &&
         (hash.size() != kDigits || hash.find_first_not_of("0123456789abcdef") != std::string::npos))
       f.refuse("hash",

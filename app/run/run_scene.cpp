@@ -177,7 +177,7 @@ class Run {
   WorkClock& clock() { return sampled_run_.protocol().clock(); }
 
   std::string validate_now(const StrictBounds& bounds) const {
-    return validation_failures(protocol().state(), sampled_run_.last().sample.max_overlap, bounds);
+    return validation_failures(protocol().state(), sampled_run_.last().sample, bounds);
   }
 
   void record(const Row& row, const World& world) {

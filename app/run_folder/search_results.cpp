@@ -164,11 +164,11 @@ std::vector<std::string> search_warnings(const Json& results, int phases_finishe
   }
   const auto bodies = [](int n) { return count_text(n, "body", "bodies"); };
   const std::string times =
-      "2^" + std::to_string(ForceBracket::kMostDoublings) + " times first_force";
+      "2^" + std::to_string(ForceBracket::kMostDoublings) + " times the first one";
   if (never > 0) warnings.push_back("No force up to " + times + " moved " + bodies(never) + ".");
   if (unforced > 0) warnings.push_back(bodies(unforced) + " moved without any force.");
   if (always > 0)
-    warnings.push_back(bodies(always) + " moved at every force down to first_force/2^" +
+    warnings.push_back(bodies(always) + " moved at every force down to the first one over 2^" +
                        std::to_string(ForceBracket::kMostDoublings) + ".");
   if (unbracketed > 0)
     warnings.push_back(bodies(unbracketed) +

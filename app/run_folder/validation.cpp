@@ -29,7 +29,7 @@ std::string nscd_note(const Scenario& scenario, const ProtocolState& state, std:
          spread(errors.penetration, " d") + ". The results depend on sweeps and time step";
 }
 
-std::string validation_failures(const ProtocolState& state, double present_overlap,
+std::string validation_failures(const ProtocolState& state, const Sample& now,
                                 const StrictBounds& bounds) {
   std::string reasons;
   const auto add = [&](const std::string& reason) {
@@ -40,7 +40,7 @@ std::string validation_failures(const ProtocolState& state, double present_overl
         number_text(state.worst_residual) + ")");
   if (state.broken_in_unconverged > 0)
     add(count_text(state.broken_in_unconverged, "bond") + " broke in them");
-  const double overlap = worst_overlap(state, present_overlap);
+  const double overlap = worst_overlap(state, now.max_overlap);
   // Also true for what is not a number.
   if (!(overlap <= bounds.max_overlap))
     add("two bodies overlapped by " + number_text(overlap) + " d, more than the " +
@@ -52,10 +52,11 @@ std::string validation_failures(const ProtocolState& state, double present_overl
   // Exact contacts only dissipate. Collapses and pistons gain up to 1e-4 of it by overlaps that are pushed out, a bonded
   // pair that begins to turn by 0.5 rad a step 0.05 of its own; the least is what rounding does to bodies at rest.
   constexpr double kMostGained = 0.05, kLeast = 1e-6;  // [1], [F_g d]
-  const double turned_over = std::abs(state.external_work) + state.energy_dissipated;
+  const double turned_over = std::abs(state.external_work) + state.energy_dissipated +
+                             now.energy.kinetic + now.energy.rotational;
   if (!(state.energy_gained <= std::max(kMostGained * turned_over, kLeast)))
     add("steps gained an energy of " + number_text(state.energy_gained) + " F_g d, more than " +
-        number_text(kMostGained) + " of the work done and the energy dissipated (" +
+        number_text(kMostGained) + " of the work done, the energy dissipated and the kinetic energy (" +
         number_text(turned_over) + " F_g d)");
   return reasons;
 }

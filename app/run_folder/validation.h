@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "core/measures/measures.h"
 #include "core/protocol/protocol.h"
 #include "core/scene/scenario.h"
 
@@ -18,9 +19,8 @@ double worst_overlap(const ProtocolState& state, double present_overlap);
 // What the steps of a run by NSCD are, in a sentence: a method that does not converge by design. Empty for other runs.
 std::string nscd_note(const Scenario& scenario, const ProtocolState& state, std::int64_t steps);
 
-// Why validation of the run failed, in a sentence; empty if nothing is wrong. `present_overlap`: deepest
-// overlap of two bodies now [d].
-std::string validation_failures(const ProtocolState& state, double present_overlap,
+// Why validation of the run failed, in a sentence; empty if nothing is wrong. `now`: the bodies as they are at present.
+std::string validation_failures(const ProtocolState& state, const Sample& now,
                                 const StrictBounds& bounds);
 
 }  // namespace quicksand

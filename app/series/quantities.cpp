@@ -38,7 +38,7 @@ const Quantity kQuantities[] = {
      [](const Row& r) -> Value { return r.sample.packing_top; }},
     {"volume_fraction", "1",
      "share of area filled by grains in the lower 70 % of the packing; with closed or periodic "
-     "sides",
+     "sides, and without tilted walls",
      [](const Row& r) { return or_none(r.sample.volume_fraction); }},
     {"coordination", "1", "mean number of touching neighbours of a grain",
      [](const Row& r) -> Value { return r.sample.coordination; }},

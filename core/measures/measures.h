@@ -69,7 +69,8 @@ struct Sample {
   Energies energy;
   double max_speed = 0;                   // of any disk's centre [sqrt(g d)]
   double packing_top = 0;                 // [d]
-  std::optional<double> volume_fraction;  // of the lower 70 % of the packing; empty: sides open
+  std::optional<double>
+      volume_fraction;  // of the lower 70 % of the packing; empty: sides open, or a wall is tilted
   double coordination = 0;                // mean number of touching neighbours of a grain
   double coordination_loaded = 0;         // ... that carry a compressive force or a bond
   std::optional<double> active_bond_fraction;     // active bonds over contacts; empty: no contacts

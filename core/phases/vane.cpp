@@ -66,6 +66,9 @@ class Vane final : public DrivePhaseOf<VanePhase> {
     for (const Pair& pair : pairs) {
       if (is_wall(pair.b))
         throw InputError(where + ".depth", "puts the vane into a wall; give another depth or x");
+      if (!world.movable(pair.a))
+        throw InputError(where + ".depth", "puts the vane onto " + message_name(world, pair.a) +
+                                               ", which is fixed; give another depth or x");
       marked[static_cast<std::size_t>(pair.a)] = 1;
     }
     const auto in_the_way = std::ranges::count(marked, 1);

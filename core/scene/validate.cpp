@@ -62,7 +62,7 @@ void check_overlaps(const Scenario& scenario) {
 void check_walls(const Scenario& scenario) {
   for (std::size_t k = 0; k < scenario.walls.size(); ++k) {
     const Wall& wall = scenario.walls[k];
-    if (wall.mass > 0 && wall.normal.x() != 0 && wall.normal.y() != 0)
+    if (wall.mass > 0 && is_tilted(wall))
       throw InputError("walls[" + std::to_string(k) + "]",
                        "has a mass and is tilted; a wall with mass moves along x or y only");
     if (scenario.box.sides == Sides::periodic && wall.normal.x() != 0)

@@ -38,7 +38,7 @@ int tell_finished(const RunFolder& folder, const RunOptions& options) {
   if (!options.strict) return tell_validation({});
   const Checkpoint end = read_checkpoint(folder.state());
   return tell_validation(
-      validation_failures(end.protocol, measure(end.world).max_overlap, *options.strict));
+      validation_failures(end.protocol, measure(end.world), *options.strict));
 }
 
 int resume(const ResumeArguments& asked) {

@@ -269,9 +269,9 @@ TEST_F(ResumeTest, StrictRunsPassValidationWithinTheirBoundOnly) {
 
 TEST(Validation, FailsOnBondsThatStoodOpen) {
   ProtocolState state{.worst_bond_gap = 0.009};
-  EXPECT_EQ(validation_failures(state, 0, {}), "");
+  EXPECT_EQ(validation_failures(state, {}, {}), "");
   state.worst_bond_gap = 0.011;
-  EXPECT_NE(validation_failures(state, 0, {})
+  EXPECT_NE(validation_failures(state, {}, {})
                 .find("a bond was left open by 0.011 d beyond its "
                       "range, more than the 0.01 d"),
             std::string::npos);
@@ -279,12 +279,15 @@ TEST(Validation, FailsOnBondsThatStoodOpen) {
 
 TEST(Validation, FailsOnEnergyThatStepsGained) {
   ProtocolState state{.external_work = -200, .energy_dissipated = 800, .energy_gained = 49};
-  EXPECT_EQ(validation_failures(state, 0, {}), "");
+  EXPECT_EQ(validation_failures(state, {}, {}), "");
   state.energy_gained = 51;
-  EXPECT_NE(validation_failures(state, 0, {}).find("gained an energy of 51 F_g d"),
+  EXPECT_NE(validation_failures(state, {}, {}).find("gained an energy of 51 F_g d"),
             std::string::npos);
   // Rounding at rest.
-  EXPECT_EQ(validation_failures({.energy_gained = 1e-9}, 0, {}), "");
+  EXPECT_EQ(validation_failures({.energy_gained = 1e-9}, {}, {}), "");
+  EXPECT_NE(validation_failures({.energy_gained = 1e-3}, {}, {}), "");
+  EXPECT_EQ(validation_failures({.energy_gained = 1e-3}, {.energy = {.rotational = 1}}, {}), "")
+      << "a pair that turns freely: nothing is worked or dissipated";
 }
 
 TEST_F(ResumeTest, TheSummarySaysWhatMayBeWrong) {

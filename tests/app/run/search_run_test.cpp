@@ -121,7 +121,7 @@ TEST_F(SearchRun, StandsInItsReportWithWhatResistedItsDrives) {
 
 TEST_F(SearchRun, SaysWhatWasNotFoundAndFromWhatItBegan) {
   const std::string none = "No grain was found within 0.5 d of the depth 7 d.";
-  const std::string held = "No force up to 2^20 times first_force moved 1 body.";
+  const std::string held = "No force up to 2^20 times the first one moved 1 body.";
   const Outcome whole = run(kSearchRunScene);
   EXPECT_NE(whole.err.find(none), std::string::npos) << whole.err;
   EXPECT_EQ(whole.err.find(held), std::string::npos) << whole.err;
@@ -140,7 +140,7 @@ TEST_F(SearchRun, SaysWhatWasNotFoundAndFromWhatItBegan) {
             std::string::npos)
       << weak.err;
   ASSERT_EQ(run_program({"report", "out"}, folder_.path()).exit_code, 0);
-  EXPECT_NE(text("report.md").find("times first\\_force moved 1 body"), std::string::npos);
+  EXPECT_NE(text("report.md").find("times the first one moved 1 body"), std::string::npos);
 }
 
 TEST(SearchWarnings, TellABodyThatNeedsNoForceFromOneThatNeedsLessThanWasTried) {
@@ -150,7 +150,7 @@ TEST(SearchWarnings, TellABodyThatNeedsNoForceFromOneThatNeedsLessThanWasTried) 
   };
   EXPECT_EQ(warned(0), std::vector<std::string>{"1 body moved without any force."});
   EXPECT_EQ(warned(1e-6),
-            std::vector<std::string>{"1 body moved at every force down to first_force/2^20."});
+            std::vector<std::string>{"1 body moved at every force down to the first one over 2^20."});
 }
 
 TEST_F(SearchRun, OfTheShippedPullOutBeginsAndHoldsAtRest) {

@@ -71,6 +71,14 @@ TEST(VolumeFraction, OfASquareLatticeIsAQuarterOfPi) {
   EXPECT_NEAR(volume_fraction(world, 1.5, 3.5), std::numbers::pi / 4, tolerance::rounding());
 }
 
+// The area below a tilted wall is neither filled nor void.
+TEST(VolumeFraction, IsUndefinedAboveATiltedWall) {
+  World world = make_world(lattice(6, 6, 0, 1));
+  EXPECT_TRUE(measure(world).volume_fraction.has_value());
+  world.walls.push_back({.point = {0, 0}, .normal = Vec2(1, 1).normalized()});
+  EXPECT_FALSE(measure(world).volume_fraction.has_value());
+}
+
 TEST(VolumeFraction, OfATriangularLatticeIsTheDensestOne) {
   const World world = make_world(lattice(6, 12, 0.5, kTriangularRise));
   const double low = 3 * kTriangularRise, high = 9 * kTriangularRise;
