@@ -93,8 +93,7 @@ void tell_body(const PanelFrame& frame, int body) {
   const bool intruder = world.disks.role[k] == DiskRole::intruder;
   frame.widgets.tooltip((intruder ? "intruder: " : "grain " + std::to_string(body) + ": ") +
                         count_text(touches, "contact") + ", " + count_text(bonds, "active bond") +
-                        "\nspeed " +
-                        short_number(world.disks.velocity[k].head<2>().norm()) +
+                        "\nspeed " + short_number(world.disks.velocity[k].head<2>().norm()) +
                         " √(g d), pressed with at most " + short_number(pressed) + " F_g");
 }
 

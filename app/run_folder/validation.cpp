@@ -56,7 +56,8 @@ std::string validation_failures(const ProtocolState& state, const Sample& now,
                              now.energy.kinetic + now.energy.rotational;
   if (!(state.energy_gained <= std::max(kMostGained * turned_over, kLeast)))
     add("steps gained an energy of " + number_text(state.energy_gained) + " F_g d, more than " +
-        number_text(kMostGained) + " of the work done, the energy dissipated and the kinetic energy (" +
+        number_text(kMostGained) +
+        " of the work done, the energy dissipated and the kinetic energy (" +
         number_text(turned_over) + " F_g d)");
   return reasons;
 }

@@ -179,7 +179,8 @@ Table comparison_table(const PaperTargets& targets, const std::vector<MethodFind
   Table table{.caption = caption, .columns = {{.title = "experiment"}, {.title = "paper"}}};
   for (const MethodFindings& method : methods)
     table.columns.push_back({.title = method_title(method.method), .number = true});
-  table.columns.insert(table.columns.end(), {{.title = "inside or not"}, {.title = "if outside: what is known"}});
+  table.columns.insert(table.columns.end(),
+                       {{.title = "inside or not"}, {.title = "if outside: what is known"}});
   for (const Target& target : targets.targets) {
     const std::vector<ByMethod> entries = entries_of(target, methods);
     std::vector<Cell> row{{quantity_text(target) + (is_marked(target) ? " †" : "")},

@@ -197,8 +197,7 @@ Sample measure(const World& world, const MeasureChoices& choices) {
   if (world.box.sides != Sides::open) {
     const double bottom = packing_bottom(world);
     if (std::ranges::none_of(world.walls, is_tilted))
-      s.volume_fraction =
-          volume_fraction(world, bottom, bottom + 0.7 * (s.packing_top - bottom));
+      s.volume_fraction = volume_fraction(world, bottom, bottom + 0.7 * (s.packing_top - bottom));
   }
 
   // One search serves all margins of what counts as a contact.

@@ -67,12 +67,12 @@ struct Sample {
   std::int64_t step = 0;
   std::int64_t grains = 0;
   Energies energy;
-  double max_speed = 0;                   // of any disk's centre [sqrt(g d)]
-  double packing_top = 0;                 // [d]
+  double max_speed = 0;    // of any disk's centre [sqrt(g d)]
+  double packing_top = 0;  // [d]
   std::optional<double>
       volume_fraction;  // of the lower 70 % of the packing; empty: sides open, or a wall is tilted
-  double coordination = 0;                // mean number of touching neighbours of a grain
-  double coordination_loaded = 0;         // ... that carry a compressive force or a bond
+  double coordination = 0;                        // mean number of touching neighbours of a grain
+  double coordination_loaded = 0;                 // ... that carry a compressive force or a bond
   std::optional<double> active_bond_fraction;     // active bonds over contacts; empty: no contacts
   std::optional<double> remaining_bond_fraction;  // active initial bonds over initial; empty: none
   std::array<WithinGap, kContactMargins.size()> within;  // each of kContactMargins

@@ -67,9 +67,9 @@ namespace {
 // A scene is checked without the phases that are begun by hand, and what they leave is in the way of its own.
 void require_way_down(const Phase& phase, const Stage& stage) {
   if (!places_from_above(phase)) return;
-  const std::string in_the_way =
-      stage.world.shapes.empty() ? wall_in_the_way(stage.world, stage.world.walls.size())
-                                 : "the intruder of several parts";
+  const std::string in_the_way = stage.world.shapes.empty()
+                                     ? wall_in_the_way(stage.world, stage.world.walls.size())
+                                     : "the intruder of several parts";
   if (!in_the_way.empty())
     throw InputError("phases[" + std::to_string(stage.state.phase) + "]",
                      "is of type " + std::string(phase_name(phase)) +

@@ -41,12 +41,13 @@ struct Search {
 
 // One specimen of an adiabatic deposition.
 struct AdiabaticDeposit {
-  int phase = 0;                      // index
-  double interval = 0;                // between grains [sqrt(d/g)]
-  double volume_fraction = 0;         // as Sample::volume_fraction [1]
-  double coordination = 0;            // as Sample::coordination [1]
-  std::int64_t grains = 0;            // as Sample::grains
-  std::optional<double> change = {};  // of the volume fraction since the last specimen, relative [1]
+  int phase = 0;               // index
+  double interval = 0;         // between grains [sqrt(d/g)]
+  double volume_fraction = 0;  // as Sample::volume_fraction [1]
+  double coordination = 0;     // as Sample::coordination [1]
+  std::int64_t grains = 0;     // as Sample::grains
+  std::optional<double> change =
+      {};  // of the volume fraction since the last specimen, relative [1]
 
   bool operator==(const AdiabaticDeposit&) const = default;
 };

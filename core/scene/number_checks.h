@@ -36,9 +36,8 @@ void require_finite(const std::string& path, const Eigen::Matrix<double, n, 1>& 
 
 inline void require_between(const std::string& path, double x, double low, double high) {
   if (!(x >= low && x <= high))
-    refuse_number(
-        path, x,
-        ("must be from " + message_number(low) + " to " + message_number(high)).c_str());
+    refuse_number(path, x,
+                  ("must be from " + message_number(low) + " to " + message_number(high)).c_str());
 }
 
 }  // namespace quicksand

@@ -172,6 +172,8 @@ void check_deposit(const Scenario& scenario, const DepositPhase& deposit,
     throw InputError(where, "a deposit needs a number of grains or a height");
   if (!scenario.gravity && deposit.interval > 0)
     throw InputError(where, "a deposit needs gravity, or an interval of 0");
+  if (scenario.gravity && deposit.interval > 0 && scenario.gravity->y() >= 0)
+    throw InputError(where, "a deposit needs gravity that points down, or an interval of 0");
 }
 
 // A kind without a line here does not compile.

@@ -24,7 +24,8 @@ class CommonScales {
  private:
   Colouring colouring_;
   bool colours_, forces_;
-  std::vector<double> colour_highs_, force_scales_;  // of the moments in which there is something to see
+  std::vector<double> colour_highs_,
+      force_scales_;  // of the moments in which there is something to see
 };
 
 }  // namespace quicksand

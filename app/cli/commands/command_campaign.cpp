@@ -135,6 +135,10 @@ class CampaignRun {
   }
 
   void prepare() const {
+    if (holds_run({out_}))
+      throw InputError(out_.string(),
+                       "holds a run, whose report would be the campaign's; choose another folder "
+                       "with --out");
     make_writable({out_});
     write_whole(out_ / "campaign.json", to_text(campaign_));
     warn();
@@ -159,8 +163,8 @@ class CampaignRun {
   // Only of a failure that its summary knows: others were none of a step or a scene.
   void tell_how_to_go_on(const Job& job, const RunRecord& record) const {
     const RunFolder& folder = job.folder;
-    const std::string command = program_name() + " run " + shell_text(folder.scene()) + " --continue " +
-                                shell_text(folder.state()) + " --out " +
+    const std::string command = program_name() + " run " + shell_text(folder.scene()) +
+                                " --continue " + shell_text(folder.state()) + " --out " +
                                 shell_text(out_ / "repeats" / job.id) +
                                 (campaign_.frames ? "" : " --no-frames");
     const bool known =

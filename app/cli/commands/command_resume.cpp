@@ -37,8 +37,7 @@ int tell_finished(const RunFolder& folder, const RunOptions& options) {
   std::printf("the run in %s is finished\n", folder.path.c_str());
   if (!options.strict) return tell_validation({});
   const Checkpoint end = read_checkpoint(folder.state());
-  return tell_validation(
-      validation_failures(end.protocol, measure(end.world), *options.strict));
+  return tell_validation(validation_failures(end.protocol, measure(end.world), *options.strict));
 }
 
 int resume(const ResumeArguments& asked) {

@@ -1,6 +1,8 @@
 // What `quicksand campaign` advises where runs fail.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "tests/support/program_fixture.h"
 
 namespace quicksand::test {
@@ -35,6 +37,15 @@ TEST_F(CampaignFailure, OfAPhaseThatRefusesWhatItFindsAdvisesAnotherScene) {
         << outcome.err;
     EXPECT_EQ(outcome.err.find("max_halvings"), std::string::npos) << outcome.err;
   }
+}
+
+TEST_F(CampaignFailure, InTheFolderOfARunIsRefusedBeforeAnythingIsWritten) {
+  folder_.write("vane.json", kVaneCampaign);
+  ASSERT_EQ(quicksand({"run", "loose", "--no-frames", "--quiet", "--out", "alone"}).exit_code, 0);
+  const Outcome outcome = quicksand({"campaign", "vane.json", "--out", "alone"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("alone: holds a run"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(at("alone/campaign.json")));
 }
 
 }  // namespace

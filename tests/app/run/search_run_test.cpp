@@ -149,8 +149,8 @@ TEST(SearchWarnings, TellABodyThatNeedsNoForceFromOneThatNeedsLessThanWasTried) 
     return search_warnings({{"critical_forces", Json::array({found})}}, 1);
   };
   EXPECT_EQ(warned(0), std::vector<std::string>{"1 body moved without any force."});
-  EXPECT_EQ(warned(1e-6),
-            std::vector<std::string>{"1 body moved at every force down to the first one over 2^20."});
+  EXPECT_EQ(warned(1e-6), std::vector<std::string>{
+                              "1 body moved at every force down to the first one over 2^20."});
 }
 
 TEST_F(SearchRun, OfTheShippedPullOutBeginsAndHoldsAtRest) {

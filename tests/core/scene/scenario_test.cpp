@@ -150,6 +150,12 @@ TEST(Validation, RefusesADepositThatCannotBe) {
   EXPECT_NE(verdict(scene), "valid");
 }
 
+TEST(Validation, RefusesADepositThatFallsUp) {
+  Scenario scene = small_collapse(Method::automatic);
+  scene.gravity = Vec2(0, 1);
+  EXPECT_NE(verdict(scene).find("gravity that points down"), std::string::npos) << verdict(scene);
+}
+
 TEST(Validation, RefusesAnIntruderInsideASideWall) {
   Scenario scene = small_collapse(Method::automatic);
   scene.box.sides = Sides::walls;

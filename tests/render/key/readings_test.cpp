@@ -60,8 +60,7 @@ TEST(Readings, InTwoUnitsAreBrokenBetweenThemWhereTheyAreTooWide) {
   const double whole = font.width(time.front().text);
   const double lower = make_key(content, 1, 2 * whole, false).height(2 * whole, false);
   const double narrow = 0.8 * whole;
-  EXPECT_GT(make_key(content, 1, narrow, false).height(narrow, false), lower + 6)
-      << "another line";
+  EXPECT_GT(make_key(content, 1, narrow, false).height(narrow, false), lower + 6) << "another line";
   EXPECT_LE(font.width("= 00.0 ms"), narrow);
 }
 
