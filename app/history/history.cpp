@@ -38,23 +38,15 @@ std::uint64_t size_of(int file) {
 
 }  // namespace
 
-History::History(std::filesystem::path path) : path_(std::move(path)) {
-  open();
+History::History(std::filesystem::path path)
+    : path_(std::move(path)), file_(::open(path_.c_str(), O_RDONLY | O_CLOEXEC)) {
+  if (file_.number() < 0)
+    throw InputError(path_.string(), "cannot be read: " + std::string(strerror(errno)));
   scan();
 }
 
 void History::fail(std::uint64_t offset, const std::string& problem) const {
   throw InputError(path_.string(), "byte " + std::to_string(offset) + ": " + problem);
-}
-
-void History::open() {
-  OpenFile file(::open(path_.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file.number() < 0)
-    throw InputError(path_.string(), "cannot be read: " + std::string(strerror(errno)));
-  file_ = std::move(file);
-  end_ = 0;
-  places_.clear();
-  moments_.clear();
 }
 
 void History::scan() {

@@ -33,7 +33,6 @@ class History {
     std::uint64_t offset;  // of the record's head
     RecordHead head;
   };
-  void open();
   void scan();
   bool replaced() const;
   [[noreturn]] void fail(std::uint64_t offset, const std::string& problem) const;

@@ -99,26 +99,18 @@ struct PhaseValues {
   }
   void operator()(const PenetratePhase& p) const {
     check_shape(p.shape, where + ".shape");
-    positive("density", p.density);
-    finite("x", p.x);
     finite("speed", p.speed);
     finite("force", p.force);
-    not_negative("ramp_time", p.ramp_time);
     positive("depth", p.depth);
-    ends(p);
-    if (p.threshold) check_tolerance("threshold.tolerance", p.threshold->tolerance);
+    drive(p);
   }
   void operator()(const VanePhase& p) const {
     if (p.shape) check_shape(*p.shape, where + ".shape");
-    positive("density", p.density);
-    finite("x", p.x);
     not_negative("depth", p.depth);
     finite("angular_velocity", p.angular_velocity);
     finite("torque", p.torque);
-    not_negative("ramp_time", p.ramp_time);
     positive("angle", p.angle);
-    ends(p);
-    if (p.threshold) check_tolerance("threshold.tolerance", p.threshold->tolerance);
+    drive(p);
   }
 
  private:
@@ -138,6 +130,14 @@ struct PhaseValues {
     not_negative("rest_speed", p.rest_speed);
     not_negative("rest_time", p.rest_time);
     positive("max_time", p.max_time);
+  }
+  template <class P>
+  void drive(const P& p) const {
+    positive("density", p.density);
+    finite("x", p.x);
+    not_negative("ramp_time", p.ramp_time);
+    ends(p);
+    if (p.threshold) check_tolerance("threshold.tolerance", p.threshold->tolerance);
   }
   void trials(const SearchTrials& t) const {
     positive("first_force", t.first_force);

@@ -5,11 +5,16 @@
 #include <map>
 
 #include "app/bench/problems/recorded_problem.h"
+#include "app/cli/run_outcome.h"
 #include "app/history/history_writer.h"
 #include "app/json/json_text.h"
 #include "app/run/resumption.h"
 #include "app/run/run_position.h"
+#include "app/run/run_scene.h"
+#include "app/scene_json/scenario_json.h"
 #include "core/base/errors.h"
+#include "core/base/memory.h"
+#include "core/checkpoint/checkpoint.h"
 #include "render/image/png.h"
 #include "tests/support/files.h"
 #include "tests/support/program_fixture.h"
@@ -131,6 +136,28 @@ TEST_F(KeptResults, AFullDiskBeforeTheFirstCheckpointSaysToResume) {
   const Outcome resumed = quicksand({"resume", "kept"});
   EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
   umount(at("kept").c_str());
+}
+
+// Where it fails does not matter: before a step or in the midst of it, which is given up (GivenUp).
+TEST_F(KeptResults, ARunThatFindsNoMemoryKeepsItsLastStepAndSaysToResume) {
+  const Scenario scenario = scenario_from_json(parse_json(kKeptScene));
+  RunOptions options;
+  options.out = at("kept");
+  options.frames = false;
+  options.quiet = true;
+  constexpr std::int64_t kLast = 7;
+  options.watch = [](const Protocol& protocol) {
+    if (protocol.world().step == kLast) throw NotEnoughMemory("not enough for the factors");
+  };
+  const RunResult result = run_scene(scenario, options);
+  EXPECT_EQ(failure_kind(result.end), "memory");
+  EXPECT_EQ(read_checkpoint(at("kept/state.cbor")).world.step, kLast);
+  const Json summary = parse_json(contents(at("kept/summary.json")));
+  EXPECT_EQ(summary["failure"], "not enough for the factors");
+  EXPECT_EQ(summary["failure_kind"], "memory");
+  EXPECT_EQ(tell_outcome(result, options), 1);
+  EXPECT_EQ(quicksand({"resume", "kept", "--quiet"}).exit_code, 0);
+  EXPECT_EQ(parse_json(contents(at("kept/summary.json")))["failure"], nullptr);
 }
 
 // It is not the disk, and the same scene would find the same again.

@@ -1,6 +1,7 @@
 // A step that is given up while it is solved leaves no trace, wherever that is.
 #include <gtest/gtest.h>
 
+#include "core/base/memory.h"
 #include "core/checkpoint/checkpoint.h"
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
@@ -72,6 +73,32 @@ TEST(GivenUp, LeavesNoTraceAmongHalves) {
   scene.solver.max_iterations = 4;
   scene.step.stop_if_unconverged = true;
   EXPECT_GT(expect_same_run(scene, 60).halved, 10);
+}
+
+TEST(GivenUp, AStepThatFindsNoMemoryLeavesNoTraceEither) {
+  const Scenario scene = small_collapse(Method::automatic);
+  Protocol unbroken(scene, make_world(scene)), broken(scene, make_world(scene));
+  bool finds_none = false;
+  broken.clock().meanwhile = [&] {
+    if (finds_none) throw NotEnoughMemory("for the factors");
+    return false;
+  };
+  int thrown = 0;
+  for (Progress here = Progress::running; here < Progress::finished;) {
+    const std::uint64_t before = world_hash(broken.world());
+    finds_none = true;
+    try {
+      here = broken.advance();
+    } catch (const NotEnoughMemory&) {
+      ++thrown;
+      EXPECT_EQ(world_hash(broken.world()), before);
+      finds_none = false;
+      here = broken.advance();
+    }
+    EXPECT_EQ(unbroken.advance(), here);
+  }
+  EXPECT_GT(thrown, 50);
+  EXPECT_EQ(checkpoint_of(unbroken), checkpoint_of(broken));
 }
 
 TEST(GivenUp, LeavesNoTraceInASearch) {
