@@ -57,23 +57,26 @@ std::string tick_text(double tick, bool logarithmic) {
 
 }  // namespace
 
-void Widgets::plot(const std::string& name, const std::string& title, const Curve& curve) {
-  const std::vector<ImVec2> points = points_of(curve);
-  const std::string last = points.empty() ? std::string() : short_number(curve.y.back());
-  const float small = fonts_.small->FontSize;
-
-  // Head: what it is, its unit, the last value.
+void Widgets::plot_head(const std::string& title, const std::string& unit,
+                        const std::string& last) {
   ImGui::TextUnformatted(title.c_str());
   ImGui::SameLine();
   const ImVec2 behind = ImGui::GetCursorScreenPos();
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  const float unit_width = unit(list, behind, curve.unit);
+  const float unit_width = this->unit(ImGui::GetWindowDrawList(), behind, unit);
   ImGui::Dummy(ImVec2(unit_width, ImGui::GetTextLineHeight()));
   ImGui::SameLine();
   const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(last.c_str()).x;
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, std::floor(room)));
   ImGui::TextUnformatted(last.c_str());
+}
 
+void Widgets::plot(const std::string& name, const std::string& title, const Curve& curve) {
+  const std::vector<ImVec2> points = points_of(curve);
+  const std::string last = points.empty() ? std::string() : short_number(curve.y.back());
+  const float small = fonts_.small->FontSize;
+
+  plot_head(title, curve.unit, last);
+  ImDrawList* list = ImGui::GetWindowDrawList();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 size(ImGui::GetContentRegionAvail().x, px(86));
   ImGui::InvisibleButton(("###" + path(name)).c_str(), size);

@@ -98,6 +98,8 @@ class Widgets {
  private:
   void line_label(const Label& label) const;
   void line_unit(const Label& label) const;
+  // What a plot shows, its unit, and the last value on the right.
+  void plot_head(const std::string& title, const std::string& unit, const std::string& last);
   std::string path(const std::string& name) const { return prefix_ + name; }
 
   float scale_;

@@ -18,6 +18,25 @@ double work_of(const Supernode& s) {
   return columns * (rows + columns / 2 + 1) * (rows + columns / 2 + 1);
 }
 
+// A supernode's parent has the first of its rows, and comes later; -1 of a root.
+int parent(const Elimination& plan, const Supernode& s) {
+  return s.rows > 0 ? plan.supernode_of(*plan.rows(s)) : -1;
+}
+
+// Of each supernode and all below it; `sum` is that of all.
+std::vector<double> subtree_work(const Elimination& plan, double& sum) {
+  const std::vector<Supernode>& node = plan.supernodes();
+  std::vector<double> work(node.size(), 0);
+  sum = 0;
+  for (std::size_t s = 0; s < node.size(); ++s) {
+    const double own = work_of(node[s]);
+    sum += own;
+    work[s] += own;
+    if (const int p = parent(plan, node[s]); p >= 0) work[p] += work[s];
+  }
+  return work;
+}
+
 }  // namespace
 
 void Subtrees::find(const Elimination& plan) {
@@ -34,23 +53,13 @@ void Subtrees::find(const Elimination& plan) {
     std::iota(top_.begin(), top_.end(), 0);
     return;
   }
-  // A supernode's parent has the first of its rows, and comes later.
-  const auto parent = [&](std::size_t s) {
-    return node[s].rows > 0 ? plan.supernode_of(*plan.rows(node[s])) : -1;
-  };
-  std::vector<double> work(size, 0);  // of the subtree
   double sum = 0;
-  for (std::size_t s = 0; s < size; ++s) {
-    const double own = work_of(node[s]);
-    sum += own;
-    work[s] += own;
-    if (const int p = parent(s); p >= 0) work[p] += work[s];
-  }
+  const std::vector<double> work = subtree_work(plan, sum);
   constexpr int kTop = -1, kRoot = -2;
   std::vector<int> root(size);  // of the subtree a supernode is in
   std::vector<int> roots;
   for (std::size_t s = size; s-- > 0;) {
-    const int p = parent(s);
+    const int p = parent(plan, node[s]);
     const int above = p < 0 ? kRoot : root[p];
     const bool under_top = above == kTop || above == kRoot;
     root[s] = !under_top ? above : work[s] > kShare * sum ? kTop : static_cast<int>(s);

@@ -276,6 +276,53 @@ int reproduce(const ReproduceArguments& options) {
   return options.report || counts.finished == counts.all ? kFine : kRunFailed;
 }
 
+void add_size_options(CLI::App& command, ReproduceArguments& arguments) {
+  command.option_defaults()->group("Size");
+  command
+      .add_option("--realizations", arguments.realizations,
+                  "number of specimens of each kind [10; quick: 2]")
+      ->type_name("N");
+  command.add_option("--width", arguments.width, "width of the box [51 d; quick: 24 d]")
+      ->type_name("W");
+  command.add_option("--height", arguments.height, "height of the box [199 d; quick: 50 d]")
+      ->type_name("H");
+  command
+      .add_option("--push-forces", arguments.push_forces,
+                  "forces of the push curves [0.1,0.33,0.67,1,2,3 F_c; quick: 0.1,0.33,1,3]")
+      ->type_name("F,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command
+      .add_option("--time-steps", arguments.time_steps,
+                  "time steps of break_rule [0.01,0.003,0.001 sqrt(d/g); quick: 0.01,0.003]")
+      ->type_name("DT,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command
+      .add_option("--grains-per-depth", arguments.grains_per_depth,
+                  "grains sheared at each depth [10, with NSCD 1; quick: 1]")
+      ->type_name("N");
+}
+
+void add_method_options(CLI::App& command, ReproduceArguments& arguments, CLI::Option* collect) {
+  command.option_defaults()->group("Method");
+  command
+      .add_option("--method", arguments.method,
+                  "exact: every step is solved; nscd: the paper's own method, standard nonsmooth "
+                  "contact dynamics; both: each in a folder of its name [exact; quick: both]")
+      ->check(CLI::IsMember({"exact", "nscd", "both"}))
+      ->type_name("METHOD");
+  command
+      .add_option("--push-step", arguments.push_step,
+                  "time step of pushes with the exact method [0.001 sqrt(d/g); quick: 0.01]")
+      ->type_name("DT");
+  command
+      .add_option("--beside", arguments.beside,
+                  "findings.json of another method's report, to show in a column of its own")
+      ->type_name("FILE")
+      ->excludes(collect);
+}
+
 }  // namespace
 
 Command add_reproduce(CLI::App& program) {
@@ -310,47 +357,8 @@ Command add_reproduce(CLI::App& program) {
                     "a small box, two realizations and both methods; takes minutes");
   command->add_flag("--dry-run", options->dry_run, "list the runs");
   command->add_flag("--quiet", options->quiet, "show no progress");
-  command->option_defaults()->group("Size");
-  command
-      ->add_option("--realizations", options->realizations,
-                   "number of specimens of each kind [10; quick: 2]")
-      ->type_name("N");
-  command->add_option("--width", options->width, "width of the box [51 d; quick: 24 d]")
-      ->type_name("W");
-  command->add_option("--height", options->height, "height of the box [199 d; quick: 50 d]")
-      ->type_name("H");
-  command
-      ->add_option("--push-forces", options->push_forces,
-                   "forces of the push curves [0.1,0.33,0.67,1,2,3 F_c; quick: 0.1,0.33,1,3]")
-      ->type_name("F,...")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  command
-      ->add_option("--time-steps", options->time_steps,
-                   "time steps of break_rule [0.01,0.003,0.001 sqrt(d/g); quick: 0.01,0.003]")
-      ->type_name("DT,...")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  command
-      ->add_option("--grains-per-depth", options->grains_per_depth,
-                   "grains sheared at each depth [10, with NSCD 1; quick: 1]")
-      ->type_name("N");
-  command->option_defaults()->group("Method");
-  command
-      ->add_option("--method", options->method,
-                   "exact: every step is solved; nscd: the paper's own method, standard nonsmooth "
-                   "contact dynamics; both: each in a folder of its name [exact; quick: both]")
-      ->check(CLI::IsMember({"exact", "nscd", "both"}))
-      ->type_name("METHOD");
-  command
-      ->add_option("--push-step", options->push_step,
-                   "time step of pushes with the exact method [0.001 sqrt(d/g); quick: 0.01]")
-      ->type_name("DT");
-  command
-      ->add_option("--beside", options->beside,
-                   "findings.json of another method's report, to show in a column of its own")
-      ->type_name("FILE")
-      ->excludes(collect);
+  add_size_options(*command, *options);
+  add_method_options(*command, *options, collect);
   command->footer(
       "Finished runs are not repeated: after an interruption, the same command continues.\n"
       "DIR receives report.html, report.md, plots/ and a folder for each run; if it holds runs\n"
