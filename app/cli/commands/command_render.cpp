@@ -174,7 +174,7 @@ Command add_render(CLI::App& program) {
       ->add_option("--time", options->times,
                    "draw the sample nearest to this time [sqrt(d/g)], or one panel for each of "
                    "several times; the last sample if absent")
-      ->type_name("TIME,...")
+      ->type_name("TIME[,TIME]")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(in_range(between(0, 1e12, "sqrt(d/g)")));

@@ -289,13 +289,13 @@ void add_size_options(CLI::App& command, ReproduceArguments& arguments) {
   command
       .add_option("--push-forces", arguments.push_forces,
                   "forces of the push curves [0.1,0.33,0.67,1,2,3 F_c; quick: 0.1,0.33,1,3]")
-      ->type_name("F,...")
+      ->type_name("F[,F]")
       ->delimiter(',')
       ->allow_extra_args(false);
   command
       .add_option("--time-steps", arguments.time_steps,
                   "time steps of break_rule [0.01,0.003,0.001 sqrt(d/g); quick: 0.01,0.003]")
-      ->type_name("DT,...")
+      ->type_name("DT[,DT]")
       ->delimiter(',')
       ->allow_extra_args(false);
   command
