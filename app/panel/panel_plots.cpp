@@ -9,54 +9,54 @@
 namespace quicksand::gui {
 namespace {
 
-using Reading = std::optional<double> (*)(const Row&);
-
-template <double Sample::*Value>
-std::optional<double> of_intruder(const Row& row) {
-  return row.sample.has_intruder ? std::optional(row.sample.*Value) : std::nullopt;
-}
-
 struct Plot {
-  const char *name, *title, *unit;
+  const char *quantity, *name, *title;
   const char* nothing;  // why a scene has given no values, if it has not
-  Reading reading;
   bool logarithmic = false;
 };
 constexpr Plot kOverTime[] = {
-    {"active share", "Active share", "", "no contacts yet",
-     [](const Row& r) { return r.sample.active_bond_fraction; }},
-    {"coordination", "Coordination number", "", "no samples yet",
-     [](const Row& r) { return std::optional(r.sample.coordination); }},
-    {"depth", "Intruder depth", "d", "no intruder", of_intruder<&Sample::depth>},
-    {"resistance", "Resistance to the intruder", "F_g", "no intruder",
-     of_intruder<&Sample::resistance>},
-    {"residual", "Residual", "", "nothing solved yet",
-     [](const Row& r) { return r.residual > 0 ? std::optional(r.residual) : std::nullopt; }, true}};
+    {"active_bond_fraction", "active share", "Active share", "no contacts yet"},
+    {"coordination", "coordination", "Coordination number", "no samples yet"},
+    {"depth", "depth", "Intruder depth", "no intruder"},
+    {"resistance", "resistance", "Resistance to the intruder", "no intruder"},
+    {"residual", "residual", "Residual", "nothing solved yet", true}};
 
-Curve curve_of(const Session& session, Reading reading) {
-  Curve curve;
+std::string unit_of(std::size_t quantity) {
+  const std::string_view unit = quantities()[quantity].unit;
+  return unit == "1" ? std::string() : std::string(unit);
+}
+
+// A run that is shown marks where it was at the moment.
+Curve curve_of(const Session& session, const Plot& plot) {
+  const std::size_t place = place_of(plot.quantity);
+  const std::size_t times = place_of("time");
+  Curve curve{.logarithmic = plot.logarithmic,
+              .unit = unit_of(place),
+              .nothing = session.loaded() ? plot.nothing : "no scene"};
   if (!session.loaded()) return curve;
   if (session.timeline() != nullptr) curve.cursor = session.world().time;
-  for (const Row& row : session.history()) {
-    if (const std::optional<double> value = reading(row)) {
-      curve.x.push_back(row.sample.time);
-      curve.y.push_back(*value);
-    }
+  for (const Values& row : session.history()) {
+    const std::optional<double> value = number_in(row[place]), time = number_in(row[times]);
+    if (!time || !value || (plot.logarithmic && *value <= 0)) continue;
+    curve.x.push_back(*time);
+    curve.y.push_back(*value);
   }
   return curve;
 }
 
-// Of one kind of phase alone, over the way of its intruder. A run that is shown marks where it was at the moment.
-Curve drive_curve(const Session& session, std::string_view phase, double (*load)(const Sample&),
-                  double Sample::*way) {
-  Curve curve;
-  curve.nothing = "not yet driven";
-  for (const Row& row : session.history()) {
-    if (row.phase != phase || !row.sample.has_intruder) continue;
-    curve.x.push_back(row.sample.*way);
-    curve.y.push_back(load(row.sample));
-    if (session.timeline() != nullptr && row.sample.time <= session.world().time)
-      curve.cursor = curve.x.back();
+// Of one kind of phase alone, over the way of its intruder.
+Curve drive_curve(const Session& session, std::string_view phase, const char* load,
+                  const char* way) {
+  const std::size_t phases = place_of("phase"), times = place_of("time");
+  const std::size_t loads = place_of(load), ways = place_of(way);
+  Curve curve{.unit = unit_of(loads), .nothing = "not yet driven"};
+  for (const Values& row : session.history()) {
+    const std::optional<double> x = number_in(row[ways]), y = number_in(row[loads]);
+    if (row[phases] != Value(std::string(phase)) || !x || !y) continue;
+    curve.x.push_back(*x);
+    curve.y.push_back(*y);
+    if (session.timeline() != nullptr && number_in(row[times]) <= session.world().time)
+      curve.cursor = *x;
   }
   return curve;
 }
@@ -70,20 +70,12 @@ bool has_phase(const Session& session, std::string_view name) {
 void show_drives(PanelFrame& frame) {
   Widgets& w = frame.widgets;
   const Session& session = frame.session;
-  if (has_phase(session, PenetratePhase::kName)) {
-    Curve curve = drive_curve(
-        session, PenetratePhase::kName, [](const Sample& s) { return s.resistance; },
-        &Sample::depth);
-    curve.unit = "F_g";
-    w.plot("resistance over depth", "Resistance over depth [d]", curve);
-  }
-  if (has_phase(session, VanePhase::kName)) {
-    Curve curve = drive_curve(
-        session, VanePhase::kName, [](const Sample& s) { return s.reaction.torque; },
-        &Sample::intruder_angle);
-    curve.unit = "F_g d";
-    w.plot("torque over angle", "Torque over angle [rad]", curve);
-  }
+  if (has_phase(session, PenetratePhase::kName))
+    w.plot("resistance over depth", "Resistance over depth [d]",
+           drive_curve(session, PenetratePhase::kName, "resistance", "depth"));
+  if (has_phase(session, VanePhase::kName))
+    w.plot("torque over angle", "Torque over angle [rad]",
+           drive_curve(session, VanePhase::kName, "intruder_torque", "intruder_angle"));
 }
 
 }  // namespace
@@ -95,13 +87,7 @@ void show_plots(PanelFrame& frame) {
   ImGui::PushFont(w.fonts().small);
   w.caption("Over time [√(d/g)], with the last value.");
   ImGui::PopFont();
-  for (const Plot& plot : kOverTime) {
-    Curve curve = curve_of(frame.session, plot.reading);
-    curve.unit = plot.unit;
-    curve.nothing = frame.session.loaded() ? plot.nothing : "no scene";
-    curve.logarithmic = plot.logarithmic;
-    w.plot(plot.name, plot.title, curve);
-  }
+  for (const Plot& plot : kOverTime) w.plot(plot.name, plot.title, curve_of(frame.session, plot));
   w.end_section();
 }
 

@@ -185,7 +185,7 @@ class Run {
       const WorkClock::Span span(&clock(), Work::writing);
       // First the state, then the row: what the series says of, the history has.
       if (history_) history_->add(world, series_.rows(), sampled_run_.phase_index(), row.phase);
-      series_.add(row);
+      series_.add(values_of(row));
     }
     if (!film_) return;
     const WorkClock::Span span(&clock(), Work::drawing);

@@ -1,5 +1,8 @@
 #include "app/series/quantities.h"
 
+#include <algorithm>
+#include <stdexcept>
+
 #include "app/json/json_reader.h"
 
 namespace quicksand {
@@ -154,6 +157,25 @@ const Quantity kQuantities[] = {
 Value or_none(const std::optional<double>& value) { return value ? Value(*value) : Value(); }
 
 std::span<const Quantity> quantities() { return kQuantities; }
+
+std::size_t place_of(std::string_view quantity) {
+  const auto* found = std::ranges::find(kQuantities, quantity, &Quantity::name);
+  if (found == std::end(kQuantities)) throw std::out_of_range(std::string(quantity));
+  return static_cast<std::size_t>(found - std::begin(kQuantities));
+}
+
+Values values_of(const Row& row) {
+  Values values;
+  values.reserve(std::size(kQuantities));
+  for (const Quantity& quantity : kQuantities) values.push_back(quantity.get(row));
+  return values;
+}
+
+std::optional<double> number_in(const Value& value) {
+  if (const double* real = std::get_if<double>(&value)) return *real;
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
+  return std::nullopt;
+}
 
 std::string text_of(const Value& value) {
   struct Text {

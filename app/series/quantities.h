@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "core/measures/measures.h"
 
@@ -41,6 +42,14 @@ struct Quantity {
 };
 
 std::span<const Quantity> quantities();
+// Where it stands among them. Throws std::out_of_range if none has this name.
+std::size_t place_of(std::string_view quantity);
+
+// What a row of series.csv holds: the value of each of quantities(), in their order.
+using Values = std::vector<Value>;
+Values values_of(const Row& row);
+// None of a text, or where there is no value.
+std::optional<double> number_in(const Value& value);
 
 // Shortest text that reads back as the same value; empty for no value.
 std::string text_of(const Value& value);

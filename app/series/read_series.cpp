@@ -1,45 +1,43 @@
 #include "app/series/read_series.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <fstream>
+#include <optional>
+#include <span>
 #include <string>
 
 namespace quicksand {
 
 namespace {
 
-struct PlottedColumn {
-  std::string_view name;
-  void (*set)(Row& row, double value);
-};
+// As text_of() has written it.
+Value value_of(std::string_view cell) {
+  if (cell.empty()) return {};
+  const char* end = cell.data() + cell.size();
+  std::int64_t whole = 0;
+  if (std::from_chars(cell.data(), end, whole).ptr == end) return whole;
+  double real = 0;
+  if (std::from_chars(cell.data(), end, real).ptr == end) return real;
+  return std::string(cell);
+}
 
-constexpr auto kColumns = std::to_array<PlottedColumn>(
-    {{"time", [](Row& row, double x) { row.sample.time = x; }},
-     {"step", [](Row& row, double x) { row.sample.step = static_cast<std::int64_t>(x); }},
-     {"active_bond_fraction", [](Row& row, double x) { row.sample.active_bond_fraction = x; }},
-     {"coordination", [](Row& row, double x) { row.sample.coordination = x; }},
-     {"depth",
-      [](Row& row, double x) {
-        row.sample.has_intruder = true;
-        row.sample.depth = x;
-      }},
-     {"resistance", [](Row& row, double x) { row.sample.resistance = x; }},
-     {"residual", [](Row& row, double x) { row.residual = x; }}});
-
-Row row_of(const std::string& line, const std::vector<std::string>& names) {
-  Row row;
+Values row_of(const std::string& line, std::span<const std::optional<std::size_t>> places) {
+  Values row(quantities().size());
   const std::vector<std::string_view> cells = cells_of(line);
-  for (std::size_t i = 0; i < std::min(cells.size(), names.size()); ++i) {
-    if (names[i] == "phase") row.phase = cells[i];
-    const auto column = std::ranges::find(kColumns, names[i], &PlottedColumn::name);
-    double value = 0;
-    if (column == kColumns.end() || cells[i].empty()) continue;
-    const char* end = cells[i].data() + cells[i].size();
-    if (std::from_chars(cells[i].data(), end, value).ec == std::errc()) column->set(row, value);
-  }
+  for (std::size_t i = 0; i < std::min(cells.size(), places.size()); ++i)
+    if (places[i]) row[*places[i]] = value_of(cells[i]);
   return row;
+}
+
+// Of each column among the quantities; none of one that is not known.
+std::vector<std::optional<std::size_t>> places_of(const std::string& header) {
+  std::vector<std::optional<std::size_t>> places;
+  for (const std::string_view name : cells_of(header)) {
+    const bool known = std::ranges::find(quantities(), name, &Quantity::name) != quantities().end();
+    places.push_back(known ? std::optional(place_of(name)) : std::nullopt);
+  }
+  return places;
 }
 
 }  // namespace
@@ -54,17 +52,17 @@ std::vector<std::string_view> cells_of(std::string_view line) {
   return cells;
 }
 
-std::vector<Row> read_series(const std::filesystem::path& file, std::size_t most) {
+std::vector<Values> read_series(const std::filesystem::path& file, std::size_t most) {
   std::ifstream text(file, std::ios::binary);
-  std::vector<std::string> names, lines;
+  std::vector<std::string> lines;
   std::string line;
   if (!std::getline(text, line) || text.eof()) return {};
-  for (const std::string_view name : cells_of(line)) names.emplace_back(name);
+  const std::vector<std::optional<std::size_t>> places = places_of(line);
   while (std::getline(text, line) && !text.eof()) lines.push_back(line);
   const std::size_t every = std::max<std::size_t>(1, (lines.size() + most - 1) / most);
-  std::vector<Row> rows;
+  std::vector<Values> rows;
   rows.reserve(lines.size() / every + 1);
-  for (std::size_t k = 0; k < lines.size(); k += every) rows.push_back(row_of(lines[k], names));
+  for (std::size_t k = 0; k < lines.size(); k += every) rows.push_back(row_of(lines[k], places));
   return rows;
 }
 

@@ -46,9 +46,8 @@ Series::Series(std::filesystem::path path, std::int64_t kept_rows) : path_(std::
   if (!file_) throw InputError(path_.string(), "cannot be written");
 }
 
-void Series::add(const Row& row) {
-  const auto value = [&](const Quantity& quantity) { return text_of(quantity.get(row)); };
-  file_ << joined(quantities(), ",", value) << '\n' << std::flush;
+void Series::add(const Values& row) {
+  file_ << joined(row, ",", text_of) << '\n' << std::flush;
   if (!file_) throw InputError(path_.string(), "cannot be written; is the disk full?");
   ++rows_;
 }

@@ -16,7 +16,7 @@ class Series {
   // the file cannot be written, or has not so many rows of these quantities.
   explicit Series(std::filesystem::path path, std::int64_t kept_rows = 0);
 
-  void add(const Row& row);
+  void add(const Values& row);
   // Waits until the rows are on the disk. Throws InputError.
   void secure() const { bring_to_disk(path_); }
 

@@ -134,20 +134,17 @@ Json page_state(const Session& session) {
 std::string plots_message(const Session& session) {
   BinaryMessage message;
   Json columns = Json::array();
-  const std::vector<Row>& history = session.history();
+  const std::vector<Values>& history = session.history();
   std::vector<float> values(history.size());
-  for (const Quantity& quantity : quantities()) {
+  for (std::size_t q = 0; q < quantities().size(); ++q) {
     bool numbers = false;
-    std::ranges::transform(history, values.begin(), [&](const Row& row) {
-      const Value value = quantity.get(row);
-      const double* real = std::get_if<double>(&value);
-      const std::int64_t* whole = std::get_if<std::int64_t>(&value);
-      numbers = numbers || real != nullptr || whole != nullptr;
-      return real != nullptr    ? static_cast<float>(*real)
-             : whole != nullptr ? static_cast<float>(*whole)
-                                : std::numeric_limits<float>::quiet_NaN();
+    std::ranges::transform(history, values.begin(), [&](const Values& row) {
+      const std::optional<double> number = number_in(row[q]);
+      numbers = numbers || number;
+      return number ? static_cast<float>(*number) : std::numeric_limits<float>::quiet_NaN();
     });
     if (!numbers) continue;
+    const Quantity& quantity = quantities()[q];
     const std::string name(quantity.name);
     columns.push_back({{"name", name}, {"unit", quantity.unit}, {"help", quantity.help}});
     message.add(name.c_str(), std::span<const float>(values));

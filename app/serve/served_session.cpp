@@ -273,7 +273,7 @@ Json ServedSession::answer_question(const Json& question) {
   }
   if (name == "series") {
     Series series(console_.output(kSeriesFile, "ask"));
-    for (const Row& row : session.history()) series.add(row);
+    for (const Values& row : session.history()) series.add(row);
     return {{"file", kSeriesFile}};
   }
   throw InputError("ask", "must be body, recording or series");

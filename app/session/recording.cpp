@@ -26,7 +26,7 @@ Recording::Recording(const std::filesystem::path& folder, std::function<Image()>
       sequence_(folder_.frames()) {}
 
 void Recording::add(const Row& row) {
-  series_.add(row);
+  series_.add(values_of(row));
   sequence_.add(draw_());
 }
 

@@ -81,6 +81,15 @@ bool same_kinds(const std::vector<Phase>& a, const std::vector<Phase>& b, int pr
       [](const Phase& p, const Phase& q) { return p.kind.index() == q.kind.index(); });
 }
 
+// Those of earlier steps.
+std::vector<Values> rows_before(const std::vector<Values>& rows, std::int64_t step) {
+  const std::size_t place = place_of("step");
+  std::vector<Values> before;
+  for (const Values& row : rows)
+    if (number_in(row[place]).value_or(0) < static_cast<double>(step)) before.push_back(row);
+  return before;
+}
+
 }  // namespace
 
 std::string_view word_of(RunStop stop) {
@@ -106,7 +115,7 @@ void Session::start(const Scenario& scenario, Checkpoint checkpoint) {
 
 void Session::remember(const Row& row) {
   if (samples_++ % stride_ != 0) return;
-  history_.push_back(row);
+  history_.push_back(values_of(row));
   if (history_.size() < kMostSamples) return;
   keep_every_second(history_);
   stride_ *= 2;
@@ -139,9 +148,12 @@ void Session::go_on() {
   if (is_there(run.state())) {
     StateFile state = read_state(run.state());
     if (std::abs(state.checkpoint.world.time - shown) <= shown - first) {
+      std::vector<Values> before = rows_before(timeline_->rows(), state.checkpoint.world.step);
       scenario_ = state.scenario;
       changes_.clear();
       start(scenario_, std::move(state.checkpoint));
+      history_.insert(history_.begin(), std::make_move_iterator(before.begin()),
+                      std::make_move_iterator(before.end()));
       return;
     }
   }

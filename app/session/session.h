@@ -97,9 +97,9 @@ class Session {
   }
   bool failed() const { return failed_; }
   bool finished() const { return protocol().phase() == nullptr; }
-  // Samples since the start, for plots: at most kMostSamples, evenly thinned when there are more.
+  // Samples since the start, for plots: at most kMostSamples, thinned when there are more.
   static constexpr std::size_t kMostSamples = 1000;
-  const std::vector<Row>& history() const { return timeline_ ? timeline_->rows() : history_; }
+  const std::vector<Values>& history() const { return timeline_ ? timeline_->rows() : history_; }
   // The quantities of this moment.
   Row measure_now() const;
   // Samples this moment, unless it is sampled already.
@@ -139,7 +139,7 @@ class Session {
   std::vector<Change> changes_;  // since the scene was loaded; the first are forgotten
   std::unique_ptr<SampledRun> sampled_run_;
   std::unique_ptr<Timeline> timeline_;
-  std::vector<Row> history_;
+  std::vector<Values> history_;
   std::size_t stride_ = 1;  // every which sample is kept in the history
   std::size_t samples_ = 0;
   std::optional<double> every_;  // between samples, if not as the scene says

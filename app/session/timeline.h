@@ -29,7 +29,7 @@ class Timeline {
   // Of the first moment. Throws as show() does.
   World first_world() const { return history_.world(0); }
   // Of series.csv, for plots.
-  const std::vector<Row>& rows() const { return rows_; }
+  const std::vector<Values>& rows() const { return rows_; }
 
   // Throws InputError if the record is damaged; the shown moment then stays.
   void show(std::size_t k);
@@ -56,7 +56,7 @@ class Timeline {
   History history_;
   std::size_t shown_ = 0;
   World world_;
-  std::vector<Row> rows_;
+  std::vector<Values> rows_;
   double on_the_way_ = 0;  // to the next sample [1]
   // The colouring, and whether the view leaves its range and the scale of forces to the data.
   using ScalesFromData = std::tuple<Colouring, bool, bool>;

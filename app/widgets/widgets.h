@@ -15,10 +15,10 @@ namespace quicksand::gui {
 
 // A curve over time.
 struct Curve {
-  std::vector<double> x, y;
+  std::vector<double> x = {}, y = {};
   bool logarithmic = false;           // y; values that are not positive are left out
-  std::string unit;                   // of y
-  std::string nothing;                // why there is no data, if there is none
+  std::string unit = {};              // of y
+  std::string nothing = {};           // why there is no data, if there is none
   std::optional<double> cursor = {};  // a time that is marked
 };
 

@@ -111,7 +111,7 @@ TEST_F(JobPoolTest, AKilledRunGoesOnFromItsLastCheckpoint) {
   write_whole(killed.folder.scene(), to_text(killed.scenario));
   Series series(killed.folder.series());
   SampledRun partial(killed.scenario, {start_world(killed.scenario), {}, {}}, std::nullopt,
-                     [&](const Row& row, const World&) { series.add(row); });
+                     [&](const Row& row, const World&) { series.add(values_of(row)); });
   constexpr int kSteps = 30;
   for (int i = 0; i < kSteps; ++i) partial.advance();
   write_checkpoint(killed.folder.state(),

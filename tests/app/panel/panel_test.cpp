@@ -311,7 +311,7 @@ TEST_F(PanelTest, PlotsForceOverDepthAndTorqueOverAngle) {
   perform({{"command", "run"}, {"time", 0.5}});
   r.wait(1);
   EXPECT_EQ(widget("Plots/resistance over depth")->value,
-            short_number(session().history().back().sample.resistance));
+            short_number(*number_in(session().history().back()[place_of("resistance")])));
   perform({{"command", "load"}, {"scene", "vane"}});
   r.wait(1);
   EXPECT_NE(widget("Plots/torque over angle"), nullptr);

@@ -80,11 +80,12 @@ TEST(SessionHistory, IsThinnedAndKeepsItsBeginning) {
   const auto& history = session.history();
   EXPECT_LT(history.size(), Session::kMostSamples);
   EXPECT_GT(history.size(), Session::kMostSamples / 3);
-  EXPECT_EQ(history.front().sample.step, 0);
-  EXPECT_EQ(history.front().phase, history[1].phase);
-  const auto step = history[1].sample.step - history[0].sample.step;
+  const std::size_t phases = place_of("phase"), steps = place_of("step");
+  const auto step_of = [&](std::size_t row) { return *number_in(history[row][steps]); };
+  EXPECT_EQ(step_of(0), 0);
+  EXPECT_EQ(history[0][phases], history[1][phases]);
   for (std::size_t i = 1; i < history.size(); ++i)
-    ASSERT_EQ(history[i].sample.step - history[i - 1].sample.step, step);
+    ASSERT_EQ(step_of(i) - step_of(i - 1), step_of(1));
 }
 
 }  // namespace
