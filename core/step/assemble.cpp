@@ -124,7 +124,7 @@ double contact_reach(const World& world, const std::vector<Vec3>& free_velocity,
 
 void find_contacts(const World& world, const std::vector<Pair>& candidates,
                    const std::vector<Vec3>& free_velocity, double dt,
-                   std::vector<Contact>& contacts, NewBond new_bond) {
+                   std::vector<Contact>& contacts) {
   contacts.clear();
   const double reach = contact_reach(world, free_velocity, dt);
   const double scale = world.impulse_dt > 0 ? dt / world.impulse_dt : 0;
@@ -149,7 +149,7 @@ void find_contacts(const World& world, const std::vector<Pair>& candidates,
     if (bonded) contact.cohesion = law.cohesion_force.value_or(0);
     if (contact.cohesion > 0) contact.turning = turning_rate(world, contact, world.disks.velocity);
     if (!old) {
-      if (new_bond == NewBond::balanced) contact.impulse.x() = dt * contact.cohesion;
+      contact.impulse.x() = dt * contact.cohesion;
       continue;
     }
     contact.impulse = scale * old->impulse;

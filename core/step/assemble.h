@@ -40,12 +40,12 @@ double contact_reach(const World& world, const std::vector<Vec3>& free_velocity,
 // others: bonded pairs, and those that may touch within the step (by the free velocities). They depend
 // on the world alone, not on how many pairs farther apart a list happens to hold. Impulses are warm-started from
 // world.contacts by pair, as far as the law still has them, and scaled to the new step; bonds are taken to turn as
-// they did before. A bonded pair that has none begins with N = 0, or with the N = F_c dt that balances its cohesion:
-// a solver that stops early would leave the difference as a force. Sorted by pair.
-enum class NewBond : std::uint8_t { from_zero, balanced };
+// they did before. A bonded pair that has none begins with the N = F_c dt that balances its cohesion: with N = 0 a grain
+// between two bonds would slide without friction, which is a solution, too, but of bonds that pull with all their force
+// at each other. Sorted by pair.
 void find_contacts(const World& world, const std::vector<Pair>& candidates,
                    const std::vector<Vec3>& free_velocity, double dt,
-                   std::vector<Contact>& contacts, NewBond new_bond = NewBond::from_zero);
+                   std::vector<Contact>& contacts);
 
 // Adds to `contacts` the candidates that are not contacts but would overlap by more than `tolerance`
 // [d] after moving with `velocity` (nd + nw). Returns how many were added.

@@ -184,8 +184,7 @@ StepReport Stepper::advance(World& world, const StepSettings& step,
   {
     const WorkClock::Span span(&s.clock, Work::contact_search);
     const double reach = contact_reach(world, s.free_velocity, step.dt);
-    find_contacts(world, s.neighbors.pairs(world, reach), s.free_velocity, step.dt, s.contacts,
-                  step.nscd ? NewBond::balanced : NewBond::from_zero);
+    find_contacts(world, s.neighbors.pairs(world, reach), s.free_velocity, step.dt, s.contacts);
   }
   const std::optional<Random> sweep_random = world.sweep_random;
   solve_contacts(world, step, settings, report);

@@ -59,6 +59,18 @@ TEST_P(BondedPair, ShearsOnlyAboveTheFrictionOfTheCohesion) {
   }
 }
 
+// Two bonds at opposite sides may pull at each other with any force, and with F_c they would have no friction left.
+TEST_P(BondedPair, FrictionOfItsBondsHoldsAGrainBetweenTwo) {
+  Scenario scene = pulled_pair(GetParam(), 0, 10);
+  scene.disks.push_back(scene.disks[0]);
+  scene.disks[2].position = 2 * scene.disks[1].position - scene.disks[0].position;
+  scene.disk_forces = {{}, {0, 0.9 * 2 * 0.3 * 10, 0}, {}};
+  Simulation run(scene);
+  run.run_for(0.5);
+  EXPECT_LE(std::abs(run.world.disks.position[1].y()), tolerance::solved());
+  EXPECT_EQ(run.bonds_broken, 0);
+}
+
 TEST_P(BondedPair, RollsOnlyAboveTheRollingFrictionOfTheCohesion) {
   for (double share : {0.99, 1.01}) {
     Scenario scene = pulled_pair(GetParam(), 0, 10);

@@ -95,6 +95,7 @@ TEST_P(Step, AVelocityThatIsNotFiniteStopsBeforeTheWorldIsTouched) {
 
 TEST_P(Step, AStepThatMustConvergeAndDoesNotIsNotTaken) {
   Simulation run(hanging_chain(GetParam(), 60, 3));
+  forget_forces(run.world);
   run.step.stop_if_unconverged = true;
   run.solver.max_iterations = run.solver.max_factorisations = 1;
   const std::uint64_t before = world_hash(run.world);
@@ -108,6 +109,7 @@ TEST_P(Step, AStepThatMustConvergeAndDoesNotIsNotTaken) {
 TEST(Patience, EndsSoonerWhereTheStepCanBeHalved) {
   const auto sweeps = [](bool patient) {
     Simulation run(hanging_chain(Method::automatic, 200, 3));
+    forget_forces(run.world);
     run.solver.max_factorisations = 1;  // so that relaxation has to do it, and cannot
     run.solver.patient = patient;
     run.step.stop_if_unconverged = true;
@@ -123,6 +125,7 @@ TEST(Patience, EndsSoonerWhereTheStepCanBeHalved) {
 TEST(Patience, TriesMoreStartsWhereTheStepCannotBeHalved) {
   const auto attempts = [](bool patient) {
     Simulation run(hanging_chain(Method::automatic, 200, 3));
+    forget_forces(run.world);
     run.solver.max_factorisations = 1;  // of each attempt
     run.solver.patient = patient;
     run.step.stop_if_unconverged = true;

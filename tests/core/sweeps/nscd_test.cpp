@@ -42,7 +42,7 @@ struct FirstStep {
     free_velocities(world, step.dt, free);
     std::vector<Contact> contacts;
     find_contacts(world, pairs_within(world, contact_reach(world, free, step.dt)), free, step.dt,
-                  contacts, NewBond::balanced);
+                  contacts);
     build_problem(world, contacts, free, step, problem);
     for (const Contact& c : contacts) state.impulse.push_back(c.impulse);
   }

@@ -63,4 +63,11 @@ double mechanical_energy(const World& world) {
   return e.kinetic + e.rotational + e.potential + stretched;
 }
 
+void forget_forces(World& world) {
+  world.contacts.clear();
+  for (const Bond& bond : world.bonds.list)
+    world.contacts.push_back(
+        {.pair = bond.pair, .cohesion = world.law(bond.pair).cohesion_force.value_or(0)});
+}
+
 }  // namespace quicksand

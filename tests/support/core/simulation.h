@@ -39,6 +39,8 @@ Vec2 contact_force_on(const World& world, int body);
 Vec2 contact_force(const World& world, Pair pair);
 // Total momentum (p_x, p_y) of the disks that are not fixed [m sqrt(g d)].
 Vec2 momentum(const World& world);
+// No contact of a bond has pressed so far: N = 0 at each, a start from which a solver has work to do.
+void forget_forces(World& world);
 // Body number of the k-th wall.
 constexpr int wall_body(int k) { return kWallBase + k; }
 // Energy that may do work: kinetic, rotational, potential, and that of stretched bonds.
