@@ -219,17 +219,25 @@ Json look_of(const Session& session) {
   const World& world = session.world();
   const View& view = session.view;
   const WorldRect window = view_window(world, session.shown());
-  return {{"theme", view.theme == Theme::dark ? "dark" : "light"},
-          {"method", view.method},
-          {"palette", palette_json(view.theme)},
-          {"text_size", text_size(view)},
-          {"box",
-           {{"width", world.box.width},
-            {"periodic", world.box.sides == Sides::periodic},
-            {"floor", world.box.floor}}},
-          {"walls", walls_json(world)},
-          {"window", {window.low.x(), window.low.y(), window.high.x(), window.high.y()}},
-          {"fitted", !view.window.has_value() && !session.follow_intruder}};
+  Json look{{"theme", view.theme == Theme::dark ? "dark" : "light"},
+            {"method", view.method},
+            {"palette", palette_json(view.theme)},
+            {"text_size", text_size(view)},
+            {"box",
+             {{"width", world.box.width},
+              {"periodic", world.box.sides == Sides::periodic},
+              {"floor", world.box.floor}}},
+            {"walls", walls_json(world)},
+            {"window", {window.low.x(), window.low.y(), window.high.x(), window.high.y()}},
+            {"fitted", !view.window.has_value() && !session.follow_intruder}};
+  // How long d and sqrt(d/g) are.
+  if (view.physical) {
+    const auto& [diameter, gravity] =
+        std::pair(view.physical->grain_diameter, view.physical->gravity);
+    look["metres"] = diameter;
+    if (gravity > 0) look["seconds"] = std::sqrt(diameter / gravity);
+  }
+  return look;
 }
 
 std::string frame_message(const Session& session, Json head) {

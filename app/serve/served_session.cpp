@@ -13,6 +13,7 @@
 #include "app/serve/frame_message.h"
 #include "app/serve/page_state.h"
 #include "app/session/disk_at.h"
+#include "app/session/finding.h"
 #include "core/base/errors.h"
 #include "core/base/memory.h"
 #include "core/base/whole_file.h"
@@ -152,6 +153,7 @@ void ServedSession::answer_next() {
 void ServedSession::perform(ClientId client, const Json& command, const Json& id) {
   const bool loaded = console_.session().loaded();
   const std::int64_t first = loaded ? console_.session().world().step : 0;
+  const bool followed = console_.session().follow_intruder;
   const Answer answer = answer_to(console_, command, "command");
   if (answer.ok) record(command, answer.result);
   theme_chosen_ = theme_chosen_ || command.contains("theme");
@@ -160,6 +162,7 @@ void ServedSession::perform(ClientId client, const Json& command, const Json& id
   tell_if_full();
   picture_is_old_ = true;
   if (changes_controls(command)) state_is_old_ = plots_are_old_ = true;
+  if (console_.session().follow_intruder != followed) state_is_old_ = true;
   Json json = to_json(answer, console_);
   json["command"] = command;
   tell(client, std::move(json), id);
@@ -312,6 +315,8 @@ Json ServedSession::moment() const {
   if (protocol.last_step().seconds > 0)
     head["residual"] = protocol.last_step().solve.residual.natural;
   head["unconverged"] = protocol.state().unconverged_steps;
+  if (const std::string found = newest_critical_force(session); !found.empty())
+    head["critical_force"] = found;
   return head;
 }
 

@@ -17,7 +17,7 @@ export function decode(buffer) {
 }
 
 export class Connection {
-  // `heard` gets each message that is no answer, `changed` the state: "open", "lost", "refused".
+  // `heard` gets each message that is no answer, `changed` the state: "open", "lost", "refused", "full".
   constructor(heard, changed) {
     this.heard = heard;
     this.changed = changed;
@@ -32,7 +32,9 @@ export class Connection {
     const scheme = location.protocol === "https:" ? "wss://" : "ws://";
     this.socket = new WebSocket(scheme + location.host + "/live", "quicksand");
     this.socket.binaryType = "arraybuffer";
+    this.opened = false;
     this.socket.onopen = () => {
+      this.opened = true;
       this.patience = 500;
       this.changed("open");
     };
@@ -43,9 +45,9 @@ export class Connection {
   async lost() {
     for (const {reject} of this.waiting.values()) reject(new Error("the connection was lost"));
     this.waiting.clear();
-    this.changed("lost");
     const status = await fetch("shaders.json").then((r) => r.status, () => 0);
     if (status === 401) return this.changed("refused");
+    this.changed(status === 200 && !this.opened ? "full" : "lost");
     setTimeout(() => this.connect(), this.patience);
     this.patience = Math.min(4000, 1.5 * this.patience);
   }

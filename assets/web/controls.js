@@ -24,10 +24,29 @@ function input_of(field) {
   return number;
 }
 
+// What stands in a field of numbers. Throws where that is none; an empty field says what `empty` says, if anything.
+export function number_in(input, empty) {
+  if (input.validity.badInput || (input.value === "" && empty === undefined)) throw new Error("takes a number");
+  return input.value === "" ? empty : Number(input.value);
+}
+
 function value_of(field, input) {
   if (field.kind === "flag") return input.checked;
   if (field.kind === "word") return input.value;
-  return input.value === "" ? null : Number(input.value);
+  return number_in(input, field.empty);
+}
+
+const problem_of = (input) => input.closest("label").querySelector(".problem");
+
+function refuse(input, reason) {
+  input.classList.add("refused");
+  problem_of(input).textContent = reason;
+  problem_of(input).hidden = false;
+}
+
+function accept(input) {
+  input.classList.remove("refused");
+  problem_of(input).hidden = true;
 }
 
 // `change(value)` gives a promise that fails with the reason of a refusal.
@@ -39,26 +58,35 @@ function control(field, change) {
   input.addEventListener("change", async () => {
     try {
       await change(value_of(field, input));
-      problem.hidden = true;
-      input.classList.remove("refused");
+      accept(input);
     } catch (error) {
-      problem.textContent = error.message;
-      problem.hidden = false;
-      input.classList.add("refused");
+      refuse(input, error.message);
     }
   });
-  input.addEventListener("keydown", (event) => event.key === "Escape" && ((input.value = field.value ?? ""), input.blur()));
-  if (field.kind === "flag") return element("label", {title: help}, input, capitalised(field.label));
+  input.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape") return;
+    input.value = field.value ?? "";
+    accept(input);
+    input.blur();
+  });
+  if (field.kind === "flag") return element("label", {title: help}, input, capitalised(field.label), problem);
   const side = element("span", {className: "with_unit"}, input, unit ? element("small", {title: field.unit}, ...typeset(unit)) : null);
   return element("label", {className: "row", title: help}, element("span", {}, capitalised(field.label)), side, problem);
 }
 
-// Fills a part of the page anew, unless somebody is typing in it; the focus stays where it was.
+// Fills a part of the page anew, unless somebody is typing in it; the focus stays where it was, and what was refused too.
 function fill(part, text, make) {
   if (part.dataset.made === text || part.contains(document.activeElement?.closest("input[type=number]"))) return;
   const focus = part.contains(document.activeElement) ? document.activeElement.dataset.path : null;
+  const refused = [...part.querySelectorAll("input.refused")];
   part.dataset.made = text;
   part.replaceChildren(...make());
+  for (const old of refused) {
+    const input = part.querySelector(`[data-path="${old.dataset.path}"]`);
+    if (!input || input.disabled) continue;
+    input.value = old.value;
+    refuse(input, problem_of(old).textContent);
+  }
   if (focus) part.querySelector(`[data-path="${focus}"]`)?.focus();
 }
 
@@ -77,7 +105,7 @@ export function show_parameters(part, state, commands) {
 export function show_view(part, state, commands) {
   fill(part, JSON.stringify(state.view) + state.follow, () => {
     const change = (field) => (value) => commands.command("view", {[field.path]: value});
-    const rows = (kinds) => state.view.filter((f) => kinds.includes(f.kind)).map((f) => control(f, change(f)));
+    const rows = (kinds) => state.view.filter((f) => kinds.includes(f.kind)).map((f) => control({...f, empty: null}, change(f)));
     const follow = control({path: "follow", label: "Follow intruder", help: "keeps the intruder in the middle", kind: "flag", value: state.follow},
                            (on) => commands.command("camera", {follow: on ? "intruder" : "none"}));
     return [...rows(["word"]), element("div", {className: "flags"}, ...rows(["flag"]), follow), ...rows(["number"])];
@@ -96,7 +124,13 @@ export function show_actions(part, commands) {
   for (const [name, help, force, command] of acts) {
     const input = force === null ? null : element("input", {type: "number", min: "0", step: "any", value: force, "aria-label": `Force of ${name.toLowerCase()} in grain weights`});
     const button = element("button", {type: "button", title: help}, name);
-    button.addEventListener("click", () => commands.tried(...command(input ? Number(input.value) : 0)));
+    button.addEventListener("click", () => {
+      try {
+        commands.tried(...command(input ? number_in(input) : 0));
+      } catch (error) {
+        commands.refused(`The force of ${name.toLowerCase()} ${error.message}.`);
+      }
+    });
     part.append(element("div", {className: "row"}, button, input ? element("span", {className: "with_unit"}, input, element("small", {}, ...typeset("F_g"))) : ""));
   }
 }

@@ -67,8 +67,6 @@ class Drawing {
     for (let i = 0; i < frame.colours.length; i += 3) fills.push(frame.colours.subarray(i, i + 3));
     const packed_fills = fills.map(packed);
     const intruders = new Set(frame.intruders);
-    const applied = new Map(frame.applied.map(([k, ...force]) => [k, force]));
-    const fill = (k) => (intruders.has(k) ? palette.intruder : fills[frame.colour[k]]);
     this.each_disk((k, x, y, r) => {
       if (intruders.has(k)) {
         this.list.disk(x, y, r, colour.intruder, clamp(0.1 * r, 1, 3), colour.intruder_outline);
@@ -76,7 +74,14 @@ class Drawing {
         this.list.disk(x, y, r, packed_fills[frame.colour[k]], r < 2.2 ? 0 : clamp(0.13 * r, 0.5, 1.6), outline);
       }
     });
+  }
+
+  // On the disks, over what passes between them.
+  marks() {
+    const {frame, palette} = this;
+    const intruders = new Set(frame.intruders), applied = new Map(frame.applied.map(([k, ...force]) => [k, force]));
     if (!applied.size && !frame.angle) return;
+    const fill = (k) => (intruders.has(k) ? palette.intruder : frame.colours.subarray(3 * frame.colour[k], 3 * frame.colour[k] + 3));
     this.each_disk((k, x, y, r) => {
       const force = applied.get(k);
       if (force) this.applied_force(x, y, r, force, packed(clearer_on(fill(k), palette.ink, palette.background)));
@@ -320,6 +325,9 @@ export function draw(frame, camera) {
   list.clip_to(drawing.inside_the_sides());
   drawing.bonds();
   if (frame.force_scale) drawing.forces();
+  list.clip_to(camera.clip);
+  drawing.marks();
+  list.clip_to(drawing.inside_the_sides());
   drawing.broken_bonds();
   list.clip_to(camera.clip);
   drawing.periodic_sides();

@@ -1,7 +1,7 @@
 // Joins the parts of the page: the connection, the picture, the controls, the plots.
 import {Connection} from "./connection.js";
-import {show_actions, show_parameters, show_view} from "./controls.js";
-import {capitalised, duration, element, grouped, short} from "./numbers.js";
+import {number_in, show_actions, show_parameters, show_view} from "./controls.js";
+import {capitalised, duration, element, grouped, short, si, typeset} from "./numbers.js";
 import {Picture} from "./picture.js";
 import {Plots} from "./plots.js";
 import {Timeline} from "./timeline.js";
@@ -46,12 +46,15 @@ const commands = {
       throw error;
     }
   },
+  // What went wrong before no longer matters to who tries something else.
   tried(name, values) {
+    banner("");
     return this.command(name, values).catch((error) => {
       banner(error.message);
       return null;
     });
   },
+  refused(text) { banner(text); },
 };
 
 function chip(word, kind = "") {
@@ -74,6 +77,7 @@ function show_state(message) {
   by_id("description").textContent = state.description;
   if (document.activeElement !== by_id("pace")) by_id("pace").value = state.steps_per_frame;
   plots.set_phases(state.phases);
+  if (frame) show_phases();
   by_id("undo").disabled = !state.last_change;
   by_id("undo").title = state.last_change ? `Undoes the change of ${state.last_change} (Ctrl+Z)` : "Nothing was changed";
   show_parameters(by_id("parameters"), state, commands);
@@ -86,11 +90,12 @@ function show_state(message) {
 function show_status() {
   const list = [
     ["Step", grouped(frame.step)],
-    ["Time", `${frame.time.toFixed(3)} √(d/g)`],
+    ["Time", `${frame.time.toFixed(3)} √(d/g)${frame.seconds ? ` = ${si(frame.time * frame.seconds, "s")}` : ""}`],
     ["Bodies", grouped(frame.bodies)],
     ["Steps/s", frame.steps_per_second && frame.running ? grouped(frame.steps_per_second) : "–"],
     ["Residual", short(frame.residual ?? null)],
   ];
+  if (frame.critical_force) list.push(["Critical force", frame.critical_force]);
   if (frame.method) list.push(["Method", frame.method]);
   if (frame.unconverged > 0) list.push(["Not converged", `${grouped(frame.unconverged)} steps${frame.method ? ", by design" : ""}`]);
   const part = by_id("status");
@@ -99,7 +104,7 @@ function show_status() {
   while (part.children.length > list.length) part.lastElementChild.remove();
   list.forEach(([name, value], i) => {
     part.children[i].firstElementChild.textContent = name;
-    part.children[i].lastElementChild.textContent = value;
+    part.children[i].lastElementChild.replaceChildren(...typeset(value));
   });
 }
 
@@ -155,8 +160,11 @@ function changed(connected) {
     return chip("connected");
   }
   chip("no connection", "lost");
-  banner(connected === "lost" ? "The connection to the server was lost; trying again."
-                              : "The server was restarted with another token: open the address that it printed.");
+  banner({
+    lost: "The connection to the server was lost; trying again.",
+    full: "As many pages as the server takes are connected; trying again.",
+    refused: "The server was restarted with another token: open the address that it printed.",
+  }[connected]);
 }
 
 // Fetches a file of the run's folder.
@@ -205,8 +213,12 @@ addEventListener("keydown", (event) => {
   event.preventDefault();
   commands.tried("undo");
 });
-by_id("pace").addEventListener("change", () => by_id("pace").validity.valid &&
-  commands.tried("pace", {steps_per_frame: Number(by_id("pace").value)}));
+by_id("pace").addEventListener("change", () => {
+  const pace = by_id("pace");
+  if (pace.value !== "" && pace.validity.valid) return commands.tried("pace", {steps_per_frame: number_in(pace)});
+  banner(`The steps per picture are a whole number from ${pace.min} to ${pace.max}.`);
+  pace.value = state?.steps_per_frame ?? 1;
+});
 
 const shaders = await fetch("shaders.json").then((answer) => answer.json());
 const plots = new Plots(by_id("plots"));

@@ -8,6 +8,13 @@ export function short(x) {
   return text.replace("-", "−").replace("e−", "e-");
 }
 
+// In three digits with an SI prefix: "12.3 ms".
+export function si(x, unit) {
+  if (x === 0) return `0 ${unit}`;
+  const thousands = Math.min(Math.max(Math.floor(Math.log10(Math.abs(x) * (1 + 1e-9)) / 3), -4), 3);
+  return `${short(x / 1000 ** thousands)} ${["p", "n", "µ", "m", "", "k", "M", "G"][thousands + 4]}${unit}`;
+}
+
 export function grouped(n) { return Math.round(n).toString().replace(/\B(?=(\d{3})+$)/g, "\u00a0"); }
 
 export function unit_text(unit) {

@@ -2,7 +2,7 @@
 import {Camera, Gestures, first_window, kZoomOfAKey} from "./camera.js";
 import {draw, draws_bars, shows_sides} from "./drawing.js";
 import {show_inspection, show_tooltip} from "./inspection.js";
-import {element, nice_below, short, typeset} from "./numbers.js";
+import {element, nice_below, short, si, typeset} from "./numbers.js";
 import {Painter} from "./painter.js";
 
 const by_id = (id) => document.getElementById(id);
@@ -116,7 +116,8 @@ export class Picture {
     bar.hidden = !this.frame.shows?.scale_bar;
     if (bar.hidden) return;
     const size = nice_below((0.2 * camera.width) / camera.scale);
-    bar.firstElementChild.textContent = `${short(size)} d`;
+    const {metres} = this.frame;
+    bar.firstElementChild.textContent = `${short(size)} d${metres ? ` = ${si(size * metres, "m")}` : ""}`;
     bar.lastElementChild.style.width = `${(size * camera.scale) / ratio}px`;
   }
 

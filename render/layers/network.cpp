@@ -58,12 +58,20 @@ Colour bond_colour(const View& view) {
 
 double bar_width(double pixels_per_diameter) { return std::min(0.2 * pixels_per_diameter, 8.0); }
 
+// Below this are rounding, and what solvers leave at their usual tolerance. [F_g]
+double least_force(const World& world) {
+  constexpr double kTolerance = 1e-6;
+  return kTolerance * std::max(world.grain_law.cohesion_force.value_or(0),
+                               world.gravity ? world.gravity->norm() : 0.0);
+}
+
 double usual_force(const World& world) {
+  const double least = least_force(world);
   std::vector<double> forces;
   if (world.impulse_dt > 0) {
     for (const Contact& contact : world.contacts) {
       const double force = std::abs(contact.normal_force(world.impulse_dt));
-      if (force > 0 && std::isfinite(force)) forces.push_back(force);
+      if (force > least && std::isfinite(force)) forces.push_back(force);
     }
   }
   if (forces.empty()) return 0;

@@ -4,6 +4,7 @@
 Exit code 77: Chromium or its driver is not installed.
 """
 
+import csv
 import json
 import shutil
 import signal
@@ -115,6 +116,8 @@ def opens(browser, server):
 def chooses_a_scene(browser, server):
     browser.choose("#scene", "heap" if browser.run("return quicksand.state().scenes.includes('heap')") else "chain")
     browser.wait("quicksand.frame().scene !== 'collapse'")
+    names = "[...document.querySelectorAll('#phases li')].map((li) => li.textContent.replace(/[0-9].*/, ''))"
+    browser.wait(f"JSON.stringify({names}) === JSON.stringify(quicksand.state().phases)", what="the phases of this scene")
     browser.choose("#scene", "collapse")
     loaded(browser, "collapse")
 
@@ -126,6 +129,9 @@ def changes_a_parameter(browser, server):
     browser.type(field, "-1\t")
     browser.wait(f"!document.querySelector(\"{field}\").closest('label').querySelector('.problem').hidden",
                  what="the reason of a refusal beside its control")
+    browser.type(field, "\ue003\t")
+    browser.wait(f"document.querySelector(\"{field}\").closest('label').querySelector('.problem').textContent === 'takes a number'",
+                 what="a field that was emptied is no term that the scene leaves out")
     browser.type(field, "0.45\t")
     browser.wait("!document.querySelector('#parameters .refused')")
     before = browser.run("return quicksand.state().last_change")
@@ -396,6 +402,9 @@ def walks_through_a_run(browser, server):
             page.protocol("Input.dispatchKeyEvent", {"type": kind, "key": "ArrowRight", "code": "ArrowRight", "windowsVirtualKeyCode": 39})
         page.wait("quicksand.frame().timeline.sample === 1", what="a sample on by a key")
         assert page.run("return quicksand.plots.moment === quicksand.frame().time"), "the cursor of the plots"
+        with open(FOLDER / "run" / "series.csv") as file:
+            grains = [float(row["grains"]) for row in csv.DictReader(file)]
+        assert page.run("return [...quicksand.plots.message.grains]") == grains, "quantities of the series"
         x, y, width = page.run("const r = document.querySelector('#timeline canvas').getBoundingClientRect();"
                                "return [r.left, r.top + r.height / 2, r.width]")
         for kind in ("mousePressed", "mouseReleased"):
