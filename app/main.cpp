@@ -1,5 +1,7 @@
 #include <fcntl.h>
 
+#include <csignal>
+
 #include "app/cli/command_line.h"
 
 namespace {
@@ -16,5 +18,7 @@ void fill_standard_streams() {
 
 int main(int argc, char** argv) {
   fill_standard_streams();
+  // A file that a limit of the shell keeps from growing is told like a full disk.
+  std::signal(SIGXFSZ, SIG_IGN);
   return quicksand::run_command_line(argc, argv);
 }

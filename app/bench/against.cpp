@@ -59,6 +59,12 @@ Json read_results(const std::filesystem::path& file) {
   Json results = read_json(file);
   if (!results.is_object() || !results.contains("rows") || !results["rows"].is_array())
     throw InputError(file.string(), "is not a results.json of `quicksand bench`: it has no rows");
+  try {
+    measured_in(results);
+  } catch (const Json::exception& problem) {
+    throw InputError(file.string(),
+                     std::string("is not a results.json of `quicksand bench`: ") + problem.what());
+  }
   return results;
 }
 

@@ -74,9 +74,9 @@ fs::path Console::output(const std::string& name, const std::string& place) cons
 Json Console::finish_recording() {
   if (!recording) return {};
   if (!session_.timeline()) session_.sample();
-  Json result = recording->finish();
-  recording.reset();
-  return result;
+  // One that cannot be finished is over all the same: its files stay as they are, and another can begin.
+  const std::unique_ptr<Recording> ending = std::move(recording);
+  return ending->finish();
 }
 
 std::string Console::save_cut_short() {

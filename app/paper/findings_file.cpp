@@ -37,7 +37,11 @@ MethodFindings read_findings(const std::filesystem::path& file, const Vec2& box)
     if (!std::filesystem::exists(report)) report = file.parent_path().parent_path() / "report.md";
     if (!std::filesystem::exists(report)) report.clear();
     for (const auto& [id, found] : json.at("findings").items()) {
-      targets.at(id);
+      try {
+        targets.at(id);
+      } catch (const InputError& unknown) {
+        throw InputError(file.string() + ": findings[\"" + id + "\"]", unknown.what());
+      }
       Measured& measured = read.findings[id];
       measured.value = found.at("value").get<double>();
       if (!found.at("standard_error").is_null())

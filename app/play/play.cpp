@@ -8,6 +8,7 @@
 #include "app/commands/session_file.h"
 #include "app/commands/transcript.h"
 #include "app/run/progress_line.h"
+#include "app/run_folder/folder_lock.h"
 #include "app/run_folder/run_folder.h"
 #include "core/base/errors.h"
 
@@ -23,8 +24,9 @@ class PlayedFile {
       : options_(options),
         file_(std::move(file)),
         folder_{options.out.empty() ? fs::path("out") / file_.name : options.out},
+        lock_(lock_run(folder_.path)),
         console_({folder_.path, fs::absolute(options.file).parent_path()}),
-        transcript_(begin(folder_)) {
+        transcript_(folder_.path / kTranscript) {
     console_.print = [this](const std::string& text) {
       progress_.end();
       std::printf("%s\n", text.c_str());
@@ -58,11 +60,6 @@ class PlayedFile {
   }
 
  private:
-  static fs::path begin(const RunFolder& folder) {
-    make_writable(folder);
-    return folder.path / kTranscript;
-  }
-
   Answer perform(std::size_t i) {
     const Json& command = file_.commands[i];
     Answer answer = answer_to(console_, command, place_of(i));
@@ -99,6 +96,7 @@ class PlayedFile {
   const PlayOptions& options_;
   SessionFile file_;
   RunFolder folder_;
+  FolderLock lock_;
   Console console_;
   Transcript transcript_;
   mutable ProgressLine progress_{StatusLine::style_of_stderr(options_.quiet)};

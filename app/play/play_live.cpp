@@ -13,6 +13,7 @@
 #include "app/base/interrupt.h"
 #include "app/commands/transcript.h"
 #include "app/play/play.h"
+#include "app/run_folder/folder_lock.h"
 #include "app/run_folder/run_folder.h"
 #include "core/base/errors.h"
 
@@ -30,7 +31,9 @@ struct Line {
 // Lines of standard input. Waits for them in a way that Ctrl-C ends at once.
 class Input {
  public:
-  // Nothing at the end of the input, or when waiting was interrupted.
+  explicit Input(const InterruptWatch& watch) : watch_(watch) {}
+
+  // Nothing at the end of the input, or when it was interrupted.
   std::optional<Line> next() {
     Line line;
     bool any = false;
@@ -49,6 +52,8 @@ class Input {
 
  private:
   bool fill() {
+    // What comes without end never waits.
+    if (watch_.interrupted()) return false;
     pollfd input{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
     if (poll(&input, 1, -1) < 0) return false;
     const ssize_t got = read(STDIN_FILENO, buffer_.data(), buffer_.size());
@@ -57,6 +62,7 @@ class Input {
     return got > 0;
   }
 
+  const InterruptWatch& watch_;
   std::array<char, 65536> buffer_{};
   std::size_t at_ = 0, filled_ = 0;
 };
@@ -93,13 +99,13 @@ Json answer(Console& console, const Line& line) {
 
 int play_live(const std::filesystem::path& out) {
   const RunFolder folder{out.empty() ? std::filesystem::path("out") / "live" : out};
-  make_writable(folder);
+  const FolderLock lock = lock_run(folder.path);
   const InterruptWatch watch;
   std::signal(SIGPIPE, SIG_IGN);  // a reader that goes away ends the session, not the program
   Console console({folder.path, std::filesystem::current_path()});
   console.session().stop_asked = [&watch](const Session&) { return watch.interrupted(); };
   console.session().meanwhile = [&watch] { return watch.interrupted(); };
-  Input input;
+  Input input(watch);
   while (!console.quit && !watch.interrupted()) {
     const std::optional<Line> line = input.next();
     if (!line || watch.interrupted()) break;

@@ -34,7 +34,9 @@ bool is_computed_elsewhere(const std::filesystem::path& folder) {
 
 FolderLock lock_run(const std::filesystem::path& folder) {
   FolderLock lock(folder);
-  if (!lock.held()) throw InputError(folder.string(), "another process is computing in it");
+  if (!lock.held())
+    throw InputError(folder.string(),
+                     "another process is computing in it; choose another folder with --out");
   return lock;
 }
 

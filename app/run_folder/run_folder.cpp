@@ -49,11 +49,13 @@ void make_writable(const RunFolder& folder) {
     throw InputError(folder.path.string(), "cannot be created: " + error.message());
   }
   const fs::path probe = folder.path / ".quicksand_probe";
+  errno = 0;
   const bool written = static_cast<bool>(std::ofstream(probe) << "writable" << std::flush);
+  const int problem = errno;
   fs::remove(probe, error);
-  if (!written) {
-    throw InputError(folder.path.string(), "cannot be written; choose another folder with --out");
-  }
+  if (written) return;
+  if (problem == ENOSPC || problem == EDQUOT) refuse_to_write(folder.path, problem);
+  throw InputError(folder.path.string(), "cannot be written; choose another folder with --out");
 }
 
 void forget_end(const RunFolder& folder) {

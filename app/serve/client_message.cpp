@@ -37,7 +37,8 @@ bool is_admitted(std::string_view name) {
 
 void check_scene(const Json& command) {
   const Json& scene = command["scene"];
-  if (scene.is_string() && scene.get<std::string>().find_first_of("/.") != std::string::npos)
+  const auto leads_elsewhere = [](char c) { return c == '/' || c == '.' || c == '\0'; };
+  if (scene.is_string() && std::ranges::any_of(scene.get<std::string>(), leads_elsewhere))
     refuse_path("scene");
   if (scene.is_object() && scene.contains(kStartFrom)) refuse_path("scene.start_from");
   if (command.contains("set") && command["set"].is_object())

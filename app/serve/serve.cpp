@@ -4,6 +4,7 @@
 
 #include "app/base/exit_code.h"
 #include "app/base/interrupt.h"
+#include "app/run_folder/folder_lock.h"
 #include "app/run_folder/run_folder.h"
 #include "app/scene/opening.h"
 #include "app/serve/frame_message.h"
@@ -79,7 +80,7 @@ int run_serve(const ServeOptions& options) {
   if (!options.record.empty()) try_to_write(options.record);
   const RunFolder folder{options.out.empty() ? std::filesystem::path("out") / "serve"
                                              : options.out};
-  make_writable(folder);
+  const FolderLock lock = lock_run(folder.path);
   const std::string token =
       options.token_file.empty() ? random_token() : token_of(options.token_file);
   Exchange exchange;

@@ -7,6 +7,7 @@
 #include "app/base/exit_code.h"
 #include "app/base/interrupt.h"
 #include "app/commands/console.h"
+#include "app/run_folder/folder_lock.h"
 #include "app/run_folder/run_folder.h"
 #include "app/scene/opening.h"
 #include "app/window/display.h"
@@ -28,8 +29,8 @@ class Window {
   explicit Window(const WindowOptions& options)
       : options_(options),
         folder_{options.out.empty() ? fs::path("out") / "window" : options.out},
+        lock_(lock_run(folder_.path)),
         console_({folder_.path, fs::current_path()}, options.scale) {
-    make_writable(folder_);
     console_.given = [this](const Json& command) { remember(command); };
     console_.computed = [this](std::int64_t steps) {
       interactions_.add_steps(steps);
@@ -152,6 +153,7 @@ class Window {
   bool closed_ = false;  // by the user
   const WindowOptions& options_;
   RunFolder folder_;
+  FolderLock lock_;
   Console console_;
   std::unique_ptr<Display> display_;
   GuiInput input_;

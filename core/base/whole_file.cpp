@@ -1,6 +1,8 @@
 #include "core/base/whole_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -25,7 +27,7 @@ fs::path file_named(const fs::path& path) {
 
 void refuse_to_write(const fs::path& path, int error) {
   const std::string problem = "cannot be written: " + std::string(std::strerror(error));
-  if (error == ENOSPC || error == EDQUOT) throw DiskFull(path.string(), problem);
+  if (error == ENOSPC || error == EDQUOT || error == EFBIG) throw DiskFull(path.string(), problem);
   throw InputError(path.string(), problem);
 }
 
@@ -33,8 +35,27 @@ OpenFile::~OpenFile() {
   if (number_ >= 0) close(number_);
 }
 
+namespace {
+
+// Whoever else writes a file of this name is waited for. Its part may be renamed meanwhile, and then is another's.
+OpenFile locked(const fs::path& part) {
+  while (true) {
+    OpenFile file(open(part.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666));
+    if (file.number() < 0 || flock(file.number(), LOCK_EX) != 0) return file;
+    struct stat held {
+    }, there{};
+    if (fstat(file.number(), &held) != 0) return file;
+    if (stat(part.c_str(), &there) == 0 && held.st_ino == there.st_ino &&
+        held.st_dev == there.st_dev)
+      return file;
+  }
+}
+
+}  // namespace
+
 WholeFile::WholeFile(const fs::path& path) : path_(file_named(path)), part_(path_) {
   part_ += ".part";
+  lock_ = locked(part_);
   file_.open(part_, std::ios::binary | std::ios::trunc);
   if (!file_) refuse_to_write(path_, errno);
 }

@@ -54,6 +54,7 @@ class WholeFile {
 
  private:
   std::filesystem::path path_, part_;
+  OpenFile lock_;  // of the part
   std::ofstream file_;
   bool finished_ = false;
 };

@@ -5,6 +5,8 @@
 #include <sys/stat.h>
 
 #include <cerrno>
+#include <string>
+#include <thread>
 
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
@@ -24,6 +26,21 @@ TEST(WholeFileTest, IsNotThereBeforeItIsFinished) {
   EXPECT_TRUE(fs::is_empty(folder.path()));
   write_whole(path, "all");
   EXPECT_EQ(contents(path), "all");
+}
+
+// As two processes do that compute the same campaign.
+TEST(WholeFileTest, WrittenByTwoAtOnceIsWhatOneOfThemWrote) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "a";
+  const auto write_often = [&](char letter) {
+    for (int i = 0; i < 300; ++i) write_whole(path, std::string(20000, letter));
+  };
+  std::thread other(write_often, 'b');
+  EXPECT_NO_THROW(write_often('a'));
+  other.join();
+  const std::string text = contents(path);
+  EXPECT_EQ(text, std::string(20000, text.front()));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1) << "no part is left";
 }
 
 TEST(WholeFileTest, WritesWhereALinkLeads) {

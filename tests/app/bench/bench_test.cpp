@@ -153,6 +153,18 @@ TEST(Benchmark, WrongUsageExitsWithTwoAndOffersTheNearestName) {
   EXPECT_NE(missing.err.find("a.json"), std::string::npos) << missing.err;
 }
 
+TEST(Benchmark, ResultsThatCannotBeComparedAreRefusedBeforeAnythingIsMeasured) {
+  const TemporaryFolder folder;
+  folder.write("results.json", R"({"rows": [{"part": 1}]})");
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"--compare", "results.json", "results.json"},
+                                             {"cantilever", "--against", "results.json"}}) {
+    const Outcome refused = run_bench(arguments, folder.path());
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_NE(refused.err.find("results.json"), std::string::npos) << refused.err;
+  }
+}
+
 TEST(Benchmark, ListsItsPartsAndGoals) {
   const TemporaryFolder folder;
   const Outcome outcome = run_bench({"--list"}, folder.path());

@@ -73,6 +73,27 @@ TEST_F(LiveSession, CtrlCEndsItWhileItWaits) {
   EXPECT_EQ(end.code, 130) << end.problem;
 }
 
+TEST_F(LiveSession, CtrlCEndsItOnALineWithoutEnd) {
+  const ProgramEnd end = run_external(
+      {"sh", "-c", "\"$0\" session - --out live </dev/zero & sleep 0.5; kill -INT $!; wait $!",
+       QUICKSAND_PROGRAM},
+      folder_.path());
+  EXPECT_EQ(end.code, 130) << end.problem;
+}
+
+TEST_F(LiveSession, HasItsFolderForItself) {
+  ASSERT_EQ(mkfifo((folder_.path() / "pipe").c_str(), 0600), 0);
+  const ProgramEnd end = run_external({"sh", "-c",
+                                       "exec 3<>pipe; \"$0\" session - --out live <&3 & sleep 0.5; "
+                                       "\"$0\" session - --out live </dev/null; "
+                                       "code=$?; kill -INT $!; wait $!; exit $code",
+                                       QUICKSAND_PROGRAM},
+                                      folder_.path());
+  EXPECT_EQ(end.code, 2);
+  EXPECT_NE(end.problem.find("another process is computing in it"), std::string::npos)
+      << end.problem;
+}
+
 // The page's Python example, word for word.
 TEST_F(LiveSession, ThePythonExampleOfItsPageSteersARun) {
   if (run_external({"python3", "--version"}).missing) GTEST_SKIP() << "python3 is not installed";
