@@ -2,7 +2,6 @@
 #include <imgui.h>
 
 #include "app/panel/panel_frame.h"
-#include "app/session/finding.h"
 #include "app/view/film.h"
 #include "core/base/format.h"
 #include "core/problem/solver_settings.h"
@@ -83,7 +82,7 @@ void show_status(PanelFrame& frame) {
   std::string warning;
   const bool nscd = session.scenario().step.nscd.has_value();
   if (nscd) put("Method", method_label(session.scenario()), 150);
-  if (const std::string found = newest_critical_force(session); !found.empty())
+  if (const std::string found = session.newest_critical_force(); !found.empty())
     put("Critical force", found, 230);
   if (session.failed()) {
     warning = "Stopped: a step did not converge";

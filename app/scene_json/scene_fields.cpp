@@ -207,7 +207,7 @@ void describe_wall(Fields& f, Wall& wall) {
 void describe_scene(Fields& f, Scenario& s) {
   describe_heading(f, s.name, s.description, "what the scene shows");
   f.integer({"seed", "seed of the random numbers"}, 0, kMaxSeed, s.seed);
-  f.optional_object({"physical", "physical values, for results in SI units"}, s.physical,
+  f.optional_object({"physical", "physical values, for lengths and times in SI units"}, s.physical,
                     describe_physical);
   std::optional<Gravity> gravity;
   if (s.gravity) gravity = Gravity{*s.gravity};

@@ -43,7 +43,7 @@ const Quantity kQuantities[] = {
      "share of area filled by grains in the lower 70 % of the packing; with closed or periodic "
      "sides, and without tilted walls",
      [](const Row& r) { return or_none(r.sample.volume_fraction); }},
-    {"coordination", "1", "mean number of touching neighbours of a grain",
+    {"coordination", "1", "mean number of grains, walls and intruders that touch a grain",
      [](const Row& r) -> Value { return r.sample.coordination; }},
     {"coordination_loaded", "1", "... of those that carry a force or a bond",
      [](const Row& r) -> Value { return r.sample.coordination_loaded; }},

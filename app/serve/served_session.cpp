@@ -13,7 +13,6 @@
 #include "app/serve/frame_message.h"
 #include "app/serve/page_state.h"
 #include "app/session/disk_at.h"
-#include "app/session/finding.h"
 #include "core/base/errors.h"
 #include "core/base/memory.h"
 #include "core/base/whole_file.h"
@@ -315,7 +314,7 @@ Json ServedSession::moment() const {
   if (protocol.last_step().seconds > 0)
     head["residual"] = protocol.last_step().solve.residual.natural;
   head["unconverged"] = protocol.state().unconverged_steps;
-  if (const std::string found = newest_critical_force(session); !found.empty())
+  if (const std::string found = session.newest_critical_force(); !found.empty())
     head["critical_force"] = found;
   return head;
 }

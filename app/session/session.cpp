@@ -13,6 +13,7 @@
 #include "app/series/thinning.h"
 #include "app/view/film.h"
 #include "core/base/errors.h"
+#include "core/base/format.h"
 #include "core/scene/validate.h"
 #include "render/base/camera.h"
 
@@ -287,6 +288,17 @@ Row Session::measure_now() const {
   row.sample = measure(world());
   row.phase = phase_name();
   return row;
+}
+
+std::string Session::newest_critical_force() const {
+  if (!loaded() || timeline_ || protocol().state().critical_forces.empty()) return {};
+  const CriticalForce& newest = protocol().state().critical_forces.back();
+  const std::string unit = newest.kind == SearchKind::vane ? " F_g d" : " F_g";
+  // With the usual tolerance of a hundredth, three digits may not tell its ends apart.
+  const auto text = [](double force) { return format("%.4g", force); };
+  if (!newest.force_high) return "above " + text(newest.force_low) + unit;
+  if (newest.force_low == 0) return "below " + text(*newest.force_high) + unit;
+  return text(newest.force_low) + " to " + text(*newest.force_high) + unit;
 }
 
 }  // namespace quicksand

@@ -102,6 +102,8 @@ class Session {
   const std::vector<Values>& history() const { return timeline_ ? timeline_->rows() : history_; }
   // The quantities of this moment.
   Row measure_now() const;
+  // What a search has found last, "11.9 to 12.1 F_g"; of a vane a torque. Empty if there is nothing, or if a run is shown.
+  std::string newest_critical_force() const;
   // Samples this moment, unless it is sampled already.
   void sample();
   // Time between samples from now on; that of the scene if absent [sqrt(d/g)].
