@@ -15,7 +15,9 @@ struct PixelRect {
   double right() const { return x + width; }
   double bottom() const { return y + height; }
   bool overlaps(const PixelRect& other) const {
-    return x < other.right() && other.x < right() && y < other.bottom() && other.y < bottom();
+    const bool empty = width <= 0 || height <= 0 || other.width <= 0 || other.height <= 0;
+    return !empty && x < other.right() && other.x < right() && y < other.bottom() &&
+           other.y < bottom();
   }
   bool operator==(const PixelRect&) const = default;
 };

@@ -17,6 +17,8 @@ namespace {
 constexpr double kImageMargin = 1.0;  // beyond periodic and open sides of a box [d]
 constexpr double kCaptionRoom = 17;   // whatever a caption says, over the size of the text
 constexpr double kBodyMargin = 0.04;  // around bodies without a box, over the larger extent
+// A key that leaves the packing less than this of the size that it has without is left out.
+constexpr double kLeastSize = 0.3;
 
 // The window of the view with the room around it that is part of the world.
 WorldRect window_with_margins(const World& world, const View& view) {
@@ -123,6 +125,18 @@ struct Plan {
     return std::max(10.0, std::min(content.view.width - 2 * text, kCaptionRoom * text));
   }
 };
+
+bool leaves_room(const Panel& packing, const Plan& plan) {
+  const View& view = plan.content.view;
+  const PixelRect all{0, 0, static_cast<double>(view.width), static_cast<double>(view.height)};
+  const Panel alone = packing_panel(all, plan.window, plan.margins);
+  return packing.camera.scale() >= kLeastSize * alone.camera.scale();
+}
+
+View without_key(View view) {
+  view.legend = view.numbers = view.scale_bar = false;
+  return view;
+}
 
 // Part of the panel between periodic sides: lines would hang in the air beyond.
 PixelRect inside_the_sides(const World& world, const Panel& panel) {
@@ -231,6 +245,9 @@ Frame compose(const World& world, const View& view, const Font& font,
   plan.content.close_up = layout.detail.has_value();
   if (layout.detail)
     frame.detail = detail_panel(world, *layout.detail, plan.window, plan.margins.bottom);
+
+  if (!plan.key(1).empty() && !leaves_room(frame.packing, plan))
+    return compose(world, without_key(view), font, {});
 
   DrawList& list = frame.list;
   const double text = font.size(), scale_force = plan.content.force_scale;

@@ -315,6 +315,19 @@ TEST(Frame, WithoutLegendThePackingHasThePicture) {
   EXPECT_NEAR(frame.packing.clip.height, 200, 1e-6);
 }
 
+TEST(Frame, AKeyThatWouldLeaveNoRoomForThePackingIsLeftOut) {
+  const View small{.width = 120, .height = 120};
+  const Frame without = compose(
+      worlds::arch(),
+      View{.width = 120, .height = 120, .legend = false, .scale_bar = false, .numbers = false},
+      font());
+  EXPECT_EQ(compose(worlds::arch(), small, font()).packing.clip.width, without.packing.clip.width);
+  const View large{.width = 600, .height = 600};
+  const Frame frame = compose(worlds::arch(), large, font());
+  EXPECT_GT(frame.layout.key.width, 0);
+  EXPECT_GT(frame.packing.clip.width, 0.3 * 600);
+}
+
 TEST(Frame, EmptyWorldIsAPicture) {
   World world;
   EXPECT_NO_THROW(compose(world, View{}, font()));
