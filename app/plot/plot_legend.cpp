@@ -1,6 +1,7 @@
 #include "app/plot/plot_legend.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace quicksand {
 
@@ -12,7 +13,7 @@ constexpr double kNarrowLetter = 10;  // as it is on average
 constexpr double kTics = 30;
 constexpr double kSample = 5 * kLetter;
 constexpr double kLegendRow = 27;
-constexpr double kTitle = 38, kLineAbove = 26, kAboveGraph = 18, kAxis = 82, kBelowLegend = 12;
+constexpr double kTitle = 38, kLineAbove = 26, kAboveGraph = 18, kAxis = 96, kBelowLegend = 12;
 
 // Characters of UTF-8 text.
 double length_of(const std::string& text) {
@@ -20,7 +21,22 @@ double length_of(const std::string& text) {
       text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
+// The first so many characters of UTF-8 text.
+std::string first_of(const std::string& text, double letters) {
+  std::size_t end = 0;
+  while (end < text.size() && length_of(text.substr(0, end + 1)) <= letters) ++end;
+  return text.substr(0, end);
+}
+
 }  // namespace
+
+std::string legend_name(const std::string& name, double width) {
+  const double room = std::floor((width - kSample) / kLetter), letters = length_of(name);
+  if (letters <= room) return name;
+  const double end = std::floor(2 * room / 3);
+  const std::string before_end = first_of(name, letters - end);
+  return first_of(name, room - end - 1) + "…" + name.substr(before_end.size());
+}
 
 PlotLayout plot_layout(const Plot& plot, const std::vector<std::string>& names,
                        std::size_t lines_above) {

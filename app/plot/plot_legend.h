@@ -17,6 +17,10 @@ struct PlotLayout {
       0;  // of the graph, over the picture's width; 0: as the numbers of the axis need [1]
 };
 
+// A name as a legend of a picture this wide [px] has room for: where it is too long, without its middle, since runs and
+// parameters differ at their ends.
+std::string legend_name(const std::string& name, double width);
+
 // `names`: what stands in the legend. One that is of the only curve of ours says no more than the axis does.
 // `lines_above`: of names above the graph.
 PlotLayout plot_layout(const Plot& plot, const std::vector<std::string>& names,

@@ -201,15 +201,16 @@ class Script {
     return joined(all, ", \\\n     ");
   }
 
-  static std::string title_of(const std::string& name) {
-    return name.empty() ? " notitle" : " title " + gnuplot_text(name);
+  std::string title_of(const std::string& name) const {
+    return name.empty() ? " notitle" : " title " + gnuplot_text(legend_name(name, plot_.width));
   }
 
   // What stands in the legend, in its order.
   std::vector<std::string> legend_names() const {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < plot_.curves.size(); ++i)
-      if (!plot_.curves[i].name.empty() && !rows_[i].empty()) names.push_back(plot_.curves[i].name);
+      if (!plot_.curves[i].name.empty() && !rows_[i].empty())
+        names.push_back(legend_name(plot_.curves[i].name, plot_.width));
     for (const Reference& reference : plot_.references)
       if (reference.role != Reference::Role::guide && !reference.name.empty())
         names.push_back(reference.name);
