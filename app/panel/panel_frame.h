@@ -54,7 +54,9 @@ struct PanelFrame {
   PanelNotes& notes;
   std::vector<Json>& commands;
 
+  // What went wrong before no longer matters to who tries something else.
   void command(const char* name, const Json& arguments = Json::object()) {
+    notes.error.clear();
     Json json{{"command", name}};
     json.update(arguments);
     commands.push_back(std::move(json));

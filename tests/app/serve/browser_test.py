@@ -27,9 +27,10 @@ FOLDER = Path(tempfile.mkdtemp(prefix="quicksand_browser_"))
 
 
 class Server:
-    def __init__(self, *options, port=0, shown="collapse"):
+    def __init__(self, *options, port=0, shown="collapse", out="out"):
+        self.out = out
         self.process = subprocess.Popen(
-            [PROGRAM, "serve", shown, "--port", str(port), "--out", "out", "--token-file", "token",
+            [PROGRAM, "serve", shown, "--port", str(port), "--out", out, "--token-file", "token",
              "--record", "by_hand.json", *options],
             stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, cwd=FOLDER)
         self.address = self.process.stdout.readline().strip()
@@ -235,7 +236,7 @@ def complaints(page):
     return [entry["message"] for entry in page.messages() if entry["level"] == "SEVERE"]
 
 
-def compared(browser, window, view):
+def compared(browser, window, view, out="out"):
     """The share of pixels that page and program draw alike."""
     command(browser, "view", legend=False, scale_bar=False, numbers=False, detail=False, **view)
     browser.run(f"quicksand.picture.look({window})")
@@ -251,7 +252,7 @@ def compared(browser, window, view):
     command(browser, "snapshot", file="compare.png", width=size["width"], height=size["height"] + line)
     page = browser.run("return quicksand.picture.canvas.toDataURL('image/png')")
     (FOLDER / "page.png").write_bytes(base64.b64decode(page.split(",")[1]))
-    ours, theirs = (pixels((FOLDER / name).read_bytes()) for name in ("out/compare.png", "page.png"))
+    ours, theirs = (pixels((FOLDER / name).read_bytes()) for name in (f"{out}/compare.png", "page.png"))
     alike = share_alike((size["width"], size["height"], ours[2][line:]), theirs)
     print(f"    {view['theme']}: {100 * alike:.3f} % of {ours[0]}x{ours[1]} pixels within 8/255")
     return alike
@@ -270,7 +271,7 @@ def looks_like_the_program(browser, server):
 
 def shows_shapes(browser, server):
     """A cone among grains, as the program draws it; what one points at is found by its outline."""
-    cone = Server(shown="cone")
+    cone = Server(shown="cone", out="out_cone")
     page = Browser()
     try:
         page.open(cone.address)
@@ -278,7 +279,7 @@ def shows_shapes(browser, server):
         page.wait("innerWidth === 900 && window.quicksand && quicksand.frame()")
         command(page, "run", time=8.3)
         page.wait("quicksand.frame().shapes?.length === 1", what="the cone")
-        worst = min(compared(page, [6, 2, 18, 12], view) for view in [
+        worst = min(compared(page, [6, 2, 18, 12], view, cone.out) for view in [
             {"colour": "active_bonds", "theme": "light", "bonds": True, "orientation": True, "forces": True},
             {"colour": "pressure", "theme": "dark", "bonds": True, "orientation": False, "forces": False}])
         assert worst >= 0.99, f"only {worst:.4f} of the pixels look alike"
@@ -382,7 +383,7 @@ def survives_the_server(browser, server):
 def walks_through_a_run(browser, server):
     ran = subprocess.run([PROGRAM, "run", "chain", "--no-frames", "--out", "run", "--quiet"], cwd=FOLDER)
     assert ran.returncode == 0
-    walk = Server(shown="run")
+    walk = Server(shown="run", out="out_walk")
     page = Browser()
     try:
         page.open(walk.address)
