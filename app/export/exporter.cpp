@@ -70,7 +70,7 @@ void Exporter::add(const World& world) {
     const std::string name = file_name(tables()[i]);
     WholeFile file(out_ / name);
     format_.write(file.stream(), exported, tables()[i]);
-    file.finish();
+    file.finish_soon();
     files_[i].push_back({name, world.time});
   }
   std::ostringstream state;

@@ -32,7 +32,7 @@ void refuse_to_write(const fs::path& path, int error) {
 }
 
 OpenFile::~OpenFile() {
-  if (number_ >= 0) close(number_);
+  if (number_ >= 0) ::close(number_);
 }
 
 namespace {
@@ -67,15 +67,28 @@ WholeFile::~WholeFile() {
   fs::remove(part_, ignored);
 }
 
-void WholeFile::finish() {
+void WholeFile::close() {
   file_.close();
   if (!file_) throw DiskFull(path_.string(), "cannot be written; is the disk full?");
-  bring_to_disk(part_);
+}
+
+void WholeFile::put_in_place() {
   std::error_code error;
   fs::rename(part_, path_, error);
   if (error) refuse_to_write(path_, error.value());
   finished_ = true;
+}
+
+void WholeFile::finish() {
+  close();
+  bring_to_disk(part_);
+  put_in_place();
   bring_to_disk(fs::absolute(path_).parent_path());
+}
+
+void WholeFile::finish_soon() {
+  close();
+  put_in_place();
 }
 
 void write_whole(const fs::path& path, std::string_view text) {

@@ -51,8 +51,13 @@ class WholeFile {
   std::ostream& stream() { return file_; }
   // Puts the file in its place. Throws InputError if something could not be written.
   void finish();
+  // The same without waiting for the disk: for many files that can be made again.
+  void finish_soon();
 
  private:
+  void close();
+  void put_in_place();
+
   std::filesystem::path path_, part_;
   OpenFile lock_;  // of the part
   std::ofstream file_;

@@ -9,7 +9,7 @@
 namespace quicksand {
 
 // Throws InputError for what cannot be simulated: numbers that no step can be taken with (check_values.h), overlapping
-// bodies (worse than 1e-9 d), bodies beyond a wall, phases that need a floor or gravity that is not there. Whoever builds
+// bodies (worse than 1e-6 d), bodies beyond a wall, phases that need a floor or gravity that is not there. Whoever builds
 // a Scenario calls it before make_world, which takes everything as it is given.
 void validate(const Scenario& scenario);
 

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <set>
 
-#include "app/plot/plot_legend.h"
 #include "render/base/external_program.h"
 #include "tests/support/files.h"
 
@@ -35,15 +34,6 @@ Plot small_plot() {
   plot.references.push_back({.name = "largest ratio", .low = 3});
   plot.references.push_back({.name = "interval", .low = 0.4, .high = 0.43});
   return plot;
-}
-
-TEST(LegendName, KeepsTheEndsOfWhatIsTooLong) {
-  EXPECT_EQ(legend_name("friction 0.3", 800), "friction 0.3");
-  const std::string path = "a/folder/" + std::string(80, 'x') + "/µ = 0.3";
-  const std::string shown = legend_name(path, 800);
-  EXPECT_LT(shown.size(), 70U);
-  EXPECT_TRUE(shown.starts_with("a/folder/")) << shown;
-  EXPECT_TRUE(shown.ends_with("/µ = 0.3")) << shown;
 }
 
 class PlotTest : public testing::Test {
