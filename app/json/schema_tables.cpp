@@ -87,18 +87,44 @@ std::string default_of(const Json& schema, const Json& field, const std::string&
   return value.is_number() ? bound(value) : value.dump();
 }
 
-void add_rows(const Json& schema, const std::string& prefix, const std::set<std::string>& left_out,
-              std::string& rows) {
-  for (const auto& [key, field] : schema["properties"].items()) {
-    if (left_out.contains(prefix + key)) continue;
-    const auto [meaning, unit] = meaning_and_unit(field);
-    rows += "| " + code(prefix + key) + " | " + cell(values(field) + unit) + " | " +
-            default_of(schema, field, key) + " | " + cell(meaning) + " |\n";
-    if (field.contains("properties")) add_rows(field, prefix + key + ".", left_out, rows);
-    if (field.contains("items") && field["items"].contains("properties"))
-      add_rows(field["items"], prefix + key + "[].", left_out, rows);
+// Rows of the objects below `prefix`; `kind`: of a value that may be of several, the one that they apply to.
+class Rows {
+ public:
+  explicit Rows(const std::set<std::string>& left_out) : left_out_(left_out) {}
+
+  void add(const Json& schema, const std::string& prefix, const std::string& kind) {
+    for (const auto& [key, field] : schema["properties"].items()) {
+      if (left_out_.contains(prefix + key) || (!kind.empty() && field.contains("const"))) continue;
+      const auto [meaning, unit] = meaning_and_unit(field);
+      add(prefix + key, values(field) + unit, default_of(schema, field, key), kind + meaning);
+      if (field.contains("properties")) add(field, prefix + key + ".", kind);
+      if (field.contains("items") && field["items"].contains("properties"))
+        add(field["items"], prefix + key + "[].", kind);
+      if (field.contains("oneOf")) add_kinds(field["oneOf"], prefix + key + ".");
+    }
   }
-}
+
+  const std::string& text() const { return text_; }
+
+ private:
+  void add(const std::string& key, const std::string& values, const std::string& usual,
+           const std::string& meaning) {
+    text_ +=
+        "| " + code(key) + " | " + cell(values) + " | " + usual + " | " + cell(meaning) + " |\n";
+  }
+
+  void add_kinds(const Json& kinds, const std::string& prefix) {
+    Json names = Json::array();
+    for (const Json& kind : kinds) names.push_back(kind["properties"]["type"]["const"]);
+    const Json& type = kinds[0]["properties"]["type"];
+    add(prefix + "type", alternatives(names, " or "), "required", type["description"]);
+    for (const Json& kind : kinds)
+      add(kind, prefix, code(kind["properties"]["type"]["const"]) + ": ");
+  }
+
+  const std::set<std::string>& left_out_;
+  std::string text_;
+};
 
 }  // namespace
 
@@ -116,10 +142,10 @@ std::string words_of_types(const Json& types) {
 }
 
 std::string key_table(const Json& schema, const std::set<std::string>& left_out) {
-  std::string rows;
-  add_rows(schema, "", left_out, rows);
-  if (rows.empty()) return {};
-  std::string table = "| key | values | default | meaning |\n|---|---|---|---|\n" + rows;
+  Rows rows(left_out);
+  rows.add(schema, "", "");
+  if (rows.text().empty()) return {};
+  std::string table = "| key | values | default | meaning |\n|---|---|---|---|\n" + rows.text();
   if (!schema.contains("oneOf")) return table;
   Json keys = Json::array();
   for (const Json& one : schema["oneOf"]) keys.push_back(one["required"][0]);

@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <set>
 
 #include "app/play/session_reference.h"
+#include "app/scene_json/scenario_json.h"
 #include "app/scene_json/scene_reference.h"
 #include "tests/support/files.h"
 #include "tests/support/markdown.h"
@@ -67,6 +69,25 @@ TEST(Pages, TellHowEachPictureIsDrawn) {
     if (file.path().extension() == ".png") {
       EXPECT_NE(page.find("`" + file.path().filename().string() + "`"), std::string::npos) << file;
     }
+}
+
+// Names of all keys that an object of a schema may have, however deep inside.
+void add_keys(const Json& schema, std::set<std::string>& keys) {
+  if (schema.is_object() && schema.contains("properties"))
+    for (const auto& [key, value] : schema["properties"].items()) keys.insert(key);
+  if (schema.is_structured())
+    for (const Json& part : schema) add_keys(part, keys);
+}
+
+TEST(Pages, TheReferenceOfScenesHasEveryKeyOfTheSchema) {
+  std::set<std::string> keys;
+  add_keys(scene_schema(), keys);
+  EXPECT_GT(keys.size(), 100U);
+  const std::string page = scene_reference();
+  // Of its own, in a table or as a heading, or within another.
+  const auto has = [&](const std::string& text) { return page.find(text) != std::string::npos; };
+  for (const std::string& key : keys)
+    EXPECT_TRUE(has("`" + key + "`") || has("# " + key + "\n") || has("." + key + "`")) << key;
 }
 
 TEST(Pages, OfReferenceAreWhatTheProgramPrints) {
