@@ -1,7 +1,6 @@
 #include "app/run/resumption.h"
 
 #include "app/json/json_text.h"
-#include "app/run/run_position.h"
 #include "app/run_folder/summary.h"
 #include "app/series/series.h"
 #include "core/base/errors.h"
@@ -31,8 +30,8 @@ std::optional<std::filesystem::path> missing_frame(const RunFolder& folder, std:
   return std::nullopt;
 }
 
-bool lacks_rows(const RunFolder& folder, std::int64_t rows) {
-  if (whole_rows(folder.series(), rows) == rows) return false;
+bool lacks_rows(const RunFolder& folder, const RunPosition& position) {
+  if (has_rows(folder.series(), position.rows, position.checksum)) return false;
   refuse_unreadable(folder.series());
   return true;
 }
@@ -53,11 +52,11 @@ Resumption resumption_of(const RunFolder& folder, bool frames) {
     return {starts_again, error.where() + " " + error.what()};
   }
   if (!position) return {starts_again, folder.state().string() + " was not written by a run"};
-  if (lacks_rows(folder, position->rows))
-    return {starts_again, folder.series().string() + " lacks rows written before"};
+  if (lacks_rows(folder, *position))
+    return {starts_again, folder.series().string() + " lacks rows written before, or has others"};
   if (frames)
     if (const auto missing = missing_frame(folder, position->rows))
-      return {starts_again, missing->string() + " is missing or incomplete"};
+      return {starts_again, missing->string() + " is missing or damaged"};
   return {has_finished(folder) ? finished : goes_on, {}};
 }
 

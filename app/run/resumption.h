@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "app/run/run_position.h"
 #include "app/run_folder/run_folder.h"
 
 namespace quicksand {
@@ -20,10 +21,10 @@ struct Resumption {
   std::string why;  // it starts again: a phrase
 };
 
-// The first frame of so many rows that is not there as a whole; whether so many rows are not. Both throw InputError
-// where a file is there and cannot be read.
+// The first frame of so many rows that is not there as a whole; whether the rows of a position are not as they
+// were written. Both throw InputError where a file is there and cannot be read.
 std::optional<std::filesystem::path> missing_frame(const RunFolder& folder, std::int64_t rows);
-bool lacks_rows(const RunFolder& folder, std::int64_t rows);
+bool lacks_rows(const RunFolder& folder, const RunPosition& position);
 
 // `frames`: whether the run draws pictures. Throws InputError if the state is of another format version: the program that
 // wrote it can go on with it; and if a file is there and cannot be read. NotEnoughMemory where there is too little to

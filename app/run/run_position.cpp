@@ -32,6 +32,7 @@ void describe_row(Archive archive, AnyRow& row) {
 template <class Archive, class Position>
 void describe(Archive archive, Position& position) {
   archive.value("rows", position.rows);
+  archive.added("checksum", position.checksum);
   archive.value("first_step", position.first_step);
   archive.value("step", position.samples.step);
   archive.value("bodies", position.samples.bodies);

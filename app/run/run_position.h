@@ -12,6 +12,7 @@ namespace quicksand {
 
 struct RunPosition {
   std::int64_t rows = 0;        // of series.csv, and frames where there are some
+  std::uint64_t checksum = 0;   // of these rows; 0: not known, of a state of an earlier version
   std::int64_t first_step = 0;  // step of the world when the run began
   SamplesSoFar samples;
 };

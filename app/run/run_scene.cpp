@@ -92,9 +92,10 @@ class Run {
       film_->secure();
     }
     keep_computing_time(folder_, earlier_seconds_ + seconds_since(began_));
-    write_checkpoint(folder_.state(),
-                     {sampled_run_.world(), protocol().state(), to_text(scenario_),
-                      to_bytes({series_.rows(), first_step_, sampled_run_.samples()})});
+    write_checkpoint(
+        folder_.state(),
+        {sampled_run_.world(), protocol().state(), to_text(scenario_),
+         to_bytes({series_.rows(), series_.checksum(), first_step_, sampled_run_.samples()})});
     checkpointed_ = Clock::now();
   }
 
@@ -261,17 +262,17 @@ RunPosition position_of(const Checkpoint& checkpoint, const fs::path& state) {
 }
 
 // What goes on, before anything of it is touched.
-void require_kept(const RunFolder& folder, std::int64_t rows, const RunOptions& options) {
-  if (lacks_rows(folder, rows))
+void require_kept(const RunFolder& folder, const RunPosition& position, const RunOptions& options) {
+  if (lacks_rows(folder, position))
     throw InputError(folder.series().string(),
-                     "has other columns or fewer rows than the run to be continued; continue it in "
+                     "has other columns or rows than the run to be continued; continue it in "
                      "another folder with --out");
   if (options.history_limit > 0) refuse_unreadable(folder.history());
   if (!options.frames) return;
-  const auto missing = missing_frame(folder, rows);
+  const auto missing = missing_frame(folder, position.rows);
   if (!missing) return;
   throw InputError(missing->string(),
-                   "is missing or incomplete, although the run has passed it; continue with "
+                   "is missing or damaged, although the run has passed it; continue with "
                    "--no-frames, or in another folder with --out");
 }
 
@@ -314,7 +315,7 @@ RunResult run_scene(const Scenario& scenario, const RunOptions& options) {
   if (options.frames && holds_run(folder)) require_pictures(scenario, options.view);
   double earlier_seconds = 0;
   if (earlier) {
-    require_kept(folder, earlier->rows, options);
+    require_kept(folder, *earlier, options);
     earlier_seconds = computing_time_of(folder);
     keep_computing_time(folder, earlier_seconds);
     forget_end(folder);

@@ -1,6 +1,7 @@
 #include "app/series/series.h"
 
 #include "core/base/errors.h"
+#include "core/base/fnv.h"
 #include "core/base/format.h"
 
 namespace quicksand {
@@ -22,14 +23,19 @@ std::string whole_lines(const std::filesystem::path& path, std::int64_t most, st
   return text;
 }
 
+std::uint64_t checksum_of(std::string_view text, std::uint64_t before = kFnvStart) {
+  for (const char c : text) before = fnv1a(before, static_cast<unsigned char>(c));
+  return before;
+}
+
 }  // namespace
 
 std::string series_header() { return joined(quantities(), ",", &Quantity::name); }
 
-std::int64_t whole_rows(const std::filesystem::path& path, std::int64_t most) {
-  std::int64_t rows = 0;
-  whole_lines(path, most, rows);
-  return rows;
+bool has_rows(const std::filesystem::path& path, std::int64_t rows, std::uint64_t checksum) {
+  std::int64_t found = 0;
+  const std::string text = whole_lines(path, rows, found);
+  return found == rows && (checksum == 0 || checksum_of(text) == checksum);
 }
 
 Series::Series(std::filesystem::path path, std::int64_t kept_rows) : path_(std::move(path)) {
@@ -41,15 +47,18 @@ Series::Series(std::filesystem::path path, std::int64_t kept_rows) : path_(std::
                        "has other columns or fewer rows than the run to be continued; continue it "
                        "in another folder with --out");
   }
+  checksum_ = checksum_of(text);
   write_whole(path_, text);
   file_.open(path_, std::ios::binary | std::ios::app);
   if (!file_) throw InputError(path_.string(), "cannot be written");
 }
 
 void Series::add(const Values& row) {
-  file_ << joined(row, ",", text_of) << '\n' << std::flush;
+  const std::string line = joined(row, ",", text_of) + "\n";
+  file_ << line << std::flush;
   if (!file_) throw InputError(path_.string(), "cannot be written; is the disk full?");
   ++rows_;
+  checksum_ = checksum_of(line, checksum_);
 }
 
 }  // namespace quicksand

@@ -21,15 +21,18 @@ class Series {
   void secure() const { bring_to_disk(path_); }
 
   std::int64_t rows() const { return rows_; }
+  // Of the header and all rows.
+  std::uint64_t checksum() const { return checksum_; }
 
  private:
   std::filesystem::path path_;
   std::ofstream file_;
   std::int64_t rows_ = 0;
+  std::uint64_t checksum_ = 0;
 };
 
-// How many whole rows a file has, counted up to `most`; 0 if it is not a series of these quantities.
-std::int64_t whole_rows(const std::filesystem::path& path, std::int64_t most);
+// Whether a file begins with so many whole rows of these quantities, which have this checksum; 0: whatever they have.
+bool has_rows(const std::filesystem::path& path, std::int64_t rows, std::uint64_t checksum);
 
 // The first line: names of the quantities.
 std::string series_header();

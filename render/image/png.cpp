@@ -2,10 +2,11 @@
 
 #include <libdeflate.h>
 
+#include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <string_view>
 #include <system_error>
@@ -67,37 +68,39 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
   return {out.all().begin(), out.all().end()};
 }
 
-void write_png(const std::filesystem::path& place, const Image& image) {
-  const std::filesystem::path path = file_named(place);
+void write_png(const std::filesystem::path& path, const Image& image) {
   const std::vector<std::uint8_t> bytes = encode_png(image);
-  std::filesystem::path part = path;
-  part += ".part";
-  std::ofstream file(part, std::ios::binary | std::ios::trunc);
-  file.write(reinterpret_cast<const char*>(bytes.data()),
-             static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  std::error_code error, ignored;
-  if (!file)
-    error.assign(errno != 0 ? errno : EIO, std::generic_category());
-  else
-    std::filesystem::rename(part, path, error);
-  if (!error) return;
-  std::filesystem::remove(part, ignored);
-  refuse_to_write(path, error.value());
+  WholeFile file(path);
+  file.stream().write(reinterpret_cast<const char*>(bytes.data()),
+                      static_cast<std::streamsize>(bytes.size()));
+  file.finish_soon();
 }
 
 bool is_whole_png(const std::filesystem::path& path) {
-  // The last chunk is always the same: no bytes, its name, its checksum.
-  constexpr std::array<char, 12> kEnd{0,   0,   0,      0,      'I',    'E',
-                                      'N', 'D', '\xAE', '\x42', '\x60', '\x82'};
+  constexpr std::size_t kAround = 12;  // length, name and checksum of a piece
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return false;
   std::ifstream file(path, std::ios::binary);
-  std::array<char, kPngSignature.size()> begin{};
-  std::array<char, kEnd.size()> end{};
-  file.read(begin.data(), begin.size());
-  file.seekg(-static_cast<std::streamoff>(end.size()), std::ios::end);
-  file.read(end.data(), end.size());
-  const auto same = [](char a, auto b) { return a == static_cast<char>(b); };
-  return file && std::equal(begin.begin(), begin.end(), kPngSignature.begin(), same) && end == kEnd;
+  const std::vector<char> text{std::istreambuf_iterator<char>(file), {}};
+  const std::vector<std::uint8_t> bytes(text.begin(), text.end());
+  std::span<const std::uint8_t> left = bytes;
+  const auto number = [&](std::size_t at) {
+    std::uint32_t value = 0;
+    for (const std::uint8_t byte : left.subspan(at, 4)) value = value << 8U | byte;
+    return value;
+  };
+  if (left.size() < kPngSignature.size() ||
+      !std::ranges::equal(left.first(kPngSignature.size()), kPngSignature))
+    return false;
+  left = left.subspan(kPngSignature.size());
+  bool ended = false;
+  while (!ended && left.size() >= kAround && number(0) <= left.size() - kAround) {
+    const std::size_t size = number(0);
+    if (libdeflate_crc32(0, &left[4], size + 4) != number(size + 8)) return false;
+    ended = size == 0 && std::ranges::equal(left.subspan(4, 4), std::string_view("IEND"));
+    left = left.subspan(size + kAround);
+  }
+  return ended && left.empty();
 }
 
 }  // namespace quicksand

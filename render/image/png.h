@@ -44,11 +44,10 @@ std::vector<std::uint8_t> packed(std::span<const std::uint8_t> rows, int level);
 
 std::vector<std::uint8_t> encode_png(const Image& image);
 
-// Whether the file begins and ends as a PNG does: one that was cut short does not.
+// Whether the file is of whole pieces with their checksums, from the first to the last.
 bool is_whole_png(const std::filesystem::path& path);
 
-// Writes to a temporary name beside `path`, then renames, so that no half a picture is ever seen.
-// Throws InputError if the path cannot be written.
+// No half a picture is ever seen. Throws InputError if the path cannot be written.
 void write_png(const std::filesystem::path& path, const Image& image);
 
 }  // namespace quicksand

@@ -116,7 +116,7 @@ TEST_F(JobPoolTest, AKilledRunGoesOnFromItsLastCheckpoint) {
   for (int i = 0; i < kSteps; ++i) partial.advance();
   write_checkpoint(killed.folder.state(),
                    {partial.world(), partial.protocol().state(), to_text(killed.scenario),
-                    to_bytes({series.rows(), 0, partial.samples()})});
+                    to_bytes({series.rows(), series.checksum(), 0, partial.samples()})});
   EXPECT_EQ(read_record(killed).status, JobStatus::interrupted);
   run({killed});
   const Json alone = read_record(whole).summary, summary = read_record(killed).summary;

@@ -178,6 +178,23 @@ TEST_F(ResumeTest, FilesCutShortAnywhereAreComputedAgain) {
   }
 }
 
+TEST_F(ResumeTest, ADamagedByteOfARowOrAPictureIsComputedAgain) {
+  run_unbroken();
+  std::mt19937 random(5);
+  for (const std::string name :
+       {"series.csv", "frames/frame_000003.png", "series.csv", "frames/frame_000000.png"}) {
+    fs::remove_all(at("broken"));
+    fs::copy(at("whole"), at("broken"), fs::copy_options::recursive);
+    std::string damaged = contents(at("broken/" + name));
+    damaged[random() % damaged.size()] ^= 4;
+    folder_.write("broken/" + name, damaged);
+    const Outcome resumed = quicksand({"resume", "broken"});
+    EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+    EXPECT_NE(resumed.err.find("starts again from its beginning: "), std::string::npos);
+    EXPECT_EQ(differences("broken"), "") << name;
+  }
+}
+
 TEST_F(ResumeTest, AFinishedRunSaysSo) {
   run_unbroken();
   fs::copy(at("whole"), at("broken"), fs::copy_options::recursive);
