@@ -10,6 +10,8 @@ const kMostSteps = 3;  // between the ticks of the ordinate
 const kTickRoom = 45;  // of a tick of the abscissa [px]
 const kNearATick = 0.1;  // steps by which a curve may pass the last tick
 
+const kShortest = 0.01;  // way or time that is shown, as in the window
+
 // Round numbers from low to high.
 function multiples(step, low, high) {
   const all = [];
@@ -143,7 +145,7 @@ export class Plots {
       return canvas.setAttribute("aria-label", `${quantity(plot.name)}: no values yet`);
     }
     if (low === high) [low, high] = [low - (Math.abs(low) || 1) / 2, high + (Math.abs(high) || 1) / 2];
-    to = Math.max(to, from + 1e-9);
+    to = Math.max(to, from + kShortest);
     const step = nice_step(high - low, kMostSteps);
     [low, high] = [Math.min(low, Math.floor(low / step + kNearATick) * step), Math.max(high, Math.ceil(high / step - kNearATick) * step)];
     const width = w - kRoom.left - kRoom.right, height = h - kRoom.top - kRoom.bottom;
