@@ -153,7 +153,7 @@ TEST(SearchWarnings, TellABodyThatNeedsNoForceFromOneThatNeedsLessThanWasTried) 
                               "1 body moved at every force down to the first one over 2^20."});
 }
 
-TEST_F(SearchRun, OfTheShippedPullOutBeginsAndHoldsAtRest) {
+TEST_F(SearchRun, SlowOfTheShippedPullOutBeginsAndHoldsAtRest) {
   const fs::path scene = kSource / "assets/scenes/pull_out.json";
   const Outcome pulled = run_program({"run", scene, "--no-frames", "--out", "out"}, folder_.path());
   ASSERT_EQ(pulled.exit_code, 0) << pulled.err;
