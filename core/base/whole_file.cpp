@@ -37,25 +37,26 @@ OpenFile::~OpenFile() {
 
 namespace {
 
-// Whoever else writes a file of this name is waited for. Its part may be renamed meanwhile, and then is another's.
-OpenFile locked(const fs::path& part) {
-  while (true) {
-    OpenFile file(open(part.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666));
-    if (file.number() < 0 || flock(file.number(), LOCK_EX) != 0) return file;
-    struct stat held {
-    }, there{};
-    if (fstat(file.number(), &held) != 0) return file;
-    if (stat(part.c_str(), &there) == 0 && held.st_ino == there.st_ino &&
-        held.st_dev == there.st_dev)
-      return file;
-  }
+// Whether another writer has the file by now, or has renamed it since it was opened here.
+bool is_taken(const OpenFile& file, const fs::path& path) {
+  if (flock(file.number(), LOCK_EX | LOCK_NB) != 0) return errno == EWOULDBLOCK;
+  struct stat held {};
+  struct stat there {};
+  return fstat(file.number(), &held) == 0 &&
+         (stat(path.c_str(), &there) != 0 || held.st_ino != there.st_ino ||
+          held.st_dev != there.st_dev);
 }
 
 }  // namespace
 
-WholeFile::WholeFile(const fs::path& path) : path_(file_named(path)), part_(path_) {
-  part_ += ".part";
-  lock_ = locked(part_);
+WholeFile::WholeFile(const fs::path& path) : path_(file_named(path)) {
+  // Two that write the same file at once have a part each; one that was killed leaves a part to the next.
+  int tries = 0;
+  do {
+    part_ = path_;
+    part_ += tries++ == 0 ? ".part" : ".part" + std::to_string(tries);
+    lock_ = OpenFile(open(part_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666));
+  } while (lock_.number() >= 0 && is_taken(lock_, part_));
   file_.open(part_, std::ios::binary | std::ios::trunc);
   if (!file_) refuse_to_write(path_, errno);
 }

@@ -43,6 +43,19 @@ TEST(WholeFileTest, WrittenByTwoAtOnceIsWhatOneOfThemWrote) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1) << "no part is left";
 }
 
+// A film that is under way, and a picture that is given its name.
+TEST(WholeFileTest, IsNotWaitedForByWhoWritesTheSame) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "a";
+  WholeFile first(path);
+  first.stream() << "first";
+  write_whole(path, "second");
+  EXPECT_EQ(contents(path), "second");
+  first.finish();
+  EXPECT_EQ(contents(path), "first");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1) << "no part is left";
+}
+
 TEST(WholeFileTest, WritesWhereALinkLeads) {
   const TemporaryFolder folder;
   folder.write("target", "before");
