@@ -15,17 +15,17 @@ constexpr double kSample = 5 * kLetter;
 constexpr double kLegendRow = 27;
 constexpr double kTitle = 38, kLineAbove = 26, kAboveGraph = 18, kAxis = 96, kBelowLegend = 12;
 
-// Characters of UTF-8 text.
+// Of a character of UTF-8 text the first byte.
+bool begins_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }
+
 double length_of(const std::string& text) {
-  return static_cast<double>(std::ranges::count_if(
-      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+  return static_cast<double>(std::ranges::count_if(text, begins_letter));
 }
 
-// The first so many characters of UTF-8 text.
 std::string first_of(const std::string& text, double letters) {
-  std::size_t end = 0;
-  while (end < text.size() && length_of(text.substr(0, end + 1)) <= letters) ++end;
-  return text.substr(0, end);
+  double count = 0;
+  const auto beyond = [&](char c) { return begins_letter(c) && ++count > letters; };
+  return {text.begin(), std::ranges::find_if(text, beyond)};
 }
 
 }  // namespace

@@ -34,8 +34,9 @@ Values row_of(const std::string& line, std::span<const std::optional<std::size_t
 std::vector<std::optional<std::size_t>> places_of(const std::string& header) {
   std::vector<std::optional<std::size_t>> places;
   for (const std::string_view name : cells_of(header)) {
-    const bool known = std::ranges::find(quantities(), name, &Quantity::name) != quantities().end();
-    places.push_back(known ? std::optional(place_of(name)) : std::nullopt);
+    const auto found = std::ranges::find(quantities(), name, &Quantity::name);
+    places.emplace_back();
+    if (found != quantities().end()) places.back() = found - quantities().begin();
   }
   return places;
 }

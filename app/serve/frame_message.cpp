@@ -232,10 +232,9 @@ Json look_of(const Session& session) {
             {"fitted", !view.window.has_value() && !session.follow_intruder}};
   // How long d and sqrt(d/g) are.
   if (view.physical) {
-    const auto& [diameter, gravity] =
-        std::pair(view.physical->grain_diameter, view.physical->gravity);
-    look["metres"] = diameter;
-    if (gravity > 0) look["seconds"] = std::sqrt(diameter / gravity);
+    const PhysicalScale& scale = *view.physical;
+    look["metres"] = scale.grain_diameter;
+    if (scale.gravity > 0) look["seconds"] = std::sqrt(scale.grain_diameter / scale.gravity);
   }
   return look;
 }

@@ -81,8 +81,7 @@ bool is_whole_png(const std::filesystem::path& path) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) return false;
   std::ifstream file(path, std::ios::binary);
-  const std::vector<char> text{std::istreambuf_iterator<char>(file), {}};
-  const std::vector<std::uint8_t> bytes(text.begin(), text.end());
+  const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
   std::span<const std::uint8_t> left = bytes;
   const auto number = [&](std::size_t at) {
     std::uint32_t value = 0;

@@ -239,14 +239,15 @@ Frame compose(const World& world, const View& view, const Font& font,
   check(view);
   Plan plan(world, view, font, caption);
   const Colour frames = palette(view.theme).faint_ink;
-  const Layout layout = arrange(plan.request(), plan.room());
+  const Legend room = plan.room();
+  const Layout layout = arrange(plan.request(), room);
   Frame frame{DrawList(view.width, view.height, palette(view.theme).background), layout,
               packing_panel(layout.packing, plan.window, plan.margins), std::nullopt};
   plan.content.close_up = layout.detail.has_value();
   if (layout.detail)
     frame.detail = detail_panel(world, *layout.detail, plan.window, plan.margins.bottom);
 
-  if (!plan.key(1).empty() && !leaves_room(frame.packing, plan))
+  if (!room.empty() && !leaves_room(frame.packing, plan))
     return compose(world, without_key(view), font, {});
 
   DrawList& list = frame.list;
