@@ -77,7 +77,8 @@ class Samples : public PaperExperiment {
             {.name = "paper: volume fraction (vertical)", .low = 0.40, .high = 0.43, .of_x = true},
             {.name = "paper: coordination number (horizontal)", .low = 2.05, .high = 2.06}}};
     std::vector<std::string> numbers;
-    Curve points{.name = "depositions, numbered as in the table"};
+    Curve points{.name = "depositions, numbered as in the table; " +
+                         std::to_string(kWeakBonds + 1) + " lies far above"};
     const std::vector<Setting> all = settings(scale_);
     for (std::size_t k = 0; k < all.size(); ++k) {
       const auto density = results.mean(groups_[k], "volume_fraction");
