@@ -68,6 +68,7 @@ std::string_view status_name(JobStatus status) {
 
 RunRecord read_record(const Job& job) {
   RunRecord record;
+  refuse_special_files(job.folder);
   const std::string scene = text_in(job.folder.scene());
   if (scene.empty()) return record;
   if (!is_scene_of(job, scene)) {

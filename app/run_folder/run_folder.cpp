@@ -38,6 +38,15 @@ void refuse_unreadable(const fs::path& file) {
   }
 }
 
+void refuse_special_files(const RunFolder& folder) {
+  for (const fs::path& place : {folder.path, folder.frames()}) {
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(place, ignored))
+      if (entry.exists(ignored) && !entry.is_regular_file(ignored) && !entry.is_directory(ignored))
+        throw InputError(entry.path().string(), "is neither a file nor a folder; remove it");
+  }
+}
+
 void make_writable(const RunFolder& folder) {
   if (is_there(folder.path) && !is_folder(folder.path)) {
     throw InputError(folder.path.string(),

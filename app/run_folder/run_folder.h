@@ -40,6 +40,9 @@ inline bool is_folder(const std::filesystem::path& path) {
 // good, and must not be taken for damaged.
 void refuse_unreadable(const std::filesystem::path& file);
 
+// Throws InputError if the folder or its frames hold a pipe, a device or a socket: whoever reads one may wait for ever.
+void refuse_special_files(const RunFolder& folder);
+
 // Whether a run has begun here, which can be resumed.
 bool holds_run(const RunFolder& folder);
 

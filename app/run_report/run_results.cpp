@@ -35,6 +35,7 @@ RunResults::RunResults(const fs::path& folder) : folder_{folder} {
   if (!is_folder(folder)) {
     throw InputError(folder.string(), "is a file; give the folder of a run");
   }
+  refuse_special_files(folder_);
   if (!is_there(folder_.series())) {
     throw InputError(folder.string(),
                      "is not the folder of a run or a recording: it has no series.csv (a session "

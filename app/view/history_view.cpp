@@ -6,6 +6,7 @@
 namespace quicksand {
 
 History history_of(const RunFolder& folder) {
+  refuse_special_files(folder);
   if (!is_there(folder.history()))
     throw InputError(folder.path.string(), "has no " + folder.history().filename().string() +
                                                ": it holds no run, or one with --history 0");

@@ -2,7 +2,10 @@
 
 #include <libwebsockets.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
+#include <cstdint>
 #include <exception>
 #include <map>
 #include <thread>
@@ -21,6 +24,7 @@ struct Server::Impl {
                       std::size_t size);
   int serve(lws* wsi, lws_callback_reasons reason, void* in, std::size_t size);
   int upgrade(lws* wsi);
+  bool has_its_share(const std::string& address) const;
   Access access() const {
     return {options.token, options.host, options.folder, lws_get_vhost_listen_port(vhost)};
   }
@@ -31,6 +35,7 @@ struct Server::Impl {
   ServerOptions options;
   PageParts parts;
   Exchange& exchange;
+  std::map<lws*, std::string> connected;  // and from which address
   std::map<lws*, Client> clients;
   std::map<lws*, HttpAnswer> http;
   ClientId last_client = kEveryClient;
@@ -44,6 +49,13 @@ struct Server::Impl {
 namespace {
 
 constexpr const char* kProtocol = "quicksand";
+constexpr unsigned kMostConnections = 96;
+
+std::string address_of(lws_sockfd_type connection) {
+  std::array<char, 64> text{};
+  lws_get_peer_simple_fd(connection, text.data(), text.size());
+  return text.data();
+}
 
 }  // namespace
 
@@ -64,7 +76,6 @@ Server::Impl::Impl(ServerOptions o, PageParts p, Exchange& e)
   info.retry_and_idle_policy = &patience;
   info.timeout_secs = static_cast<unsigned>(options.limits.time_to_ask);
   info.keepalive_timeout = options.limits.time_to_ask;
-  constexpr unsigned kMostConnections = 96;
   info.fd_limit_per_thread = kMostConnections;
   info.options = LWS_SERVER_OPTION_FAIL_UPON_UNABLE_TO_BIND | LWS_SERVER_OPTION_EXPLICIT_VHOSTS;
   if (options.address.find(':') == std::string::npos)
@@ -113,6 +124,16 @@ int Server::Impl::on_event(lws* wsi, lws_callback_reasons reason, void* /*user*/
 
 int Server::Impl::serve(lws* wsi, lws_callback_reasons reason, void* in, std::size_t size) {
   switch (reason) {
+    case LWS_CALLBACK_FILTER_NETWORK_CONNECTION:
+      // It is not adopted yet: what comes in is the number of its socket.
+      return has_its_share(address_of(static_cast<int>(reinterpret_cast<std::intptr_t>(in)))) ? 1
+                                                                                              : 0;
+    case LWS_CALLBACK_SERVER_NEW_CLIENT_INSTANTIATED:
+      connected.emplace(wsi, address_of(lws_get_socket_fd(wsi)));
+      return 0;
+    case LWS_CALLBACK_WSI_DESTROY:
+      connected.erase(wsi);
+      return 0;
     case LWS_CALLBACK_HTTP: {
       HttpAnswer& answer = http[wsi];
       const HttpRequest request = request_of(wsi);
@@ -152,6 +173,12 @@ int Server::Impl::serve(lws* wsi, lws_callback_reasons reason, void* in, std::si
     default:
       return 0;
   }
+}
+
+// One that opens connections and says nothing leaves as many to the others.
+bool Server::Impl::has_its_share(const std::string& address) const {
+  return std::ranges::count(connected, address, [](const auto& it) { return it.second; }) >=
+         kMostConnections / 2;
 }
 
 // Before the connection becomes a WebSocket: what is refused here gets an answer in HTTP.

@@ -2,8 +2,8 @@
 // its own, in which libwebsockets lives; that library stays behind this file.
 //
 // What a client can do to it is bounded: the size and the rate of its messages, their number that waits, the number of
-// clients, the time that it stays silent. A client gets the newest picture when it has drawn an earlier one, so that a
-// slow one gets fewer.
+// clients, the connections of one address, the time that it stays silent. A client gets the newest picture when it has
+// drawn an earlier one, so that a slow one gets fewer.
 #pragma once
 
 #include <filesystem>

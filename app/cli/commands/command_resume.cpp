@@ -31,6 +31,7 @@ void require_run(const RunFolder& folder) {
     if (!is_there(file))
       throw InputError(folder.path.string(),
                        "is not the folder of a run: it has no " + file.filename().string());
+  refuse_special_files(folder);
 }
 
 int tell_finished(const RunFolder& folder, const RunOptions& options) {

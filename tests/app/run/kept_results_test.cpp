@@ -1,6 +1,7 @@
 // What a run has left is not lost because something cannot be read, written or understood.
 #include <gtest/gtest.h>
 #include <sys/mount.h>
+#include <sys/stat.h>
 
 #include <map>
 
@@ -87,6 +88,25 @@ TEST_F(KeptResults, WhatCannotBeReadIsNotTakenForDamaged) {
     EXPECT_EQ(resumed.exit_code, 2) << name;
     EXPECT_NE(resumed.err.find(name + ": cannot be read"), std::string::npos) << resumed.err;
     EXPECT_EQ(kept(), before) << name;
+  }
+}
+
+// Nobody writes into this pipe, so that reading it would never end.
+TEST_F(KeptResults, APipeInAFolderOfResultsIsRefusedAndNotWaitedFor) {
+  run({"--size", "64x64"});
+  for (const std::string name :
+       {"run.json", "scene.json", "series.csv", "history.qsh", "summary.json", "state.cbor"}) {
+    fs::rename(at("kept/" + name), at("aside"));
+    ASSERT_EQ(mkfifo(at("kept/" + name).c_str(), 0600), 0);
+    for (const std::string command : {"resume", "report", "export"}) {
+      const Outcome refused = command == "export"
+                                  ? quicksand({command, "kept", "--format", "csv", "--out", "data"})
+                                  : quicksand({command, "kept"});
+      EXPECT_EQ(refused.exit_code, 2) << command;
+      EXPECT_NE(refused.err.find(name + ": is neither a file nor a folder"), std::string::npos)
+          << command << ": " << refused.err;
+    }
+    fs::rename(at("aside"), at("kept/" + name));
   }
 }
 

@@ -156,6 +156,16 @@ TEST(Server, ClosesOnSilence) {
   EXPECT_NE(close_code_of(silent), -1) << "it answered no ping";
 }
 
+TEST(Server, OneAddressThatOpensConnectionsAndIsSilentKeepsNobodyOut) {
+  const SessionServer server;
+  std::vector<OpenFile> idle;
+  for (int i = 0; i < 200; ++i) idle.push_back(connection_from("127.0.0.2", server.port()));
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_TRUE(begins(http_get(server.port(), "/" + kQuery), 200));
+  const Page page(server);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(2));
+}
+
 TEST(Server, GarbageInTheProtocolEndsThatClientOnly) {
   const SessionServer server;
   Page good(server);
