@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <utility>
@@ -55,6 +56,14 @@ InputError explain(const CLI::ParseError& error, const CLI::App& program,
     return {"", "\"" + word + "\" is one argument too many for " + used->get_name() + help};
   }
   return {"", error.what() + help};
+}
+
+// Without it no relative name says where.
+void require_current_folder() {
+  std::error_code error;
+  if (std::filesystem::current_path(error).empty())
+    throw InputError(
+        "", "the current folder: " + error.message() + "; was it removed? Change to another");
 }
 
 // An empty word is most often a variable of a shell that was not set, and no wish for the default.
@@ -140,6 +149,7 @@ int run_command_line(int argc, const char* const* argv) {
   CLI::App program(kPurpose, "quicksand");
   const std::vector<Command> commands = add_commands(program);
   try {
+    require_current_folder();
     parse(program, commands, argc, argv);
   } catch (const CLI::Success& request) {
     return told(program.exit(request));  // --help, --version

@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 
+#include "app/base/shell_text.h"
 #include "render/image/png.h"
 #include "tests/support/files.h"
 #include "tests/support/program_fixture.h"
@@ -44,6 +45,16 @@ TEST_F(RefusedInput, DifferencesReplaceNoFileButAPicture) {
   expect_refused({"compare", ".", "a.png"}, ".: is a folder, not a PNG file");
   EXPECT_EQ(contents(at("a.png")), a);
   EXPECT_EQ(contents(at("notes.txt")), "mine");
+}
+
+TEST_F(RefusedInput, ACurrentFolderThatWasRemovedIsTold) {
+  const std::string command = "cd " + shell_text(folder_.path()) +
+                              " && mkdir gone && cd gone && rmdir ../gone && " QUICKSAND_PROGRAM
+                              " run collapse 2> ../err";
+  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 2);
+  EXPECT_EQ(contents(at("err")),
+            "quicksand: the current folder: No such file or directory; was it removed? Change to "
+            "another\n");
 }
 
 TEST_F(RefusedInput, AnOptionThatCountsSaysThatItWantsAWholeNumber) {
