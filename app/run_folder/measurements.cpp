@@ -28,6 +28,17 @@ const RegionValue kRegionValues[] = {
     {"remaining_bond_fraction", [](const Region& r) { return or_none(r.remaining_bond_fraction); }},
 };
 
+struct StressValue {
+  std::string_view name;
+  double Stress::*value;
+};
+const StressValue kStressValues[] = {
+    {"stress_xx", &Stress::xx}, {"stress_yy", &Stress::yy}, {"stress_xy", &Stress::xy}};
+
+Value stress_of(const Slice& slice, const StressValue& known) {
+  return slice.stress ? Value((*slice.stress).*known.value) : Value();
+}
+
 struct CountValue {
   std::string_view name, help;
   double ContactCounts::*value;
@@ -73,12 +84,15 @@ std::string csv_line(const std::vector<std::string>& cells) { return joined(cell
 std::string profile_csv(const Measurements& m) {
   std::vector<std::string> header{"low", "high", "volume_fraction"};
   for (const RegionValue& known : kRegionValues) header.emplace_back(known.name);
+  for (const StressValue& known : kStressValues) header.emplace_back(known.name);
   std::string csv = csv_line(header);
   for (const Slice& slice : m.profile) {
     std::vector<std::string> cells{number_text(slice.low), number_text(slice.high),
                                    text_of(or_none(slice.volume_fraction))};
     for (const RegionValue& known : kRegionValues)
       cells.push_back(text_of(known.get(slice.grains)));
+    for (const StressValue& known : kStressValues)
+      cells.push_back(text_of(stress_of(slice, known)));
     csv += csv_line(cells);
   }
   return csv;
@@ -114,6 +128,8 @@ Json slice_json(const Slice& slice) {
             {"high", slice.high},
             {"volume_fraction", json_of(or_none(slice.volume_fraction))}};
   json.update(region_json(slice.grains));
+  for (const StressValue& known : kStressValues)
+    json[std::string(known.name)] = json_of(stress_of(slice, known));
   return json;
 }
 

@@ -15,6 +15,14 @@ Value of_intruder(const Row& row, Number value) {
   return row.sample.has_intruder ? Value(value) : Value();
 }
 
+Value of_stress(const Row& row, double Stress::*part) {
+  return row.sample.stress ? Value((*row.sample.stress).*part) : Value();
+}
+
+Value of_fabric(const Row& row, double Fabric::*part) {
+  return row.sample.fabric ? Value((*row.sample.fabric).*part) : Value();
+}
+
 // A trial is there only while a critical force is sought.
 template <class Number>
 Value of_trial(const Row& row, Number value) {
@@ -150,6 +158,30 @@ const Quantity kQuantities[] = {
      [](const Row& r) { return of_intruder(r, r.sample.reaction.flank); }},
     {"resistance_shaft", "F_g", "part of the resistance at the shaft",
      [](const Row& r) { return of_intruder(r, r.sample.reaction.shaft); }},
+    {"stress_xx", "F_g/d",
+     "horizontal normal stress of the contact forces of the last step (Love-Weber), averaged over "
+     "the area of the packing, compression positive; with closed or periodic sides, and without "
+     "tilted walls",
+     [](const Row& r) { return of_stress(r, &Stress::xx); }},
+    {"stress_yy", "F_g/d", "... vertical normal stress",
+     [](const Row& r) { return of_stress(r, &Stress::yy); }},
+    {"stress_xy", "F_g/d", "... shear stress",
+     [](const Row& r) { return of_stress(r, &Stress::xy); }},
+    {"fabric_anisotropy", "1",
+     "difference of the eigenvalues of the fabric tensor, the mean of n (x) n over contacts "
+     "between "
+     "grains: 0 if all directions are equally frequent, 1 if there is only one",
+     [](const Row& r) { return of_fabric(r, &Fabric::anisotropy); }},
+    {"fabric_direction", "rad", "direction in which contacts are most frequent, from +x, 0 to pi",
+     [](const Row& r) { return of_fabric(r, &Fabric::direction); }},
+    {"floor_load", "F_g", "downward force of the contacts of the last step on the floors",
+     [](const Row& r) { return or_none(r.sample.loads.floor); }},
+    {"side_load", "F_g", "downward force on the side walls, by friction if they are upright",
+     [](const Row& r) { return or_none(r.sample.loads.side); }},
+    {"side_thrust", "F_g", "normal force on all side walls together, pressing positive",
+     [](const Row& r) { return or_none(r.sample.loads.side_thrust); }},
+    {"piston_load", "F_g", "normal force on the piston, pressing positive",
+     [](const Row& r) { return or_none(r.sample.loads.piston); }},
 };
 
 }  // namespace

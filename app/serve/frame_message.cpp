@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/serve/binary_message.h"
-#include "core/world/reaction.h"
+#include "core/forces/reaction.h"
 #include "core/world/shaped_contact.h"
 #include "quicksand_shaders.h"
 #include "render/base/palette.h"

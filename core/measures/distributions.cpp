@@ -123,6 +123,21 @@ Histogram contact_orientations(const World& world, std::span<const Pair> touchin
   return histogram(angles, even_edges(0, kPi / 2, kAngleBins));
 }
 
+std::optional<Fabric> fabric_of(const World& world, std::span<const Pair> touching) {
+  // Of the angle a, the tensor holds the means of (1 + cos 2a)/2 and sin 2a / 2.
+  Vec2 doubled{0, 0};
+  int contacts = 0;
+  for (const Pair& pair : touching) {
+    if (!is_disk(pair.b) || has_intruder(world, pair)) continue;
+    const Vec2 n = world.separation(pair.a, pair.b).normalized();
+    doubled += Vec2(n.x() * n.x() - n.y() * n.y(), 2 * n.x() * n.y());
+    ++contacts;
+  }
+  if (contacts == 0) return {};
+  const double angle = std::atan2(doubled.y(), doubled.x()) / 2;
+  return Fabric{doubled.norm() / contacts, angle < 0 ? angle + kPi : angle};
+}
+
 Histogram contact_forces(const World& world) {
   std::vector<double> forces =
       normal_forces(world, [](const Contact&, double force) -> std::optional<double> {
@@ -162,14 +177,21 @@ std::vector<Slice> height_profile(const World& world, std::span<const Pair> touc
     slice_of.push_back(static_cast<int>(
         std::clamp(std::floor(p.y() / thickness) - first, 0.0, static_cast<double>(count - 1))));
   const std::vector<Region> grains = regions_of(world, touching, slice_of, count);
+  std::vector<Stress> stress(static_cast<std::size_t>(count));
+  const std::vector<Stress> of_grain = stress_times_area(world);
+  for (std::size_t i = 0; i < of_grain.size(); ++i)
+    stress[static_cast<std::size_t>(slice_of[i])] += of_grain[i];
   std::vector<Slice> slices;
   for (int k = 0; k < count; ++k) {
     Slice slice{(first + k) * thickness,
                 (first + k + 1) * thickness,
                 {},
-                grains[static_cast<std::size_t>(k)]};
-    if (world.box.sides != Sides::open)
+                grains[static_cast<std::size_t>(k)],
+                {}};
+    if (world.box.sides != Sides::open) {
       slice.volume_fraction = volume_fraction(world, slice.low, slice.high);
+      slice.stress = stress[static_cast<std::size_t>(k)].over(world.box.width * thickness);
+    }
     slices.push_back(slice);
   }
   return slices;

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/forces/stress.h"
 #include "core/measures/regions.h"
 #include "core/world/world.h"
 
@@ -37,6 +38,16 @@ Histogram bond_angles(const World& world, std::vector<double> edges = {});
 // Angle of the line between the centres of touching grains against the horizontal, 0 to pi/2 [rad].
 Histogram contact_orientations(const World& world, std::span<const Pair> touching);
 
+// How contacts between grains are directed: the tensor of the mean of n (x) n, whose trace is 1.
+struct Fabric {
+  double anisotropy =
+      0;  // difference of its eigenvalues: 0 if all directions are equally frequent, 1 if there is one [1]
+  double direction =
+      0;  // of the larger one, in which contacts are most frequent, to +x, from 0 to pi [rad]
+};
+// Empty without such contacts.
+std::optional<Fabric> fabric_of(const World& world, std::span<const Pair> touching);
+
 // Compressive normal forces in the contacts of grains with grains and walls in the last step, over their
 // mean, 1e-4 to 1e2, ten bins a factor of ten [1]. The intruder is left out, whose driving force would
 // set the mean.
@@ -52,6 +63,7 @@ struct Slice {
   double low = 0, high = 0;               // [d]
   std::optional<double> volume_fraction;  // of everything in it; empty where the sides are open
   Region grains;                          // those with their centre in it
+  std::optional<Stress> stress;           // of those, over its area; empty where the sides are open
 };
 
 // Slices of equal thickness [d] from a multiple of it, at packing_bottom() or below, to above the highest grain; none

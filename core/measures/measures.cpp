@@ -110,23 +110,6 @@ ContactCounts contact_counts(const World& world, const NeighbourCounts& neighbou
   return counts;
 }
 
-std::vector<double> contact_pressure(const World& world) {
-  std::vector<double> pressure(static_cast<std::size_t>(world.disks.size()), 0.0);
-  if (world.impulse_dt == 0) return pressure;
-  const auto add = [&](int body, double force) {
-    pressure[static_cast<std::size_t>(body)] +=
-        force / (2 * std::numbers::pi * world.disks.radius[body]);
-  };
-  for (const Contact& contact : world.contacts) {
-    const double force = contact.normal_force(world.impulse_dt);
-    if (force <= 0) continue;
-    const auto [a, b] = world.rows(contact.pair);
-    add(a, force);
-    if (!is_wall(b)) add(b, force);
-  }
-  return pressure;
-}
-
 double volume_fraction(const World& world, double y_low, double y_high) {
   if (world.box.width <= 0 || y_high <= y_low) return 0;
   double area = 0;
@@ -230,6 +213,9 @@ Sample measure(const World& world, const MeasureChoices& choices) {
   s.bonds_healed = world.bonds.healed;
   for (const Wall& wall : world.walls)
     if (wall.role == WallRole::piston) s.piston_y = wall.point.y();
+  s.stress = mean_stress(world);
+  s.fabric = fabric_of(world, touching);
+  s.loads = wall_loads(world);
   if (const int intruder = world.intruder(); intruder >= 0) {
     s.has_intruder = true;
     s.intruder_position = world.disks.position[intruder];

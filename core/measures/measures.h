@@ -6,8 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "core/measures/regions.h"
-#include "core/world/reaction.h"
+#include "core/forces/reaction.h"
+#include "core/forces/stress.h"
+#include "core/forces/wall_loads.h"
+#include "core/measures/distributions.h"
 #include "core/world/world.h"
 
 namespace quicksand {
@@ -39,10 +41,6 @@ struct ContactCounts {
   double touching = 0, loaded = 0, bonded = 0, without = 0;
 };
 ContactCounts contact_counts(const World& world, const NeighbourCounts& neighbours);
-
-// Mean contact force pressure on each disk: sum of compressive normal forces over the
-// circumference [F_g/d].
-std::vector<double> contact_pressure(const World& world);
 
 // Area of the disks and shaped bodies between two heights over the area of the box there, clipped exactly.
 double volume_fraction(const World& world, double y_low, double y_high);
@@ -92,6 +90,9 @@ struct Sample {
   WeightAbove weight_above;
   AroundIntruder around_intruder;
   std::optional<double> piston_y;  // height of the last piston [d]
+  std::optional<Stress> stress;    // mean_stress()
+  std::optional<Fabric> fabric;    // of the touching grains
+  WallLoads loads;
 };
 Sample measure(const World& world, const MeasureChoices& choices = {});
 

@@ -1,8 +1,8 @@
 // The phase "penetrate": an intruder of any shape is driven into the packing.
+#include "core/forces/reaction.h"
 #include "core/phases/drive.h"
 #include "core/placing/placing.h"
 #include "core/world/extent.h"
-#include "core/world/reaction.h"
 #include "core/world/shaped_contact.h"
 
 namespace quicksand {

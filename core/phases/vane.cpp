@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "core/base/errors.h"
+#include "core/forces/reaction.h"
 #include "core/phases/drive.h"
 #include "core/placing/remove_disks.h"
 #include "core/world/extent.h"
-#include "core/world/reaction.h"
 #include "core/world/shaped_contact.h"
 
 namespace quicksand {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/world/reaction.h"
+#include "core/forces/reaction.h"
 #include "render/base/palette.h"
 #include "render/layers/packing.h"
 

@@ -82,7 +82,7 @@ TEST_F(MeasureTest, LeavesFilesThatAgreeWithEachOther) {
   const auto profile = lines_of(contents(at("numbers/profile.csv")));
   EXPECT_EQ(profile[0],
             "low,high,volume_fraction,grains,contacts,initial_bonds,coordination,"
-            "active_bond_fraction,remaining_bond_fraction");
+            "active_bond_fraction,remaining_bond_fraction,stress_xx,stress_yy,stress_xy");
   EXPECT_EQ(profile.size(), 1 + json["profile"].size());
   EXPECT_EQ(profile[1].substr(0, 4), "0,2,");
   std::int64_t grains = 0;

@@ -193,5 +193,42 @@ TEST(HeightProfile, WithoutAFloorBeginsBelowTheLowestGrain) {
   EXPECT_TRUE(height_profile(make_world(empty_scene(Method::automatic)), {}, 1).empty());
 }
 
+TEST(FabricOf, AnUprightColumnHasOneDirection) {
+  const World world = make_world(column(Method::automatic, 5));
+  const Fabric fabric = fabric_of(world, touching_pairs(world)).value();
+  EXPECT_NEAR(fabric.anisotropy, 1, tolerance::rounding());
+  EXPECT_NEAR(fabric.direction, std::numbers::pi / 2, tolerance::rounding());
+}
+
+TEST(FabricOf, TrianglesAndSquaresHaveNoDirection) {
+  const double h = std::numbers::sqrt3 / 2;
+  for (const std::vector<Vec2>& corners : {std::vector<Vec2>{{0, 0}, {1, 0}, {0.5, h}},
+                                           std::vector<Vec2>{{0, 0}, {1, 0}, {1, 1}, {0, 1}}}) {
+    Scenario scene = empty_scene(Method::automatic);
+    for (const Vec2& corner : corners) scene.disks.push_back({.position = corner});
+    const World world = make_world(scene);
+    EXPECT_NEAR(fabric_of(world, touching_pairs(world)).value().anisotropy, 0,
+                tolerance::rounding());
+  }
+}
+
+TEST(FabricOf, NoContactsHaveNoFabric) {
+  EXPECT_FALSE(fabric_of(make_world(empty_scene(Method::automatic)), {}));
+}
+
+TEST(ProfileOf, StressGrowsWithTheWeightAbove) {
+  Scenario scene = column(Method::automatic, 20);
+  scene.box.sides = Sides::periodic;
+  scene.box.width = 2;
+  Simulation run(scene);
+  run.advance(3);
+  const std::vector<Slice> slices = height_profile(run.world, touching_pairs(run.world), 5);
+  ASSERT_EQ(slices.size(), 4U);
+  for (const Slice& slice : slices)
+    EXPECT_NEAR(slice.stress.value().yy, (20 - (slice.low + slice.high) / 2) / 2,
+                tolerance::solved(20))
+        << slice.low;
+}
+
 }  // namespace
 }  // namespace quicksand

@@ -231,23 +231,6 @@ TEST(Energies, AreTheTextbookOnes) {
   EXPECT_EQ(e.potential, 4 * 5);
 }
 
-TEST(ContactPressure, IsTheCompressiveForceOverTheCircumference) {
-  Simulation run(column(Method::automatic, 3));
-  EXPECT_EQ(contact_pressure(run.world), std::vector<double>(3, 0)) << "before any step";
-  run.advance(3);
-  const std::vector<double> pressure = contact_pressure(run.world);
-  EXPECT_NEAR(pressure[0], (3 + 2) / std::numbers::pi, tolerance::solved());
-  EXPECT_NEAR(pressure[1], (2 + 1) / std::numbers::pi, tolerance::solved());
-  EXPECT_NEAR(pressure[2], 1 / std::numbers::pi, tolerance::solved());
-}
-
-TEST(ContactPressure, IsZeroUnderTension) {
-  Simulation run(hanging_chain(Method::automatic, 3, 10));
-  run.advance(3);
-  for (double p : contact_pressure(run.world)) EXPECT_NEAR(p, 0, tolerance::solved());
-  EXPECT_EQ(count_neighbours(run.world).loaded, (std::vector<int>{1, 2, 2, 1})) << "bonds count";
-}
-
 TEST(LoadedNeighbours, CountActiveBondsBeforeAnyStep) {
   Scenario scene = column(Method::automatic, 3, paper_law(10));
   scene.initial_bonds = InitialBonds::touching;

@@ -1,10 +1,10 @@
 // What a driven intruder is said to have met.
 #include <gtest/gtest.h>
 
+#include "core/forces/reaction.h"
 #include "core/protocol/protocol.h"
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
-#include "core/world/reaction.h"
 #include "tests/support/core/methods.h"
 #include "tests/support/core/scenes.h"
 #include "tests/support/core/simulation.h"

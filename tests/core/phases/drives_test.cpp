@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/base/errors.h"
+#include "core/forces/reaction.h"
 #include "core/measures/measures.h"
 #include "core/phases/drive.h"
 #include "core/protocol/protocol.h"
@@ -12,7 +13,6 @@
 #include "core/scene/scenario.h"
 #include "core/scene/validate.h"
 #include "core/world/extent.h"
-#include "core/world/reaction.h"
 #include "core/world/shaped_contact.h"
 #include "core/world/world.h"
 #include "tests/support/core/methods.h"

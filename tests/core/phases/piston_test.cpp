@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/base/errors.h"
+#include "core/forces/wall_loads.h"
 #include "core/measures/measures.h"
 #include "core/protocol/protocol.h"
 #include "core/scene/make_world.h"
@@ -91,6 +92,7 @@ TEST_P(Piston, PassesItsForceAndAllWeightsOnToTheFloor) {
   PhaseRun run(pressed_column(GetParam(), staying()));
   run.to_end_of_phase();
   EXPECT_NEAR(run.load(), kMass + kForce, tolerance::solved(kForce));
+  EXPECT_NEAR(wall_loads(run.world()).piston.value(), kMass + kForce, tolerance::solved(kForce));
   for (int k = 1; k < kGrains; ++k)
     EXPECT_NEAR(contact_force(run.world(), {k - 1, k}).y(), kMass + kForce + kGrains - k,
                 tolerance::solved(kForce));

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "core/forces/reaction.h"
 #include "core/protocol/protocol.h"
 #include "core/scene/make_world.h"
 #include "core/scene/scenario.h"
-#include "core/world/reaction.h"
 #include "render/base/nice_numbers.h"
 #include "render/key/key.h"
 #include "tests/support/render/worlds.h"

@@ -1,4 +1,4 @@
-#include "core/world/reaction.h"
+#include "core/forces/reaction.h"
 
 #include <numbers>
 #include <vector>

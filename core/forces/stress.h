@@ -1,0 +1,35 @@
+// Stress in a packing, of the contact forces of the last step. The kinetic part, m v v over the area, is left out: at rest
+// there is none.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/world/world.h"
+
+namespace quicksand {
+
+// Components of a symmetric tensor in the plane. As a stress [F_g/d], or times an area [F_g d], compression is positive.
+struct Stress {
+  double xx = 0, yy = 0, xy = 0;
+
+  Stress& operator+=(const Stress& other);
+  Stress over(double area) const { return {xx / area, yy / area, xy / area}; }
+  bool operator==(const Stress&) const = default;
+};
+
+// Love-Weber: the mean stress of a region is the sum of r n (x) f over the contacts of the grains in it, over its area, where
+// r n points from the grain's centre to the contact and -f acts on it there [Christoffersen 1981].
+// This sum for each disk (nd), its symmetric part [F_g d]: moments of rolling friction, and of grains that start to turn,
+// make the rest. Zeros for intruders and before the first step.
+std::vector<Stress> stress_times_area(const World& world);
+
+// Mean stress of all grains over the area between the sides, from packing_bottom() to packing_top(); empty where sides are
+// open or a wall is tilted, because the area is then unknown.
+std::optional<Stress> mean_stress(const World& world);
+
+// Sum of the compressive normal forces on each disk over its circumference (nd) [F_g/d].
+std::vector<double> contact_pressure(const World& world);
+
+}  // namespace quicksand

@@ -1,0 +1,30 @@
+#include "core/forces/wall_loads.h"
+
+namespace quicksand {
+
+WallLoads wall_loads(const World& world) {
+  WallLoads loads;
+  const auto add = [&](const Wall& wall, const Vec2& force) {
+    const auto to = [](std::optional<double>& sum, double part) { sum = sum.value_or(0) + part; };
+    const double normal = -force.dot(wall.normal);
+    switch (wall.role) {
+      case WallRole::floor:
+        to(loads.floor, -force.y());
+        break;
+      case WallRole::side:
+        to(loads.side, -force.y());
+        to(loads.side_thrust, normal);
+        break;
+      case WallRole::piston:
+        to(loads.piston, normal);
+        break;
+    }
+  };
+  for (const Wall& wall : world.walls) add(wall, {0, 0});
+  if (world.impulse_dt == 0) return loads;
+  for (const Contact& contact : world.contacts)
+    if (is_wall(contact.pair.b)) add(world.wall(contact.pair.b), contact.force(world.impulse_dt));
+  return loads;
+}
+
+}  // namespace quicksand
