@@ -50,6 +50,18 @@ std::vector<TimePlot> time_plots() {
        .caption = "Heights of the intruder's centre and of the top of the packing.",
        .y = {.label = "height above the floor", .unit = "d", .low = 0},
        .histories = {{"intruder_y", "intruder's centre"}, {"packing_top", "top of the packing"}}},
+      {.name = "stress",
+       .caption = "Mean stress of the contact forces over the area of the packing, compression "
+                  "positive.",
+       .y = {.label = "mean stress", .unit = "F_g/d"},
+       .histories = {{"stress_yy", "vertical"},
+                     {"stress_xx", "horizontal"},
+                     {"stress_xy", "shear"}}},
+      {.name = "loads",
+       .caption = "Downward force of the contacts on the floor and on the sides, and normal force "
+                  "on the piston.",
+       .y = {.label = "force on the walls", .unit = "F_g"},
+       .histories = {{"floor_load", "floor"}, {"side_load", "sides"}, {"piston_load", "piston"}}},
       {.name = "kinetic_energy",
        .caption = "Kinetic energy of all bodies, of translation and of rotation.",
        .y = {.label = "kinetic energy", .unit = "F_g d", .logarithmic = true},
