@@ -27,6 +27,9 @@ void describe_row(Archive archive, AnyRow& row) {
   archive.value("unconverged", row.unconverged);
   archive.value("trial", row.trial);
   archive.value("trial_force", row.trial_force);
+  archive.added("external_work", row.external_work);
+  archive.added("energy_dissipated", row.energy_dissipated);
+  archive.added("energy_gained", row.energy_gained);
 }
 
 template <class Archive, class Position>

@@ -114,9 +114,6 @@ Json summary(const Scenario& scenario, const World& world, const ProtocolState& 
   json["worst_residual"] = state.worst_residual;
   json["worst_overlap"] = worst_overlap(state, last.sample.max_overlap);
   json["worst_bond_gap"] = state.worst_bond_gap;
-  json["external_work"] = state.external_work;
-  json["energy_dissipated"] = state.energy_dissipated;
-  json["energy_gained"] = state.energy_gained;
   json["unconverged_steps"] = state.unconverged_steps;
   json["halved_steps"] = state.halved_steps;
   json["bonds_broken_in_unconverged_steps"] = state.broken_in_unconverged;

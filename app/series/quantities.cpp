@@ -182,6 +182,14 @@ const Quantity kQuantities[] = {
      [](const Row& r) { return or_none(r.sample.loads.side_thrust); }},
     {"piston_load", "F_g", "normal force on the piston, pressing positive",
      [](const Row& r) { return or_none(r.sample.loads.piston); }},
+    {"external_work", "F_g d",
+     "work of gravity, applied forces and prescribed motion in all steps so far",
+     [](const Row& r) -> Value { return r.external_work; }, true},
+    {"energy_dissipated", "F_g d", "energy lost in all steps so far",
+     [](const Row& r) -> Value { return r.energy_dissipated; }, true},
+    {"energy_gained", "F_g d",
+     "excess energy of all steps so far that ended with more than they began with and received",
+     [](const Row& r) -> Value { return r.energy_gained; }, true},
 };
 
 }  // namespace

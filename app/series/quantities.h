@@ -27,6 +27,8 @@ struct Row {
   std::int64_t unconverged = 0;     // steps since the last sample [1]
   std::int64_t trial = 0;           // Search::trial; 0: no force is sought
   double trial_force = 0;           // Search::force [F_g]
+  // Sums over all steps so far [F_g d], those of trials included.
+  double external_work = 0, energy_dissipated = 0, energy_gained = 0;
 };
 
 // monostate: there is no such value in this sample.
@@ -38,7 +40,7 @@ struct Quantity {
   std::string_view unit;  // "1" if none
   std::string_view help;
   Value (*get)(const Row& row);
-  bool of_steps = false;  // counted over the steps since the last sample: a state alone has none
+  bool of_steps = false;  // counted over steps, which a state alone does not know
 };
 
 std::span<const Quantity> quantities();
