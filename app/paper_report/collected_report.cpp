@@ -45,7 +45,7 @@ class Agreement {
     plot_.curves.push_back(paper_);
     for (std::size_t m = 0; m < methods.size(); ++m) {
       const double aside = kAside * (1 - 2 * static_cast<double>(m));
-      for (const bool chose : {false, true}) add_points(methods[m], m, aside, chose);
+      for (const bool inside : {true, false}) add_points(methods[m], m, aside, inside);
     }
   }
 
@@ -62,7 +62,7 @@ class Agreement {
           {.name = group_, .low = next_ - kHalf, .role = Reference::Role::guide});
       next_ -= 1;
     }
-    plot_.y.names.emplace_back(next_, target.short_name);
+    plot_.y.names.emplace_back(next_, target.short_name + (target.chose_nscd ? " †" : ""));
     rows_.emplace_back(target, next_);
     const double middle = middle_of(target);
     const double low = (*target.low - target.half_digit) / middle;
@@ -76,16 +76,16 @@ class Agreement {
     next_ -= 1;
   }
 
-  void add_points(const MethodFindings& method, std::size_t style, double aside, bool chose) {
+  void add_points(const MethodFindings& method, std::size_t style, double aside, bool inside) {
     const std::string title = method_title(method.method);
-    Curve curve{.name = chose ? title + ", used to choose its settings" : title,
+    Curve curve{.name = title + (inside ? ", inside" : ", outside"),
                 .style = style,
                 .colour = method_colour(title),
-                .open = chose};
+                .open = !inside};
     for (const auto& [target, row] : rows_) {
       const auto found = method.findings.find(target.id);
       if (found == method.findings.end()) continue;
-      if (chose != (target.chose_nscd && method.method == "nscd")) continue;
+      if (inside != verdict_on(target, found->second).inside) continue;
       const double middle = middle_of(target);
       curve.x.push_back(found->second.value / middle);
       curve.x_error.push_back(found->second.standard_error.value_or(0) / middle);
@@ -123,8 +123,9 @@ Report collected_report(const std::vector<std::filesystem::path>& files, const V
   all.add(Figure{.plot = Agreement(targets, methods).take(),
                  .caption = "Our numbers divided by the paper's, with bars of one standard error. "
                             "Grey: the paper's last digit, or its interval, whose geometric mean "
-                            "stands for its number. Open symbols: numbers used to choose the NSCD "
-                            "settings. Bounds and numbers that may be zero are left out.",
+                            "stands for its number. Filled: inside by the rule of the table; open: "
+                            "not. †: used to choose the NSCD settings. Bounds and numbers that may "
+                            "be zero are left out.",
                  .command = command});
   report.sections = {
       std::move(all),
