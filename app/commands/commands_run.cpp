@@ -128,10 +128,11 @@ struct Ellipse {
 struct Apply {
   std::int64_t body = 0;
   std::optional<Ellipse> inside;
-  Vec2 force{0, 0};
+  std::optional<Vec2> force;
+  std::optional<double> torque;
 
   void describe(Fields& f) {
-    constexpr double kFar = 1e6;
+    constexpr double kFar = 1e6, kMost = 1e12;
     f.integer({"body", "number of the body"}, 0, 100'000'000, body);
     f.optional_object({"inside", "all grains whose centres are now inside an ellipse"}, inside,
                       [](Fields& g, Ellipse& e) {
@@ -141,9 +142,14 @@ struct Apply {
                                  above(0, kFar, "d"), e.half_axes);
                       });
     f.exactly_one({"body", "inside"});
-    f.vector(
-        {"force", "force on each body, components [x, y]; [0, 0] removes it", Presence::required},
-        between(-1e12, 1e12, "F_g"), force);
+    f.vector({"force",
+              "force on each body, components [x, y]; [0, 0] removes it; absent: that of before"},
+             between(-kMost, kMost, "F_g"), force);
+    f.number(
+        {"torque", "torque on each body, counter-clockwise; 0 removes it; absent: that of before"},
+        between(-kMost, kMost, "F_g d"), torque);
+    if (f.reading() && !force && !torque)
+      f.refuse("force", "is missing; give force, torque or both");
   }
   Json perform(Console& console, const std::string& place) {
     const World& world = console.session().world();
@@ -158,9 +164,12 @@ struct Apply {
               : k == body)
         bodies.push_back(k);
     if (bodies.empty()) throw InputError(place + ".inside", "no grain has its centre there");
-    for (const int k : bodies) console.session().apply(k, force);
+    for (const int k : bodies) console.session().apply(k, force, torque);
     if (inside && console.print)
-      console.print("a force on " + (bodies.size() == 1 ? "" : std::string("each of ")) +
+      console.print((!torque  ? "a force on "
+                     : !force ? "a torque on "
+                              : "a force and a torque on ") +
+                    (bodies.size() == 1 ? "" : std::string("each of ")) +
                     count_text(std::ssize(bodies), "grain"));
     return {{"bodies", bodies.size()}};
   }
@@ -185,8 +194,10 @@ std::vector<SessionCommand> run_commands() {
           {"pause", kRunGroup, "Stops the computation begun by start.", R"({"command": "pause"})"}),
       define<Apply>(
           {"apply", kRunGroup,
-           "Applies a force to the centre of a body, or of each grain in a region, from now on, in "
-           "addition to its weight and in place of any force applied before. The bonds present at "
+           "Applies a force to the centre of a body, or of each grain in a region, or a torque, "
+           "from "
+           "now on, in addition to its weight and in place of the one applied before. The bonds "
+           "present at "
            "the first apply count as initial, unless a phase has already set the initial bonds.",
            R"({"command": "apply", "body": 12, "force": [100, 0]})"})};
 }

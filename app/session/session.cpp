@@ -224,9 +224,9 @@ void Session::begin_phase(const Phase& phase) {
   failed_ = false;
 }
 
-void Session::apply(int body, const Vec2& force) {
+void Session::apply(int body, std::optional<Vec2> force, std::optional<double> torque) {
   require_computing();
-  sampled_run_->protocol().apply(body, force);
+  sampled_run_->protocol().apply(body, force, torque);
 }
 
 void Session::sample_every(std::optional<double> every) {

@@ -32,7 +32,7 @@ void InteractionRecording::add(const Json& command) {
                         last_.contains("body") && command.contains("body") &&
                         last_["body"] == command["body"];
   if (replaces) {
-    last_ = command;
+    last_.update(command);  // a torque that it leaves as it is stays
   } else {
     append(command);
   }

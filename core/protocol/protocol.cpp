@@ -140,9 +140,10 @@ void Protocol::take_push_force() {
   if (running_ && state_.entered) running_->renew_force(stage_);
 }
 
-void Protocol::apply(int body, const Vec2& force) {
+void Protocol::apply(int body, std::optional<Vec2> force, std::optional<double> torque) {
   if (world_.bonds.initial == 0) world_.bonds.mark_initial();
-  world_.disks.applied[body].head<2>() = force;
+  if (force) world_.disks.applied[body].head<2>() = *force;
+  if (torque) world_.disks.applied[body].z() = *torque;
 }
 
 bool Protocol::make_step(const Phase& phase) {

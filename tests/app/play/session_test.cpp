@@ -99,6 +99,22 @@ TEST_F(SessionTest, AForceOnARegionActsOnTheGrainsThatItHolds) {
   EXPECT_NE(both.err.find("give only one"), std::string::npos) << both.err;
 }
 
+TEST_F(SessionTest, ATorqueNeedsNoForce) {
+  Json free = parse_json(kHanging);
+  free.erase("gravity");
+  free["bodies"] = Json::array({{{"position", {0, 4}}}});
+  const std::string begin = R"({"command": "load", "scene": )" + free.dump() + "}";
+  ASSERT_EQ(
+      play({begin, R"({"command": "apply", "body": 0, "torque": 0.5})",
+            R"({"command": "run", "until": {"quantity": "rotational_energy", "at_least": 1}})"})
+          .exit_code,
+      0);
+  const Outcome neither = play({begin, R"({"command": "apply", "body": 0})"});
+  EXPECT_EQ(neither.exit_code, 2);
+  EXPECT_NE(neither.err.find("force: is missing; give force, torque or both"), std::string::npos)
+      << neither.err;
+}
+
 TEST_F(SessionTest, TheSameCommandsGiveTheSameWorld) {
   const std::vector<std::string> commands{load(), R"({"command": "run", "steps": 50})"};
   ASSERT_EQ(play(commands).exit_code, 0);

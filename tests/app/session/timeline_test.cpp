@@ -49,7 +49,7 @@ TEST_F(TimelineTest, ShowsTheMomentsOfTheRun) {
 
 TEST_F(TimelineTest, IsNotChangedButComputedOn) {
   EXPECT_THROW(session_.run({.steps = 1}), InputError);
-  EXPECT_THROW(session_.apply(0, {1, 0}), InputError);
+  EXPECT_THROW(session_.apply(0, Vec2(1, 0), {}), InputError);
   EXPECT_THROW(session_.set("contact.friction", 0.1), InputError);
   const double end = session_.world().time;
   const std::size_t samples = session_.history().size();

@@ -113,7 +113,7 @@ TEST(ForceByHand, OnAnIntruderOutlastsOtherChanges) {
   finish_phase(protocol);
   protocol.advance();
   const int intruder = protocol.world().intruder();
-  protocol.apply(intruder, {0, -777});
+  protocol.apply(intruder, Vec2(0, -777), {});
   scene.solver.tolerance *= 2;
   protocol.change(scene);
   EXPECT_EQ(protocol.world().disks.applied[intruder].y(), -777);
@@ -124,14 +124,28 @@ TEST(ForceByHand, ActsUntilItIsTakenAway) {
   scene.gravity.reset();
   scene.disks = {{.position = {5, 3}}};
   Protocol protocol(scene, make_world(scene));
-  protocol.apply(0, {2, 0});
+  protocol.apply(0, Vec2(2, 0), {});
   protocol.advance();
   const double dt = protocol.world().time;
   const double mass = 1;
   EXPECT_NEAR(protocol.world().disks.velocity[0].x(), 2 * dt / mass, 1e-12);
-  protocol.apply(0, {0, 0});
+  protocol.apply(0, Vec2(0, 0), {});
   protocol.advance();
   EXPECT_NEAR(protocol.world().disks.velocity[0].x(), 2 * dt / mass, 1e-12);
+}
+
+// Angular acceleration is torque over m r^2/2 = 1/8; the force that acts stays.
+TEST(TorqueByHand, TurnsADiskAndLeavesTheForceOnIt) {
+  Scenario scene = scene_of({kSettle});
+  scene.gravity.reset();
+  scene.disks = {{.position = {5, 3}}};
+  Protocol protocol(scene, make_world(scene));
+  protocol.apply(0, Vec2(2, 0), {});
+  protocol.apply(0, {}, 3);
+  protocol.advance();
+  const double dt = protocol.world().time;
+  EXPECT_NEAR(protocol.world().disks.velocity[0].x(), 2 * dt, 1e-12);
+  EXPECT_NEAR(protocol.world().disks.velocity[0].z(), 8 * 3 * dt, 1e-12);
 }
 
 TEST(ChangeByHand, LawsThatChangeDuringASearchAreThoseOfItsResult) {
