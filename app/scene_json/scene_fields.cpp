@@ -187,7 +187,11 @@ void describe_wall(Fields& f, Wall& wall) {
            between(0, 1e12, "grain masses"), wall.mass);
   f.number({"force", "force along the normal, on a wall with mass"}, between(-1e12, 1e12, "F_g"),
            wall.force);
-  f.choice({"role", "how reports and pictures name the wall"}, kWallRoles, wall.role);
+  f.choice({"role",
+            "how reports and pictures name the wall, and whether its forces count towards "
+            "floor_load, side_load or piston_load; a \"floor\" that is upright counts as a side, "
+            "one that faces down as a piston"},
+           kWallRoles, wall.role);
   if (!f.reading()) return;
   const double largest = wall.normal.lpNorm<Eigen::Infinity>();
   if (largest == 0) f.refuse("normal", "is [0, 0], must have a direction");

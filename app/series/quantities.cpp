@@ -159,40 +159,51 @@ const Quantity kQuantities[] = {
     {"resistance_shaft", "F_g", "part of the resistance at the shaft",
      [](const Row& r) { return of_intruder(r, r.sample.reaction.shaft); }},
     {"stress_xx", "F_g/d",
-     "horizontal normal stress of the contact forces of the last step (Love-Weber), averaged over "
-     "the area of the packing, compression positive; with closed or periodic sides, and without "
-     "tilted walls",
+     "horizontal normal stress of the contact forces of the last step (Love-Weber) in all bodies, "
+     "over the area between the sides from the packing's bottom to its top; compression positive; "
+     "where sides are closed or periodic and no wall is tilted",
      [](const Row& r) { return of_stress(r, &Stress::xx); }},
     {"stress_yy", "F_g/d", "... vertical normal stress",
      [](const Row& r) { return of_stress(r, &Stress::yy); }},
-    {"stress_xy", "F_g/d", "... shear stress",
+    {"stress_xy", "F_g/d",
+     "... shear stress, the mean of its xy and yx components; positive where what is above a "
+     "horizontal plane pushes what is below towards +x",
      [](const Row& r) { return of_stress(r, &Stress::xy); }},
     {"fabric_anisotropy", "1",
-     "difference of the eigenvalues of the fabric tensor, the mean of n (x) n over contacts "
-     "between "
-     "grains: 0 if all directions are equally frequent, 1 if there is only one",
+     "difference of the eigenvalues of the fabric tensor, the mean of n (x) n over touching pairs "
+     "of grains, loaded or not: 0 if all directions are equally frequent, 1 if there is only one",
      [](const Row& r) { return of_fabric(r, &Fabric::anisotropy); }},
-    {"fabric_direction", "rad", "direction in which contacts are most frequent, from +x, 0 to pi",
+    {"fabric_direction", "rad",
+     "axis along which such contacts are most frequent, from +x; 0 and pi are the same",
      [](const Row& r) { return of_fabric(r, &Fabric::direction); }},
     {"floor_load", "F_g", "downward force of the contacts of the last step on the floors",
      [](const Row& r) { return or_none(r.sample.loads.floor); }},
-    {"side_load", "F_g", "downward force on the side walls, by friction if they are upright",
+    {"side_load", "F_g", "... on the side walls, by friction if they are upright",
      [](const Row& r) { return or_none(r.sample.loads.side); }},
-    {"side_thrust", "F_g", "normal force on all side walls together, pressing positive",
+    {"side_thrust", "F_g",
+     "sum over all side walls of the normal force of the contacts of the last step, positive if "
+     "bodies press on them: of two opposite walls, twice the thrust on one",
      [](const Row& r) { return or_none(r.sample.loads.side_thrust); }},
-    {"piston_load", "F_g", "normal force on the piston, pressing positive",
+    {"piston_load", "F_g", "... of pistons and of other walls that face down",
      [](const Row& r) { return or_none(r.sample.loads.piston); }},
     {"external_work", "F_g d",
-     "work of gravity, applied forces and prescribed motion in all steps so far",
+     "work of gravity, forces and prescribed motion since the run began, trials included",
      [](const Row& r) -> Value { return r.external_work; }, true},
-    {"energy_dissipated", "F_g d", "energy lost in all steps so far",
+    {"energy_dissipated", "F_g d", "energy lost since the run began",
      [](const Row& r) -> Value { return r.energy_dissipated; }, true},
     {"energy_gained", "F_g d",
-     "excess energy of all steps so far that ended with more than they began with and received",
+     "excess energy since the run began, of steps that ended with more than they began with and "
+     "received",
      [](const Row& r) -> Value { return r.energy_gained; }, true},
 };
 
 }  // namespace
+
+void Row::take_energy(const ProtocolState& state) {
+  external_work = state.external_work;
+  energy_dissipated = state.energy_dissipated;
+  energy_gained = state.energy_gained;
+}
 
 Value or_none(const std::optional<double>& value) { return value ? Value(*value) : Value(); }
 

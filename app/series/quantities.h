@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/measures/measures.h"
+#include "core/protocol/protocol_state.h"
 
 namespace quicksand {
 
@@ -29,6 +30,7 @@ struct Row {
   double trial_force = 0;           // Search::force [F_g]
   // Sums over all steps so far [F_g d], those of trials included.
   double external_work = 0, energy_dissipated = 0, energy_gained = 0;
+  void take_energy(const ProtocolState& state);
 };
 
 // monostate: there is no such value in this sample.

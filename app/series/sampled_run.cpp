@@ -81,10 +81,7 @@ void SampledRun::sample() {
     samples_.last.sample = measure(world());
   }
   samples_.last.phase = samples_.phase;
-  const ProtocolState& state = protocol_.state();
-  samples_.last.external_work = state.external_work;
-  samples_.last.energy_dissipated = state.energy_dissipated;
-  samples_.last.energy_gained = state.energy_gained;
+  samples_.last.take_energy(protocol_.state());
   samples_.step = world().step;
   samples_.bodies = world().disks.size();
   samples_.healed = world().bonds.healed;

@@ -41,7 +41,12 @@ void describe_condition(Fields& f, Condition& condition) {
 
 std::optional<double> quantity_of(const Session& session, const std::string& name,
                                   const std::string& place) {
-  const Value value = quantity_named(name, place).get(session.measure_now());
+  const Quantity& quantity = quantity_named(name, place);
+  if (session.timeline() && quantity.of_steps)
+    throw InputError(place, name +
+                                " is counted over steps, which a stored sample does not know; "
+                                "it is in series.csv of the run");
+  const Value value = quantity.get(session.measure_now());
   if (const auto* number = std::get_if<double>(&value)) return *number;
   if (const auto* count = std::get_if<std::int64_t>(&value)) return static_cast<double>(*count);
   return std::nullopt;

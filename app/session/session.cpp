@@ -285,6 +285,7 @@ View Session::shown() const {
 
 Row Session::measure_now() const {
   Row row = timeline_ ? Row{} : sampled_run_->last();
+  if (!timeline_) row.take_energy(protocol().state());
   row.sample = measure(world());
   row.phase = phase_name();
   return row;

@@ -1,9 +1,9 @@
 #include "core/forces/stress.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "core/forces/contact_arm.h"
 #include "core/world/extent.h"
 
 namespace quicksand {
@@ -18,28 +18,28 @@ Stress& Stress::operator+=(const Stress& other) {
 std::vector<Stress> stress_times_area(const World& world) {
   std::vector<Stress> sums(static_cast<std::size_t>(world.disks.size()));
   if (world.impulse_dt == 0) return sums;
+  const ContactArms arms(world);
   for (const Contact& contact : world.contacts) {
-    const Vec2 n = contact.normal, f = contact.force(world.impulse_dt);
-    const Stress per_radius{f.x() * n.x(), f.y() * n.y(), (f.x() * n.y() + f.y() * n.x()) / 2};
-    // Seen from b, force and arm both change their signs.
-    for (const int body : {contact.pair.a, contact.pair.b}) {
-      if (!is_disk(body) || world.disks.role[body] != DiskRole::grain) continue;
-      const double r = world.disks.radius[body];
-      sums[static_cast<std::size_t>(body)] +=
-          {r * per_radius.xx, r * per_radius.yy, r * per_radius.xy};
-    }
+    const Vec2 on_b = contact.force(world.impulse_dt);
+    const auto [a, b] = world.rows(contact.pair);
+    const auto add = [&](int row, bool is_b) {
+      const Vec2 arm = arms.of(contact, is_b), inward = is_b ? Vec2(-on_b) : on_b;
+      sums[static_cast<std::size_t>(row)] += {inward.x() * arm.x(), inward.y() * arm.y(),
+                                              (inward.x() * arm.y() + inward.y() * arm.x()) / 2};
+    };
+    add(a, false);
+    if (!is_wall(b)) add(b, true);
   }
   return sums;
 }
 
 std::optional<Stress> mean_stress(const World& world) {
+  const std::optional<double> width = room_width(world);
   const double height = packing_top(world) - packing_bottom(world);
-  const bool bounded =
-      world.box.sides != Sides::open && std::ranges::none_of(world.walls, is_tilted);
-  if (!bounded || !(height > 0) || !std::isfinite(height)) return {};
+  if (!width || !(height > 0) || !std::isfinite(height)) return {};
   Stress sum;
-  for (const Stress& grain : stress_times_area(world)) sum += grain;
-  return sum.over(world.box.width * height);
+  for (const Stress& body : stress_times_area(world)) sum += body;
+  return sum.over(*width * height);
 }
 
 std::vector<double> contact_pressure(const World& world) {

@@ -10,7 +10,8 @@
 
 namespace quicksand {
 
-// Components of a symmetric tensor in the plane. As a stress [F_g/d], or times an area [F_g d], compression is positive.
+// Components of a symmetric tensor in the plane. As a stress [F_g/d], or times an area [F_g d], compression is positive; xy
+// is, where what is above a horizontal plane pushes what is below towards +x.
 struct Stress {
   double xx = 0, yy = 0, xy = 0;
 
@@ -19,14 +20,14 @@ struct Stress {
   bool operator==(const Stress&) const = default;
 };
 
-// Love-Weber: the mean stress of a region is the sum of r n (x) f over the contacts of the grains in it, over its area, where
-// r n points from the grain's centre to the contact and -f acts on it there [Christoffersen 1981].
-// This sum for each disk (nd), its symmetric part [F_g d]: moments of rolling friction, and of grains that start to turn,
-// make the rest. Zeros for intruders and before the first step.
+// Love-Weber: the mean stress of a region is the sum of arm (x) force over the contacts of the bodies in it, over its area,
+// where the arm points from a body's centre of mass to the contact and the force is what the body exerts there
+// [Christoffersen 1981]. This sum for each body (nd), its symmetric part [F_g d]: moments of rolling friction, and of
+// bodies that start to turn, make the rest. Zeros before the first step.
 std::vector<Stress> stress_times_area(const World& world);
 
-// Mean stress of all grains over the area between the sides, from packing_bottom() to packing_top(); empty where sides are
-// open or a wall is tilted, because the area is then unknown.
+// Mean stress of all bodies, intruders included, over room_width() times the height from packing_bottom() to packing_top();
+// empty where that area is unknown.
 std::optional<Stress> mean_stress(const World& world);
 
 // Sum of the compressive normal forces on each disk over its circumference (nd) [F_g/d].

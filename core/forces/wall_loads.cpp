@@ -2,12 +2,22 @@
 
 namespace quicksand {
 
+namespace {
+
+// What is not named otherwise is a floor where it faces up, a side where it is upright, and a lid like a piston.
+WallRole bearing_of(const Wall& wall) {
+  if (wall.role != WallRole::floor || wall.normal.y() > 0) return wall.role;
+  return wall.normal.y() < 0 ? WallRole::piston : WallRole::side;
+}
+
+}  // namespace
+
 WallLoads wall_loads(const World& world) {
   WallLoads loads;
   const auto add = [&](const Wall& wall, const Vec2& force) {
     const auto to = [](std::optional<double>& sum, double part) { sum = sum.value_or(0) + part; };
     const double normal = -force.dot(wall.normal);
-    switch (wall.role) {
+    switch (bearing_of(wall)) {
       case WallRole::floor:
         to(loads.floor, -force.y());
         break;

@@ -178,9 +178,11 @@ std::vector<Slice> height_profile(const World& world, std::span<const Pair> touc
         std::clamp(std::floor(p.y() / thickness) - first, 0.0, static_cast<double>(count - 1))));
   const std::vector<Region> grains = regions_of(world, touching, slice_of, count);
   std::vector<Stress> stress(static_cast<std::size_t>(count));
-  const std::vector<Stress> of_grain = stress_times_area(world);
-  for (std::size_t i = 0; i < of_grain.size(); ++i)
-    stress[static_cast<std::size_t>(slice_of[i])] += of_grain[i];
+  const std::vector<Stress> of_body = stress_times_area(world);
+  for (std::size_t i = 0; i < of_body.size(); ++i)
+    if (world.disks.role[static_cast<int>(i)] == DiskRole::grain)
+      stress[static_cast<std::size_t>(slice_of[i])] += of_body[i];
+  const std::optional<double> width = room_width(world);
   std::vector<Slice> slices;
   for (int k = 0; k < count; ++k) {
     Slice slice{(first + k) * thickness,
@@ -188,10 +190,9 @@ std::vector<Slice> height_profile(const World& world, std::span<const Pair> touc
                 {},
                 grains[static_cast<std::size_t>(k)],
                 {}};
-    if (world.box.sides != Sides::open) {
+    if (world.box.sides != Sides::open)
       slice.volume_fraction = volume_fraction(world, slice.low, slice.high);
-      slice.stress = stress[static_cast<std::size_t>(k)].over(world.box.width * thickness);
-    }
+    if (width) slice.stress = stress[static_cast<std::size_t>(k)].over(*width * thickness);
     slices.push_back(slice);
   }
   return slices;

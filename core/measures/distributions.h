@@ -63,7 +63,7 @@ struct Slice {
   double low = 0, high = 0;               // [d]
   std::optional<double> volume_fraction;  // of everything in it; empty where the sides are open
   Region grains;                          // those with their centre in it
-  std::optional<Stress> stress;           // of those, over its area; empty where the sides are open
+  std::optional<Stress> stress;           // of those, over its area; empty where room_width() is
 };
 
 // Slices of equal thickness [d] from a multiple of it, at packing_bottom() or below, to above the highest grain; none

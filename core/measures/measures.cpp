@@ -111,7 +111,8 @@ ContactCounts contact_counts(const World& world, const NeighbourCounts& neighbou
 }
 
 double volume_fraction(const World& world, double y_low, double y_high) {
-  if (world.box.width <= 0 || y_high <= y_low) return 0;
+  const double width = room_width(world).value_or(world.box.width);
+  if (width <= 0 || y_high <= y_low) return 0;
   double area = 0;
   for (int i = 0; i < world.disks.size(); ++i) {
     const double y = world.disks.position[i].y();
@@ -123,7 +124,7 @@ double volume_fraction(const World& world, double y_low, double y_high) {
     const std::vector<ConvexPart> parts = parts_in_place(world, shaped.body);
     area += area_below(parts, y_high) - area_below(parts, y_low);
   }
-  return area / (world.box.width * (y_high - y_low));
+  return area / (width * (y_high - y_low));
 }
 
 WeightAbove weight_above_intruder(const World& world, const MeasureChoices& choices) {
@@ -177,10 +178,9 @@ Sample measure(const World& world, const MeasureChoices& choices) {
   for (const Vec3& v : world.disks.velocity)
     s.max_speed = std::max(s.max_speed, v.head<2>().norm());
   s.packing_top = packing_top(world);
-  if (world.box.sides != Sides::open) {
+  if (room_width(world)) {
     const double bottom = packing_bottom(world);
-    if (std::ranges::none_of(world.walls, is_tilted))
-      s.volume_fraction = volume_fraction(world, bottom, bottom + 0.7 * (s.packing_top - bottom));
+    s.volume_fraction = volume_fraction(world, bottom, bottom + 0.7 * (s.packing_top - bottom));
   }
 
   // One search serves all margins of what counts as a contact.

@@ -42,7 +42,8 @@ struct ContactCounts {
 };
 ContactCounts contact_counts(const World& world, const NeighbourCounts& neighbours);
 
-// Area of the disks and shaped bodies between two heights over the area of the box there, clipped exactly.
+// Area of the disks and shaped bodies between two heights over that between the sides, clipped exactly: room_width(), or
+// the box's width where it is unknown.
 double volume_fraction(const World& world, double y_low, double y_high);
 
 // Grains above the intruder, as a share of the weight of all grains [1]: straight above it, no farther

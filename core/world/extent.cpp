@@ -1,7 +1,6 @@
 #include "core/world/extent.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "core/world/shaped_contact.h"
 
@@ -39,6 +38,22 @@ double packing_bottom(const World& world) {
     bottom = std::min(bottom.value_or(of_grain), of_grain);
   }
   return bottom.value_or(0);
+}
+
+std::optional<double> room_width(const World& world) {
+  std::optional<double> left, right;
+  for (const Wall& wall : world.walls) {
+    if (is_tilted(wall)) return {};
+    const double x = wall.point.x();
+    if (wall.normal.x() > 0) left = std::max(left.value_or(x), x);
+    if (wall.normal.x() < 0) right = std::min(right.value_or(x), x);
+  }
+  if (world.box.sides == Sides::periodic) {
+    if (left || right) return {};
+    return world.box.width;
+  }
+  if (!left || !right || *right <= *left) return {};
+  return *right - *left;
 }
 
 double weight_above(const World& world, double height) {

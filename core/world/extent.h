@@ -1,6 +1,8 @@
 // How high the disks lie, and what they weigh.
 #pragma once
 
+#include <optional>
+
 #include "core/world/world.h"
 
 namespace quicksand {
@@ -12,6 +14,10 @@ double highest_point(const World& world);
 // Where the packing begins: at the highest level floor or, without one, at the lowest point of the grains [d]; 0 if there
 // are none.
 double packing_bottom(const World& world);
+
+// Distance of the sides [d]: of periodic ones, or of the innermost walls that face +x and -x. Empty where there are none
+// on a side, walls stand within periodic sides, or a wall is tilted.
+std::optional<double> room_width(const World& world);
 
 // Weight of all grains whose centres are above this height [F_g]; 0 without gravity.
 double weight_above(const World& world, double height);

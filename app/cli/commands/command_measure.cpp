@@ -151,7 +151,10 @@ Command add_measure(CLI::App& program) {
   command->footer(
       "Regions: the whole specimen; the channel swept by the intruder; the intact region, far\n"
       "from its trajectory; and kept_bonds, the grains whose initial bonds all hold. A contact\n"
-      "counts towards a region by the share of its grains in it.\n"
+      "counts towards a region by the share of its grains in it. The stress of a slice of the\n"
+      "profile is that of the grains with their centre in it, without intruders, over the width\n"
+      "between the sides times the slice's whole thickness: where a slice is not full, as at\n"
+      "the top, it shows too little.\n"
       "DIR receives measures.json, profile.csv, bond_angles.csv, contact_orientations.csv,\n"
       "contact_forces.csv and bond_tensions.csv; with --since, displacements.csv, one row per\n"
       "grain. A profile of more than 10000 slices is left out, and the output says so.\n"

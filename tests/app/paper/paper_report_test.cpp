@@ -216,14 +216,17 @@ TEST_F(PaperReportTest, OfOtherReportsTakesEachNumberFromTheFirstThatHasIt) {
   EXPECT_EQ(of_density[3].links[0].address, "exact/report.md");
   EXPECT_EQ(row(table, "after the piston: coordination number")[2].links[0].text, "one");
   const Plot& plot = std::get<Figure>(report.sections[0].blocks.at(0)).plot;
-  const auto curve =
-      std::ranges::find(plot.curves, "NSCD, used to choose its settings", &Curve::name);
+  const auto outside = std::ranges::find(plot.curves, "exact, outside", &Curve::name);
+  ASSERT_NE(outside, plot.curves.end());
+  EXPECT_TRUE(outside->open);
+  EXPECT_EQ(outside->x.size(), 1U);
+  const auto curve = std::ranges::find(plot.curves, "NSCD, inside", &Curve::name);
   ASSERT_NE(curve, plot.curves.end());
-  EXPECT_TRUE(curve->open);
-  ASSERT_EQ(curve->x.size(), 1U);
+  EXPECT_FALSE(curve->open);
+  ASSERT_EQ(curve->x.size(), 2U);
   EXPECT_NEAR(curve->x[0], 0.41 / std::sqrt(0.40 * 0.43), 1e-12) << "over the interval's middle";
   EXPECT_NEAR(curve->y[0], plot.y.names[0].first, 0.5) << "in its row";
-  EXPECT_EQ(plot.y.names[0].second, "volume fraction");
+  EXPECT_EQ(plot.y.names[0].second, "volume fraction †") << "used to choose the settings";
   const std::string counts = std::get<Paragraph>(report.lead[0]).text;
   EXPECT_NE(counts.find("NSCD: 2 inside, 0 outside, "), std::string::npos) << counts;
   EXPECT_THROW(collected_report({ten}, {24, 50}, folder_.path(), ""), InputError);

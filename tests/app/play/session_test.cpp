@@ -70,49 +70,19 @@ TEST_F(SessionTest, ACriticalForceIsExpectedWithItsWholeInterval) {
   EXPECT_EQ(expecting(R"("at_least": 2, "at_most": 1)", 0).exit_code, 2);
 }
 
-// The fixed grain at (0, 5) is outside of the lens, the hanging one at (0, 4) inside.
-TEST_F(SessionTest, AForceOnARegionActsOnTheGrainsThatItHolds) {
-  ASSERT_EQ(play({load(),
-                  R"({"command": "apply", "inside": {"center": [0, 4.1], "half_axes": [2, 0.5]},
-                      "force": [0, -9.1]})",
-                  R"({"command": "run", "until": {"quantity": "bonds_broken", "at_least": 1}})"})
-                .exit_code,
-            0);
-  EXPECT_EQ(transcript()[1]["result"]["bodies"], 1);
-  // Across a periodic side, too.
-  Json periodic = parse_json(kHanging);
-  periodic["box"] = {{"width", 4}, {"height", 6}};
-  ASSERT_EQ(play({R"({"command": "load", "scene": )" + periodic.dump() + "}",
-                  R"({"command": "apply", "inside": {"center": [3.9, 4], "half_axes": [0.5, 0.5]},
-                      "force": [0, -1]})"})
-                .exit_code,
-            0);
-  EXPECT_EQ(transcript()[1]["result"]["bodies"], 1);
-  const std::string empty =
-      R"({"command": "apply", "inside": {"center": [9, 9], "half_axes": [1, 1]}, "force": [0, 1]})";
-  const Outcome refused = play({load(), empty});
-  EXPECT_EQ(refused.exit_code, 1);
-  EXPECT_NE(refused.err.find("no grain has its centre there"), std::string::npos) << refused.err;
-  const Outcome both = play({load(), R"({"command": "apply", "body": 1, "force": [0, 1],
-      "inside": {"center": [0, 4], "half_axes": [1, 1]}})"});
-  EXPECT_EQ(both.exit_code, 2);
-  EXPECT_NE(both.err.find("give only one"), std::string::npos) << both.err;
-}
-
-TEST_F(SessionTest, ATorqueNeedsNoForce) {
-  Json free = parse_json(kHanging);
-  free.erase("gravity");
-  free["bodies"] = Json::array({{{"position", {0, 4}}}});
-  const std::string begin = R"({"command": "load", "scene": )" + free.dump() + "}";
+// Free fall: the work of gravity is the kinetic energy, whenever the last sample was taken.
+TEST_F(SessionTest, EnergiesAreThoseOfTheMoment) {
+  const std::string scene = R"({"gravity": {}, "box": {"width": 0, "height": 90, "sides": "open"},
+      "bodies": [{"position": [0, 80]}], "step": {"dt": 0.01},
+      "phases": [{"type": "settle", "max_time": 10, "until_rest": false, "sample_every": 1}]})";
   ASSERT_EQ(
-      play({begin, R"({"command": "apply", "body": 0, "torque": 0.5})",
-            R"({"command": "run", "until": {"quantity": "rotational_energy", "at_least": 1}})"})
+      play({R"({"command": "load", "scene": )" + scene + "}", R"({"command": "run", "steps": 150})",
+            R"({"command": "measure", "quantity": "external_work"})",
+            R"({"command": "measure", "quantity": "kinetic_energy"})"})
           .exit_code,
       0);
-  const Outcome neither = play({begin, R"({"command": "apply", "body": 0})"});
-  EXPECT_EQ(neither.exit_code, 2);
-  EXPECT_NE(neither.err.find("force: is missing; give force, torque or both"), std::string::npos)
-      << neither.err;
+  const double work = transcript()[2]["result"]["external_work"];
+  EXPECT_NEAR(work, transcript()[3]["result"]["kinetic_energy"].get<double>(), 0.02 * work);
 }
 
 TEST_F(SessionTest, TheSameCommandsGiveTheSameWorld) {

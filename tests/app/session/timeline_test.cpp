@@ -10,6 +10,7 @@
 #include "app/scene_json/scenario_json.h"
 #include "app/series/read_series.h"
 #include "app/series/series.h"
+#include "app/session/condition.h"
 #include "app/session/session.h"
 #include "core/base/errors.h"
 #include "tests/support/files.h"
@@ -63,6 +64,14 @@ TEST_F(TimelineTest, IsNotChangedButComputedOn) {
   EXPECT_EQ(session_.world().step, 0) << "from the beginning";
   session_.run({.steps = 2});
   EXPECT_EQ(session_.world().step, 2);
+}
+
+TEST_F(TimelineTest, DoesNotKnowWhatIsCountedOverSteps) {
+  EXPECT_TRUE(quantity_of(session_, "kinetic_energy", "quantity"));
+  for (const char* counted : {"external_work", "residual"})
+    EXPECT_THROW(quantity_of(session_, counted, "quantity"), InputError) << counted;
+  session_.go_on();
+  EXPECT_GT(quantity_of(session_, "external_work", "quantity"), 0);
 }
 
 // Only who starts it again needs the state that a run started from.

@@ -78,6 +78,34 @@ TEST(StressOf, AContactHasTheDirectionsOfItsNormalAndItsForce) {
   }
 }
 
+// Two smooth walls, one fixed and one pressed towards it, that stand far inside the box.
+TEST(StressOf, ARowBetweenListedWallsBearsTheirForceOverTheHeight) {
+  Scenario scene = bonded_row(3);
+  scene.box.width = 50;
+  scene.box.height = 5;
+  for (Disk& disk : scene.disks) disk.position.y() = 0.5;
+  scene.walls = {
+      {.point = {0, 0}, .normal = {1, 0}, .role = WallRole::side},
+      {.point = {3, 0}, .normal = {-1, 0}, .mass = 1, .force = 7, .role = WallRole::side}};
+  Simulation run(scene);
+  run.advance(3);
+  EXPECT_NEAR(mean_stress(run.world).value().xx, 7, tolerance::solved());
+}
+
+// Whether a grain is called an intruder does not change the balance of forces.
+TEST(StressOf, AnIntruderBearsItsShare) {
+  for (const DiskRole role : {DiskRole::grain, DiskRole::intruder}) {
+    Scenario scene = column(Method::automatic, 3);
+    scene.box.sides = Sides::periodic;
+    scene.box.width = 2;
+    scene.disks[1].role = role;
+    Simulation run(scene);
+    run.advance(3);
+    EXPECT_NEAR(mean_stress(run.world).value().yy, energies(run.world).potential / (2 * 3),
+                tolerance::solved());
+  }
+}
+
 TEST(StressOf, APackingWithoutSidesHasNoMeanBecauseItsAreaIsUnknown) {
   Simulation run(column(Method::automatic, 3));
   run.advance(3);

@@ -39,6 +39,17 @@ TEST(WallLoads, DisksWedgedBetweenSmoothWallsPressOnThem) {
   EXPECT_NEAR(loads.side_thrust.value(), 2, tolerance::solved());
 }
 
+// Its normal says what it bears where its role does not.
+TEST(WallLoads, ALidIsNoFloor) {
+  Scenario scene = column(Method::automatic, 2);
+  scene.walls = {{.point = {0, 2}, .normal = {0, -1}, .mass = 1, .force = 30}};
+  Simulation run(scene);
+  run.advance(3);
+  const WallLoads loads = wall_loads(run.world);
+  EXPECT_NEAR(loads.piston.value(), 1 + 30, tolerance::solved(30));
+  EXPECT_NEAR(loads.floor.value(), 2 + 1 + 30, tolerance::solved(30));
+}
+
 // Janssen: by friction, upright walls bear a part of what lies between them.
 TEST(WallLoads, FloorAndRoughSidesTogetherBearTheWeight) {
   Scenario scene = falling_cluster(Method::automatic, 25, 3, paper_law());
