@@ -54,16 +54,14 @@ std::vector<TimePlot> time_plots() {
        .caption = "Mean stress of the contact forces over the area of the packing, compression "
                   "positive.",
        .y = {.label = "mean stress", .unit = "F_g/d"},
-       .histories = {{"stress_yy", "vertical stress"},
-                     {"stress_xx", "horizontal stress"},
-                     {"stress_xy", "shear stress"}}},
+       .histories = {{"stress_yy", "vertical"},
+                     {"stress_xx", "horizontal"},
+                     {"stress_xy", "shear"}}},
       {.name = "loads",
        .caption = "Downward force of the contacts on the floor and on the sides, and normal force "
                   "on the piston.",
        .y = {.label = "force on the walls", .unit = "F_g"},
-       .histories = {{"floor_load", "load of the floor"},
-                     {"side_load", "load of the sides"},
-                     {"piston_load", "load of the piston"}}},
+       .histories = {{"floor_load", "floor"}, {"side_load", "sides"}, {"piston_load", "piston"}}},
       {.name = "kinetic_energy",
        .caption = "Kinetic energy of all disks and shaped bodies, of translation and of rotation.",
        .y = {.label = "kinetic energy", .unit = "F_g d", .logarithmic = true},
@@ -72,8 +70,7 @@ std::vector<TimePlot> time_plots() {
        .caption = "Work of gravity, forces and prescribed motion, and dissipated energy, since the "
                   "run began.",
        .y = {.label = "energy", .unit = "F_g d"},
-       .histories = {{"energy_dissipated", "dissipated energy"},
-                     {"external_work", "external work"}}},
+       .histories = {{"energy_dissipated", "dissipated"}, {"external_work", "external work"}}},
       {.name = "residual",
        .caption = "Errors of the steps, the worst since the last sample. A step has converged if "
                   "both errors are below their tolerances (grey).",
@@ -250,7 +247,6 @@ std::vector<Figure> run_figures(std::span<const RunResults> runs, const std::str
     const bool first = &histories.front() == described.histories.data();
     Plot plot{
         .name = first ? described.name : histories.front().quantity, .x = along, .y = described.y};
-    if (!single) plot.y.label = histories.front().name;
     for (std::size_t r = 0; r < runs.size(); ++r)
       for (const TimeHistory& history : histories)
         if (has_values(runs[r], history.quantity))
@@ -265,7 +261,10 @@ std::vector<Figure> run_figures(std::span<const RunResults> runs, const std::str
       std::ranges::move(tolerance_guides(runs.front()), std::back_inserter(plot.references));
     std::string caption = described.caption;
     if (!single) {
-      caption = std::string(histories.front().name) + ", one curve per run.";
+      const std::string name = histories.front().name;
+      caption = described.y.label;
+      if (caption.find(name) == std::string::npos) caption += ": " + name;
+      caption += ", one curve per run.";
       caption.front() =
           static_cast<char>(std::toupper(static_cast<unsigned char>(caption.front())));
     }
