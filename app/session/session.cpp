@@ -224,7 +224,7 @@ void Session::begin_phase(const Phase& phase) {
   failed_ = false;
 }
 
-void Session::apply(int body, std::optional<Vec2> force, std::optional<double> torque) {
+void Session::apply(int body, const std::optional<Vec2>& force, std::optional<double> torque) {
   require_computing();
   sampled_run_->protocol().apply(body, force, torque);
 }

@@ -59,7 +59,7 @@ class Session {
   // Ends the present phase and begins this one; the phases not begun yet follow.
   void begin_phase(const Phase& phase);
   // The force on the centre of a body from now on, besides its weight [F_g], and the torque [F_g d]; absent: as before.
-  void apply(int body, std::optional<Vec2> force, std::optional<double> torque);
+  void apply(int body, const std::optional<Vec2>& force, std::optional<double> torque);
 
   // Computes. Does nothing if the scene is finished or failed.
   RunStop run(const RunUntil& until);

@@ -140,7 +140,7 @@ void Protocol::take_push_force() {
   if (running_ && state_.entered) running_->renew_force(stage_);
 }
 
-void Protocol::apply(int body, std::optional<Vec2> force, std::optional<double> torque) {
+void Protocol::apply(int body, const std::optional<Vec2>& force, std::optional<double> torque) {
   if (world_.bonds.initial == 0) world_.bonds.mark_initial();
   if (force) world_.disks.applied[body].head<2>() = *force;
   if (torque) world_.disks.applied[body].z() = *torque;

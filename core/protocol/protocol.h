@@ -40,7 +40,7 @@ class Protocol {
   // The push under way goes on with its scene's force, whatever acts on the intruder.
   void take_push_force();
   // The force on the centre of a body from now on, besides its weight [F_g], and the torque [F_g d]; absent: as before.
-  void apply(int body, std::optional<Vec2> force, std::optional<double> torque);
+  void apply(int body, const std::optional<Vec2>& force, std::optional<double> torque);
 
   // Where the time of the steps goes; who does other work in between may tell it, too. With `meanwhile` in it, steps can
   // be given up, and each takes a copy of the world first.
