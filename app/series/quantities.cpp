@@ -166,7 +166,7 @@ const Quantity kQuantities[] = {
     {"stress_yy", "F_g/d", "... vertical normal stress",
      [](const Row& r) { return of_stress(r, &Stress::yy); }},
     {"stress_xy", "F_g/d",
-     "... shear stress, the mean of its xy and yx components; positive where what is above a "
+     "... shear stress, the mean of its xy and yx components; negative where what is above a "
      "horizontal plane pushes what is below towards +x",
      [](const Row& r) { return of_stress(r, &Stress::xy); }},
     {"fabric_anisotropy", "1",

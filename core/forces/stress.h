@@ -3,7 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "core/world/world.h"
@@ -11,13 +10,12 @@
 namespace quicksand {
 
 // Components of a symmetric tensor in the plane. As a stress [F_g/d], or times an area [F_g d], compression is positive; xy
-// is, where what is above a horizontal plane pushes what is below towards +x.
+// is negative where what is above a horizontal plane pushes what is below towards +x.
 struct Stress {
   double xx = 0, yy = 0, xy = 0;
 
   Stress& operator+=(const Stress& other);
   Stress over(double area) const { return {xx / area, yy / area, xy / area}; }
-  bool operator==(const Stress&) const = default;
 };
 
 // Love-Weber: the mean stress of a region is the sum of arm (x) force over the contacts of the bodies in it, over its area,

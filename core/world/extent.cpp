@@ -48,12 +48,9 @@ std::optional<double> room_width(const World& world) {
     if (wall.normal.x() > 0) left = std::max(left.value_or(x), x);
     if (wall.normal.x() < 0) right = std::min(right.value_or(x), x);
   }
-  if (world.box.sides == Sides::periodic) {
-    if (left || right) return {};
-    return world.box.width;
-  }
-  if (!left || !right || *right <= *left) return {};
-  return *right - *left;
+  if (left && right && *right > *left) return *right - *left;
+  if (world.box.sides != Sides::open && !left && !right) return world.box.width;
+  return {};
 }
 
 double weight_above(const World& world, double height) {

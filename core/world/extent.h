@@ -15,8 +15,8 @@ double highest_point(const World& world);
 // are none.
 double packing_bottom(const World& world);
 
-// Distance of the sides [d]: of periodic ones, or of the innermost walls that face +x and -x. Empty where there are none
-// on a side, walls stand within periodic sides, or a wall is tilted.
+// Distance of the sides [d]: of the innermost walls that face +x and -x or, without such walls, of periodic sides. Empty
+// where a side is open or a wall is tilted.
 std::optional<double> room_width(const World& world);
 
 // Weight of all grains whose centres are above this height [F_g]; 0 without gravity.

@@ -38,6 +38,18 @@ TEST(StressOf, AColumnAtRestIsItsPotentialEnergyOverTheArea) {
   EXPECT_NEAR(mean.xy, 0, tolerance::solved());
 }
 
+// Held by friction and rolling friction, the disk pushes the floor, which is below it, towards +x: half of what the mean of
+// both shears counts, since the moment of rolling friction balances the other.
+TEST(StressOf, WhatGravityDrawsToTheRightIsANegativeShear) {
+  Scenario scene = column(Method::automatic, 1, paper_law());
+  scene.gravity = Vec2(0.05, -1);
+  Simulation run(scene);
+  run.advance(3);
+  const double radius = 0.5;
+  EXPECT_NEAR(total(run.world).xy, -0.05 * radius / 2, tolerance::solved());
+  EXPECT_NEAR(total(run.world).yy, radius, tolerance::solved());
+}
+
 TEST(StressOf, AHangingChainIsATension) {
   Simulation run(hanging_chain(Method::automatic, 4, 100));
   run.advance(3);
