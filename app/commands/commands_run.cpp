@@ -195,12 +195,10 @@ std::vector<SessionCommand> run_commands() {
       define<Apply>(
           {"apply", kRunGroup,
            "Applies a force to the centre of a body, or of each grain in a region, or a torque, "
-           "from "
-           "now on, in addition to its weight and in place of the force, or the torque, applied "
-           "before. "
-           "Where a phase drives the body, the forces of the phase replace both. The bonds "
-           "present at "
-           "the first apply count as initial, unless a phase has already set the initial bonds.",
+           "from now on, in addition to its weight and in place of the force, or the torque, "
+           "applied before. Where a phase drives the body, the forces of the phase replace both. "
+           "The bonds present at the first apply count as initial, unless a phase has already set "
+           "the initial bonds.",
            R"({"command": "apply", "body": 12, "force": [100, 0]})"})};
 }
 

@@ -100,9 +100,10 @@ Json summary(const Scenario& scenario, const World& world, const ProtocolState& 
                {"missed_rest", end.missed_rest},
                {"phases_finished", state.phase},
                {"phases", scenario.phases.size()}};
-  for (const Quantity& quantity : quantities()) {
-    json[std::string(quantity.name)] = json_of(quantity.get(last));
-  }
+  Row row = last;
+  row.take_energy(state);  // which may be later than the last sample, where a run could not go on
+  for (const Quantity& quantity : quantities())
+    json[std::string(quantity.name)] = json_of(quantity.get(row));
   json["steps"] = end.steps;
   json[kWallSeconds] = end.wall_seconds;
   json["steps_per_second"] = end.last_wall_seconds > 0
