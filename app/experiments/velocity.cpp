@@ -1,4 +1,5 @@
-// How fast the intruder ploughs: v^2 = k (F - F_0), the law of the companion paper. [arXiv:1012.2696]
+// How fast the intruder ploughs: v^2 = k (F - F_0), the law of the companion paper [arXiv:1012.2696], and the power law
+// of the force beyond the one that was searched for.
 #include <cmath>
 
 #include "app/experiments/experiments.h"
@@ -43,22 +44,35 @@ class Velocity : public PaperExperiment {
     std::optional<double> of_line;
     if (line && line->slope > 0 && line->intercept < 0) {
       of_line = -line->intercept / line->slope;
-      plot.curves.push_back(law(line->slope, *of_line, curve.x.back()));
+      plot.curves.push_back(fitted("v² = k (F − F_0)", *of_line, curve.x.back(),
+                                   [&](double beyond) { return std::sqrt(line->slope * beyond); }));
     }
+    std::string caption =
+        of_line ? "Means with bars of one standard error. Dashed: v² = k (F − F_0), fitted to the "
+                  "squared velocities; its F_0 is " +
+                      cell_of(Measured{.value = *of_line}, 1).text + " F_c."
+                : "A straight line through the squared velocities gives no threshold: it vanishes "
+                  "at no positive force.";
     report_threshold(results, section, findings);
-    if (const auto found = findings.find("penetration.threshold_force"); found != findings.end())
-      plot.references.push_back({.name = "smallest force of entry",
-                                 .low = found->second.value,
+    if (const auto found = findings.find("penetration.threshold_force"); found != findings.end()) {
+      const Measured& entry = found->second;
+      plot.references.push_back({.name = "smallest force of entry F_e",
+                                 .low = entry.value,
                                  .of_x = true,
                                  .role = Reference::Role::guide});
-    section.add(Figure{
-        std::move(plot),
-        of_line ? "Means with bars of one standard error. The dashed line is v² = k (F − F_0), "
-                  "fitted to the squared velocities; its F_0 is " +
-                      cell_of(Measured{.value = *of_line}, 1).text + " F_c."
-                : std::string("A straight line through the squared velocities gives no threshold: "
-                              "it vanishes at no positive force.")});
-    note_exponent(findings, curve);
+      if (const auto law = power_law(curve, entry.value)) {
+        const Measured exponent = exponent_with_errors(curve, entry, *law);
+        findings["drag_law.exponent"] = exponent;
+        plot.curves.push_back(
+            fitted("v = c (F − F_e)^α", entry.value, curve.x.back(),
+                   [&](double beyond) { return law->at_one * std::pow(beyond, law->exponent); }));
+        caption += std::string(of_line ? " Dotted" : " Dashed") +
+                   ": v = c (F − F_e)^α, where F_e is the force found by the search, fitted to the "
+                   "forces above it; its α is " +
+                   cell_of(exponent, exponent.n).text + ".";
+      }
+    }
+    section.add(Figure{std::move(plot), std::move(caption)});
   }
 
  private:
@@ -83,15 +97,16 @@ class Velocity : public PaperExperiment {
                   cell_of(force, all_).text + " F_c."});
   }
 
-  static Curve law(double slope, double threshold, double largest) {
+  // velocity(force - threshold) from the threshold on, closer there, where it is steep.
+  template <class Law>
+  static Curve fitted(std::string name, double threshold, double largest, const Law& velocity) {
     constexpr int kPoints = 60;
-    Curve curve{.name = "v² = k (F − F_0)", .kind = Curve::Kind::line, .role = Curve::Role::fit};
+    Curve curve{.name = std::move(name), .kind = Curve::Kind::line, .role = Curve::Role::fit};
     const double start = std::max(0.0, threshold);
     for (int k = 0; k <= kPoints; ++k) {
       const double share = static_cast<double>(k) / kPoints;
-      // Closer where the law is steep.
       curve.x.push_back(start + (largest - start) * share * share);
-      curve.y.push_back(std::sqrt(slope * (curve.x.back() - threshold)));
+      curve.y.push_back(velocity(curve.x.back() - threshold));
     }
     return curve;
   }
@@ -99,8 +114,9 @@ class Velocity : public PaperExperiment {
   // Of v against F - threshold [F_c], on logarithmic axes; of the forces above it.
   struct PowerLaw {
     double exponent = 0;
-    double error =
-        0;  // by the scatter about the line or, if larger, by the errors of the velocities
+    // By the scatter about the line or, if larger, by the errors of the velocities.
+    double error = 0;
+    double at_one = 0;  // the velocity where the force is F_c above the threshold [sqrt(g d)]
     int forces = 0;
   };
   static std::optional<PowerLaw> power_law(const Curve& curve, double threshold) {
@@ -116,27 +132,23 @@ class Velocity : public PaperExperiment {
     if (!line) return std::nullopt;
     return PowerLaw{.exponent = line->slope,
                     .error = std::max(line->slope_error.value_or(0), slope_error_by(x, error)),
+                    .at_one = std::exp(line->intercept),
                     .forces = static_cast<int>(x.size())};
   }
 
-  // With the force that was searched for, so that it does not depend on the law. What the error of that force makes of
-  // the exponent is found with a threshold one standard error lower and one higher.
-  static void note_exponent(Findings& findings, const Curve& curve) {
-    const auto found = findings.find("penetration.threshold_force");
-    if (found == findings.end()) return;
-    const Measured& threshold = found->second;
-    const auto law = power_law(curve, threshold.value);
-    if (!law) return;
+  // With the force that was searched for, so that it does not depend on the law v² = k (F − F_0). What the error of that
+  // force makes of the exponent is found with a threshold one standard error lower and one higher.
+  static Measured exponent_with_errors(const Curve& curve, const Measured& threshold,
+                                       const PowerLaw& law) {
     double by_threshold = 0;
     for (const double off :
          {-threshold.standard_error.value_or(0), threshold.standard_error.value_or(0)})
       if (const auto other = power_law(curve, threshold.value + off))
-        by_threshold = std::max(by_threshold, std::abs(other->exponent - law->exponent));
-    findings["drag_law.exponent"] = {
-        .value = law->exponent,
-        .standard_error = std::hypot(law->error, by_threshold),
-        .n = law->forces,
-        .note = "fitted to the forces above the threshold found by the search"};
+        by_threshold = std::max(by_threshold, std::abs(other->exponent - law.exponent));
+    return {.value = law.exponent,
+            .standard_error = std::hypot(law.error, by_threshold),
+            .n = law.forces,
+            .note = "fitted to the forces above the threshold found by the search"};
   }
 
   PushCurve curve_;

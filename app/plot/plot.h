@@ -34,7 +34,7 @@ struct Curve {
     boxes   // filled between the ends of bars, one a point
   };
   // Ours is drawn filled and in colour; the paper's black, open or dashed; a fit as a thin dashed line in
-  // the colour of the curve before it.
+  // the colour of the curve before it, a second one to it dotted.
   enum class Role : std::uint8_t { ours, paper, fit };
 
   std::string name{};  // in the legend; empty: not in it

@@ -299,6 +299,13 @@ TEST_F(Reproduce, TheExponentOfTheVelocityTakesTheThresholdThatWasSearchedFor) {
     }
   EXPECT_NEAR(*findings.at("drag_law.exponent").standard_error, 0.6 - fit_line(x, y)->slope, 2e-4)
       << "a threshold that is known so well";
+  const auto found = std::ranges::find_if(
+      section.blocks, [](const Block& block) { return std::holds_alternative<Figure>(block); });
+  ASSERT_NE(found, section.blocks.end());
+  const Curve& law = std::get<Figure>(*found).plot.curves.back();
+  ASSERT_EQ(law.name, "v = c (F − F_e)^α");
+  for (std::size_t k = 0; k < law.x.size(); ++k)
+    EXPECT_NEAR(law.y[k], 30 * std::pow(std::max(law.x[k] - 0.04, 0.0), 0.6), 1e-2);
 }
 
 // The paper has 0.93 and 0.97 with a third of the cohesion force, 0.68 and 0.78 with all of it.
