@@ -13,6 +13,8 @@ namespace quicksand {
 
 namespace {
 
+constexpr const char* kPowerLaw = "v = c (F − F_e)ᵅ";
+
 class Velocity : public PaperExperiment {
  public:
   void ask_for_runs(PaperJobs& jobs) override {
@@ -44,12 +46,12 @@ class Velocity : public PaperExperiment {
     std::optional<double> of_line;
     if (line && line->slope > 0 && line->intercept < 0) {
       of_line = -line->intercept / line->slope;
-      plot.curves.push_back(fitted("v² = k (F − F_0)", *of_line, curve.x.back(),
+      plot.curves.push_back(fitted("v² = k (F − F_0)", 0, *of_line, curve.x.back(),
                                    [&](double beyond) { return std::sqrt(line->slope * beyond); }));
     }
-    std::string caption =
-        of_line ? "Means with bars of one standard error. Dashed: v² = k (F − F_0), fitted to the "
-                  "squared velocities; its F_0 is " +
+    std::string fits =
+        of_line ? "A straight line through the squared velocities, v² = k (F − F_0), vanishes at "
+                  "F_0 = " +
                       cell_of(Measured{.value = *of_line}, 1).text + " F_c."
                 : "A straight line through the squared velocities gives no threshold: it vanishes "
                   "at no positive force.";
@@ -63,16 +65,20 @@ class Velocity : public PaperExperiment {
       if (const auto law = power_law(curve, entry.value)) {
         const Measured exponent = exponent_with_errors(curve, entry, *law);
         findings["drag_law.exponent"] = exponent;
-        plot.curves.push_back(
-            fitted("v = c (F − F_e)^α", entry.value, curve.x.back(),
-                   [&](double beyond) { return law->at_one * std::pow(beyond, law->exponent); }));
-        caption += std::string(of_line ? " Dotted" : " Dashed") +
-                   ": v = c (F − F_e)^α, where F_e is the force found by the search, fitted to the "
-                   "forces above it; its α is " +
-                   cell_of(exponent, exponent.n).text + ".";
+        plot.curves.push_back(fitted(kPowerLaw, 1, entry.value, curve.x.back(), [&](double beyond) {
+          return law->at_one * std::pow(beyond, law->exponent);
+        }));
+        fits += std::string(" The exponent of ") + kPowerLaw + " is " +
+                cell_of(exponent, exponent.n).text + ".";
       }
     }
-    section.add(Figure{std::move(plot), std::move(caption)});
+    section.add(Paragraph{std::move(fits)});
+    section.add(Figure{std::move(plot),
+                       std::string("Means with bars of one standard error. Dashed: v² = k (F − "
+                                   "F_0), fitted to the squared velocities. Dash-dotted: ") +
+                           kPowerLaw +
+                           ", where F_e is the force found by the search, fitted to the forces "
+                           "above it."});
   }
 
  private:
@@ -99,9 +105,13 @@ class Velocity : public PaperExperiment {
 
   // velocity(force - threshold) from the threshold on, closer there, where it is steep.
   template <class Law>
-  static Curve fitted(std::string name, double threshold, double largest, const Law& velocity) {
+  static Curve fitted(std::string name, std::size_t style, double threshold, double largest,
+                      const Law& velocity) {
     constexpr int kPoints = 60;
-    Curve curve{.name = std::move(name), .kind = Curve::Kind::line, .role = Curve::Role::fit};
+    Curve curve{.name = std::move(name),
+                .kind = Curve::Kind::line,
+                .role = Curve::Role::fit,
+                .style = style};
     const double start = std::max(0.0, threshold);
     for (int k = 0; k <= kPoints; ++k) {
       const double share = static_cast<double>(k) / kPoints;

@@ -34,7 +34,7 @@ struct Curve {
     boxes   // filled between the ends of bars, one a point
   };
   // Ours is drawn filled and in colour; the paper's black, open or dashed; a fit as a thin dashed line in
-  // the colour of the curve before it, a second one to it dotted.
+  // the colour of the curve before it.
   enum class Role : std::uint8_t { ours, paper, fit };
 
   std::string name{};  // in the legend; empty: not in it
@@ -42,7 +42,7 @@ struct Curve {
   Role role = Role::ours;
   // What is one thing in several plots has one look in all; else no two curves of a plot look alike.
   std::optional<std::size_t>
-      style{};                     // marker, dash and, of ours, colour, from 0; the next if absent
+      style{};  // marker, dash and, of ours, colour, from 0; the next if absent, of a fit the first
   std::optional<Colour> colour{};  // in lieu of the style's, or of the paper's black
   bool open = false;               // and not filled
   bool second_axis = false;        // y belongs to the axis on the right

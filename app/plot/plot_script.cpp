@@ -217,8 +217,7 @@ class Script {
     return names;
   }
 
-  // Place of each curve among those of its role. A fit has that of the curve before it, and its colour; a second one to
-  // the same curve has dots in lieu of dashes.
+  // Place of each curve among those of its role. A fit has that of the curve before it, and its colour.
   void choose_looks() {
     std::size_t ours = 0, papers = 0;
     for (const Curve& curve : plot_.curves)
@@ -229,7 +228,7 @@ class Script {
       if (curve.role == Curve::Role::paper)
         look.place = curve.style ? *curve.style : papers++;
       else if (curve.role == Curve::Role::fit && any_of_ours_)
-        look = {.place = last.place, .colour = last.colour, .fits = last.fits + 1};
+        look = last;
       else
         look.place = curve.style ? *curve.style : ours++;
       looks_.push_back(look);
@@ -243,7 +242,7 @@ class Script {
   std::string look_of(std::size_t i, const std::string& kind) const {
     const Curve& curve = plot_.curves[i];
     const bool of_paper = curve.role == Curve::Role::paper;
-    const auto [place, own_colour, fits] = looks_[i];
+    const auto [place, own_colour] = looks_[i];
     const std::size_t round = place / kStyles;
     const auto nth = [](std::size_t n) { return "_" + std::to_string(n % kStyles + 1); };
     const std::string colour = own_colour ? "lc rgb '" + style_sheet(*own_colour) + "'"
@@ -251,9 +250,12 @@ class Script {
                                           : "@ours" + nth(place);
     const bool open = of_paper || curve.open || round % 2 == 1;
     constexpr std::size_t kPaperDashes = 3;
-    const std::string dash = of_paper ? "paper_dash_" + std::to_string(place % kPaperDashes + 1)
-                             : curve.role == Curve::Role::fit ? (fits > 1 ? "fit_dots" : "fit_dash")
-                                                              : "dash" + nth(place + round);
+    constexpr std::size_t kFitDashes = 2;
+    const std::string dash =
+        of_paper ? "paper_dash_" + std::to_string(place % kPaperDashes + 1)
+        : curve.role == Curve::Role::fit
+            ? "fit_dash_" + std::to_string(curve.style.value_or(0) % kFitDashes + 1)
+            : "dash" + nth(place + round);
     return pieces_.fill(kind, {{"colour", colour},
                                {"marker", (open ? "open" : "filled") + nth(place + round)},
                                {"dash", dash}});
@@ -312,7 +314,6 @@ class Script {
   struct Look {
     std::size_t place = 0;
     std::optional<Colour> colour{};  // in lieu of that of the place
-    int fits = 0;                    // of one curve, up to this one
   };
   std::vector<Look> looks_;  // of each curve
   bool any_of_ours_ = false;

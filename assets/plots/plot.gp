@@ -21,7 +21,7 @@ ours_3 = "lc rgb '{{colour_3}}'"; filled_3 = "pt 9 ps 1.3"; open_3 = "pt 8 ps 1.
 ours_4 = "lc rgb '{{colour_4}}'"; filled_4 = "pt 13 ps 1.3"; open_4 = "pt 12 ps 1.3"; dash_4 = "dt (16,4,4,4) lw 1.8"
 ours_5 = "lc rgb '{{colour_5}}'"; filled_5 = "pt 11 ps 1.3"; open_5 = "pt 10 ps 1.3"; dash_5 = "dt (16,4,4,4,4,4) lw 1.8"
 ours_6 = "lc rgb '{{colour_6}}'"; filled_6 = "pt 15 ps 1.3"; open_6 = "pt 14 ps 1.3"; dash_6 = "dt (30,7) lw 1.8"
-paper = "lc rgb '#000000'"; fit_dash = "dt (6,4) lw 1.3"; fit_dots = "dt (1.5,3) lw 1.6"
+paper = "lc rgb '#000000'"; fit_dash_1 = "dt (6,4) lw 1.3"; fit_dash_2 = "dt (12,4,2,4) lw 1.3"
 paper_dash_1 = "dt (14,8) lw 1.8"; paper_dash_2 = "dt (3,5) lw 1.8"; paper_dash_3 = "dt (18,5,3,5) lw 1.8"
 paper_line = "lw 1.4 dt (14,8) lc rgb '#000000'"; guide_line = "lw 0.8 dt solid lc rgb '#999999'"
 paper_band = "fs transparent solid 0.15 noborder fc rgb '#000000'"

@@ -303,7 +303,7 @@ TEST_F(Reproduce, TheExponentOfTheVelocityTakesTheThresholdThatWasSearchedFor) {
       section.blocks, [](const Block& block) { return std::holds_alternative<Figure>(block); });
   ASSERT_NE(found, section.blocks.end());
   const Curve& law = std::get<Figure>(*found).plot.curves.back();
-  ASSERT_EQ(law.name, "v = c (F − F_e)^α");
+  ASSERT_EQ(law.name, "v = c (F − F_e)ᵅ");
   for (std::size_t k = 0; k < law.x.size(); ++k)
     EXPECT_NEAR(law.y[k], 30 * std::pow(std::max(law.x[k] - 0.04, 0.0), 0.6), 1e-2);
 }
