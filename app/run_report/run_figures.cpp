@@ -218,6 +218,28 @@ std::optional<Plot> plot_of_drive(const DrivePlot& described, std::span<const Ru
   return plot;
 }
 
+double highest(std::span<const Curve> curves) {
+  double highest = -HUGE_VAL;
+  for (const Curve& curve : curves)
+    for (const double y : curve.y)
+      highest = std::max(highest, y);  // not a number counts for nothing
+  return highest;
+}
+
+// Samples between two interruptions of a line, which alone make no line; empty if there are none.
+Curve lone_samples(const Curve& line) {
+  Curve lone{.role = Curve::Role::fit};  // in the colour of the line
+  for (std::size_t k = 0; k < line.x.size(); ++k) {
+    const auto begins = [&](std::size_t i) {
+      return i == 0 || i == line.x.size() || std::ranges::binary_search(line.begins, i);
+    };
+    if (!begins(k) || !begins(k + 1)) continue;
+    lone.x.push_back(line.x[k]);
+    lone.y.push_back(line.y[k]);
+  }
+  return lone;
+}
+
 }  // namespace
 
 std::vector<Figure> run_figures(std::span<const RunResults> runs, const std::string& from) {
@@ -249,22 +271,26 @@ std::vector<Figure> run_figures(std::span<const RunResults> runs, const std::str
         .name = first ? described.name : histories.front().quantity, .x = along, .y = described.y};
     for (std::size_t r = 0; r < runs.size(); ++r)
       for (const TimeHistory& history : histories)
-        if (has_values(runs[r], history.quantity))
+        if (has_values(runs[r], history.quantity)) {
           plot.curves.push_back(
               {.name = single ? history.name : names[r],
                .kind = described.kind,
                .x = time[r],
                .y = from_sample(values_of(runs[r], history, described.per_step), begins[r]),
                .begins = returns_to_base(runs[r], begins[r])});
+          if (Curve lone = lone_samples(plot.curves.back()); !lone.x.empty())
+            plot.curves.push_back(std::move(lone));
+        }
     if (single) plot.references = phase_guides(runs.front(), begins.front(), time.front());
     if (described.has_tolerance && single)
       std::ranges::move(tolerance_guides(runs.front()), std::back_inserter(plot.references));
+    // Active bonds may outnumber the contacts that touch.
+    if (plot.y.high && highest(plot.curves) > *plot.y.high) plot.y.high.reset();
     std::string caption = described.caption;
     if (!single) {
       const std::string name = histories.front().name;
-      caption = described.y.label;
-      if (caption.find(name) == std::string::npos) caption += ": " + name;
-      caption += ", one curve per run.";
+      if (plot.y.label.find(name) == std::string::npos) plot.y.label += ": " + name;
+      caption = plot.y.label + ", one curve per run.";
       caption.front() =
           static_cast<char>(std::toupper(static_cast<unsigned char>(caption.front())));
     }

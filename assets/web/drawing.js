@@ -305,9 +305,11 @@ class Drawing {
     const planes = [[left, low, 1, 0], [left, low, 0, 1], [right, high, -1, 0], [right, high, 0, -1]];
     for (const other of this.frame.walls)
       if (other !== wall && !other[4] && Math.abs(other[2] * nx + other[3] * ny) <= 0.999) planes.push(other);
+    const rounding = 1e-9 * far;  // a surface along the edge of the window is in sight
     for (const [px, py, mx, my] of planes) {
       const [a, b] = ends.map(([ex, ey]) => mx * (ex - px) + my * (ey - py));
-      if (a < 0 && b < 0) return null;
+      if (a < -rounding && b < -rounding) return null;
+      if (Math.min(a, b) >= -rounding) continue;
       const [p, q] = ends, s = a / (a - b), cut = [p[0] + s * (q[0] - p[0]), p[1] + s * (q[1] - p[1])];
       if (a < 0) ends = [cut, q];
       if (b < 0) ends = [p, cut];

@@ -96,6 +96,7 @@ export class Timeline {
       this.phase.dataset.made = names;
       const once = spans.filter((s, i) => spans.findIndex((other) => other.phase === s.phase) === i);
       this.phase.replaceChildren(...once.map(({phase}) => element("option", {value: phase}, `${phase} ${run.phase_names[phase]}`)));
+      this.phase.value = this.shown_phase;
     }
     if (this.now) this.place_slider();
     this.draw();
@@ -108,6 +109,7 @@ export class Timeline {
     this.part.hidden = !now;
     if (!now) return;
     this.time = frame.time;
+    this.shown_phase = frame.phase;
     this.place_slider();
     this.slider.setAttribute("aria-valuetext", `time ${short(frame.time)}, phase ${frame.phase_name}`);
     this.play.textContent = now.playing ? "Pause" : "Play";

@@ -37,11 +37,14 @@ void draw_orientation(DrawList& list, const Vec2& centre, double radius, double 
             std::clamp(0.16 * radius, 0.8, 3.0), colour, true);
 }
 
-// Shortens the line from p to q to the free side of a surface; false if nothing is left.
+// Shortens the line from p to q to the free side of a surface; false if nothing is left. A line along the surface is on
+// its free side, also where rounding says otherwise.
 bool clip_line(Vec2& p, Vec2& q, const Vec2& point, const Vec2& normal) {
   const double a = normal.dot(p - point);
   const double b = normal.dot(q - point);
-  if (a < 0 && b < 0) return false;
+  const double rounding = 1e-9 * (q - p).norm();
+  if (a < -rounding && b < -rounding) return false;
+  if (std::min(a, b) >= -rounding) return true;
   if (a < 0) p += (q - p) * (a / (a - b));
   if (b < 0) q += (p - q) * (b / (b - a));
   return true;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <sstream>
 
 #include "app/run_report/run_results.h"
 #include "core/base/errors.h"
@@ -100,6 +101,40 @@ TEST_F(RunReportTest, TimeHistoriesBeginWithAPhase) {
   const Outcome wrong = report({"soft", "--from", "pusch"});
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_NE(wrong.err.find("did you mean \"push\"?"), std::string::npos) << wrong.err;
+}
+
+// The last three samples are made those of three trials, each sampled once.
+TEST_F(RunReportTest, ATrialThatIsSampledOnceIsAPoint) {
+  std::istringstream lines(file("soft/series.csv"));
+  std::string line, edited;
+  std::getline(lines, line);
+  const auto count_before = line.find(",trial,");
+  ASSERT_NE(count_before, std::string::npos);
+  const auto column = std::count(line.begin(), line.begin() + count_before, ',') + 1;
+  edited = line + "\n";
+  std::vector<std::string> rows;
+  while (std::getline(lines, line)) rows.push_back(line);
+  ASSERT_GT(rows.size(), 4u);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    std::size_t field = 0;
+    for (std::ptrdiff_t c = 0; c < column; ++c) field = rows[k].find(',', field) + 1;
+    const std::size_t last = rows.size() - 3;
+    if (k + 1 >= last)  // also the one before, from which the first trial returns
+      rows[k].replace(field, rows[k].find(',', field) - field, std::to_string(k + 1 - last));
+    edited += rows[k] + "\n";
+  }
+  folder_.write("soft/series.csv", edited);
+  const RunResults run(at("soft"));
+  const auto figures = run_figures(std::array{run});
+  const std::vector<Curve>& curves = figures.front().plot.curves;
+  const auto line_of = std::ranges::find(curves, "active share", &Curve::name);
+  ASSERT_NE(line_of, curves.end());
+  ASSERT_NE(line_of + 1, curves.end());
+  const Curve& lone = *(line_of + 1);
+  EXPECT_EQ(lone.kind, Curve::Kind::points);
+  ASSERT_EQ(lone.x.size(), 3u);
+  EXPECT_EQ(lone.x.back(), run.final_value("time"));
+  EXPECT_EQ(lone.y.back(), run.column("active_bond_fraction").back());
 }
 
 TEST_F(RunReportTest, AllHistoriesHaveTheSameRangeOfTimeAndErrorsTheirTolerance) {

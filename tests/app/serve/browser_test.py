@@ -381,7 +381,8 @@ def survives_the_server(browser, server):
 
 
 def walks_through_a_run(browser, server):
-    ran = subprocess.run([PROGRAM, "run", "chain", "--no-frames", "--out", "run", "--quiet"], cwd=FOLDER)
+    two = 'phases=[{"type": "settle", "until_rest": false, "max_time": 0.5}, {"type": "settle", "max_time": 0.1}]'
+    ran = subprocess.run([PROGRAM, "run", "chain", "--set", two, "--no-frames", "--out", "run", "--quiet"], cwd=FOLDER)
     assert ran.returncode == 0
     walk = Server(shown="run", out="out_walk")
     page = Browser()
@@ -391,6 +392,8 @@ def walks_through_a_run(browser, server):
         last = page.run("return quicksand.frame().timeline.samples") - 1
         place = "const s = document.querySelector('#timeline input[type=range]'); return (s.value - s.min) / (s.max - s.min)"
         assert last > 2 and abs(page.run(place) - 1) < 1e-3
+        assert page.run("const {timeline} = quicksand; timeline.phase.dataset.made = ''; timeline.set_run(timeline.run);"
+                        "return timeline.phase.value") == "1", "the phase, also where the moments of the run come last"
         names = page.run("return [...document.querySelectorAll('#timeline button, #timeline input, #timeline select')]"
                          ".filter((e) => !(e.textContent || e.ariaLabel || e.labels?.length)).map((e) => e.outerHTML)")
         assert not names, f"controls without a name: {names}"
