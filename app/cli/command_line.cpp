@@ -163,9 +163,8 @@ int run_command_line(int argc, const char* const* argv) {
         std::ranges::find_if(commands, [](const Command& c) { return c.app->parsed(); });
     return told(called->run());
   } catch (const DiskFull& error) {
-    return tell_failed(
-        {"disk_full", error.where() + ": " + error.what() +
-                          "; when there is space again, run the same command again"});
+    return tell_failed({"disk_full", error.where() + ": " + error.what() +
+                                         " When there is space again, run the same command again"});
   } catch (const InputError& error) {
     return tell_error(error);
   } catch (const RenderError& error) {

@@ -124,7 +124,7 @@ struct ExpectHash {
   std::string hash;
 
   void describe(Fields& f) {
-    f.text({"hash", "16 hexadecimal digits, as shown in transcripts and summary.json",
+    f.text({"hash", "16 hexadecimal digits, as transcripts show them; 0x in front, as in summary.json, is allowed",
             Presence::required},
            hash);
     constexpr std::size_t kDigits = 16;

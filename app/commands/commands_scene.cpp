@@ -116,7 +116,10 @@ struct Set {
 
   Json perform(Console& console, const std::string&) {
     const bool at_once = console.session().set(path, value_from_here(console, path, value));
-    return value_now(console.session(), path, at_once);
+    Json answer = value_now(console.session(), path, at_once);
+    // A key that stands for another one, as force_over_cohesion for force, is not in the scene itself.
+    if (answer["value"].is_null()) answer["value"] = value;
+    return answer;
   }
 };
 

@@ -54,6 +54,7 @@ RunResults::RunResults(const fs::path& folder) : folder_{folder} {
   summary_ = Json::object();
   for (const auto& [name, values] : columns_)
     if (!values.empty()) summary_[name] = std::isnan(values.back()) ? Json() : Json(values.back());
+  if (!phases_.empty()) summary_["phase"] = phases_.back();
 }
 
 void RunResults::read_series() {

@@ -73,6 +73,15 @@ bool is_too_late(const Scenario& before, const Scenario& after, const Protocol& 
   });
 }
 
+// Whether a phase differs that has ended.
+bool is_over(const Scenario& before, const Scenario& after, const Protocol& protocol) {
+  const auto ended = static_cast<std::size_t>(protocol.state().phase);
+  const Json old = to_json(before).at("phases"), changed = to_json(after).at("phases");
+  for (std::size_t k = 0; k < ended && k < old.size() && k < changed.size(); ++k)
+    if (old[k] != changed[k]) return true;
+  return false;
+}
+
 // Whether the phases that have begun are of the same kinds in both.
 bool same_kinds(const std::vector<Phase>& a, const std::vector<Phase>& b, int present) {
   const auto begun = static_cast<std::size_t>(present) + 1;
@@ -204,7 +213,9 @@ bool Session::undo() {
 }
 
 bool Session::take_over(const std::string& path, Scenario changed) {
-  const bool too_late = path.starts_with("phases") && is_too_late(scenario_, changed, protocol());
+  const bool too_late =
+      path.starts_with("phases") &&
+      (is_too_late(scenario_, changed, protocol()) || is_over(scenario_, changed, protocol()));
   scenario_ = std::move(changed);
   take_scene_into_view();
   if (!holds_at_once(path)) return false;

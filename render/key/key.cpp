@@ -123,14 +123,21 @@ void add_lines(Legend& key, const KeyContent& content, double scale, bool all) {
       list.line(at + Vec2(inset, 0), at + Vec2(length - inset, 0), width, colour, true);
     });
   };
+  // What cannot occur is not named.
+  const bool bonds_occur = view.names_bonds || has_bonds(content.world);
   Legend::Group group{.title = {}, .words = {}, .line_each = true};
-  if (view.bonds) group.words.push_back(line("active bond", bond_width(scale), bond_colour(view)));
+  if (view.bonds && bonds_occur)
+    group.words.push_back(line("active bond", bond_width(scale), bond_colour(view)));
   if (view.forces) {
-    const double width = std::clamp(kReferenceWidth * scale, 0.5, font.size());
-    const std::string value =
-        short_number(content.force_scale * width / (kReferenceWidth * scale)) + " " + italic("F") +
-        subscript("g");
+    // As wide as the force scale says, or as the round force whose line still suits the text.
+    const double per_width = content.force_scale / (kReferenceWidth * scale);
+    double force = content.force_scale;
+    if (force / per_width > font.size()) force = nice_below(font.size() * per_width);
+    if (force / per_width < 0.5) force = nice_above(0.5 * per_width);
+    const double width = force / per_width;
+    const std::string value = short_number(force) + " " + italic("F") + subscript("g");
     for (const bool tensile : {false, true}) {
+      if (tensile && !bonds_occur) continue;
       const std::string label = tensile ? " tension" : " compression";
       Legend::Word word =
           line(value + label, width, tensile ? colours.tensile : colours.compressive);
@@ -139,7 +146,7 @@ void add_lines(Legend& key, const KeyContent& content, double scale, bool all) {
       group.words.push_back(std::move(word));
     }
   }
-  if (view.broken_bonds && (all || scale >= kLeastScaleOfBars)) {
+  if (view.broken_bonds && bonds_occur && (all || scale >= kLeastScaleOfBars)) {
     group.words.push_back(
         labelled(font, std::round(0.8 * font.size()), "broken bond, still near", colours.ink,
                  [=, &font](DrawList& list, const Vec2& at) {
@@ -160,6 +167,13 @@ void add_lines(Legend& key, const KeyContent& content, double scale, bool all) {
 }
 
 }  // namespace
+
+bool has_bonds(const World& world) {
+  const auto& laws = {world.grain_law, world.wall_law, world.intruder_law};
+  return !world.bonds.list.empty() || std::ranges::any_of(laws, [](const ContactLaw& law) {
+    return law.cohesion_force.has_value();
+  });
+}
 
 bool has_gravity(const World& world) { return world.gravity && world.gravity->norm() > 0; }
 

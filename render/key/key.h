@@ -26,6 +26,8 @@ struct KeyContent {
   bool close_up = false;        // whether the scale is that of a close-up
 };
 bool has_gravity(const World& world);
+// Whether bonds exist, or could by the contact laws.
+bool has_bonds(const World& world);
 // Where gravity points in a picture, whose y points down; empty where that is down, or there is none.
 std::optional<Vec2> unusual_gravity(const World& world);
 

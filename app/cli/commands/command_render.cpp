@@ -46,6 +46,7 @@ struct Shown {
 // One picture with the names of scene and phase, or panels a, b, c, each with that of its phase.
 void write_picture(const RenderArguments& options, const std::vector<Shown>& shown) {
   require_png(options.out);
+  if (options.out.has_parent_path()) make_writable({options.out.parent_path()});
   if (shown.size() == 1) {
     const auto caption = std::to_array<std::string>({shown[0].scene, shown[0].phase});
     return write_png(options.out, Renderer().draw(shown[0].world, shown[0].view, caption));

@@ -75,6 +75,15 @@ TEST_F(RunHistoryTest, DrawsWhatTheRunHasDrawn) {
         0);
 }
 
+TEST_F(RunHistoryTest, CutShortIsRefusedOnceTheRunHasFinished) {
+  run();
+  fs::resize_file(at("run/history.qsh"), fs::file_size(at("run/history.qsh")) - 1);
+  refused({"render", "run", "--out", "end.png"}, "it is cut short; copy it again");
+  refused({"export", "run", "--format", "csv", "--out", "tables"}, "it is cut short");
+  run({"--no-frames", "--overwrite"});
+  EXPECT_EQ(quicksand({"render", "run", "--out", "new/folder/end.png"}).exit_code, 0);
+}
+
 TEST_F(RunHistoryTest, FilmsAPart) {
   run();
   const History history(at("run/history.qsh"));

@@ -162,6 +162,24 @@ TEST_F(SessionTest, WhatAPhaseHasSetUpChangesWithAReset) {
   EXPECT_EQ(lines[4]["result"]["holds"], "now");
 }
 
+// The force of a scene may be given over its cohesion force.
+TEST_F(SessionTest, AnswersWithTheValueThatWasSetAndWhenItHolds) {
+  Json scene = Json::parse(kHanging);
+  scene["box"] = {{"width", 5}, {"height", 6}, {"sides", "periodic"}};
+  scene["phases"] = {{{"type", "settle"}, {"max_time", 0.02}, {"until_rest", false}},
+                     {{"type", "piston"}, {"mass", 3}, {"force", 1}}};
+  const Outcome played =
+      play({R"({"command": "load", "scene": )" + scene.dump() + "}",
+            R"({"command": "set", "path": "phases[1].force_over_cohesion", "value": 0.5})",
+            R"({"command": "run", "phase_end": true})",
+            R"({"command": "set", "path": "phases[0].max_time", "value": 3})"});
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  const std::vector<Json> lines = transcript();
+  EXPECT_EQ(lines[1]["result"]["value"], 0.5);
+  EXPECT_EQ(lines[1]["result"]["holds"], "now");
+  EXPECT_EQ(lines[3]["result"]["holds"], "from the next reset on") << "that phase is over";
+}
+
 TEST_F(SessionTest, APhaseBegunByHandComesBeforeThoseOfTheScene) {
   const Outcome played = play(
       {R"({"command": "load", "scene": "collapse", "set": {"phases[0].height": 3, "box.width": 10}})",

@@ -167,6 +167,7 @@ TEST_F(RunReportTest, OfARecordingHasHistoriesAndPictures) {
   const std::string markdown = file("played/film/report.md");
   EXPECT_NE(markdown.find("Recorded in a session"), std::string::npos);
   EXPECT_NE(markdown.find("pictures/"), std::string::npos);
+  EXPECT_NE(markdown.find("| phase |  | push |"), std::string::npos) << markdown;
   EXPECT_TRUE(fs::exists(at("played/film/plots/bonds.csv")));
   EXPECT_EQ(RunResults(at("played/film")).final_value("remaining_bond_fraction"),
             RunResults(at("soft")).final_value("remaining_bond_fraction"));

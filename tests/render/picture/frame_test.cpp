@@ -203,6 +203,21 @@ TEST(Frame, ForcesThatPullHaveAnotherColourThanForcesThatPush) {
             1);
 }
 
+TEST(Frame, TheLegendNamesTensionOnlyWhereThereMayBeBonds) {
+  World world = worlds::arch();
+  const auto tensile = [&] {
+    const Frame frame = compose(world, View{.forces = true}, font());
+    return std::ranges::count(frame.list.segments(), palette(Theme::light).tensile,
+                              &SegmentShape::colour);
+  };
+  world.contacts.clear();  // the legend's line is left
+  EXPECT_EQ(tensile(), 1);
+  world.bonds = {};
+  for (ContactLaw* law : {&world.grain_law, &world.wall_law, &world.intruder_law})
+    law->cohesion_force.reset();
+  EXPECT_EQ(tensile(), 0);
+}
+
 TEST(Frame, LegendNeverOverlapsThePacking) {
   const std::vector<std::string> caption{"A long line about this picture, longer than its place"};
   for (const auto& [width, height] : {std::pair(1280, 720),
