@@ -124,7 +124,9 @@ struct ExpectHash {
   std::string hash;
 
   void describe(Fields& f) {
-    f.text({"hash", "16 hexadecimal digits, as transcripts show them; 0x in front, as in summary.json, is allowed",
+    f.text({"hash",
+            "16 hexadecimal digits, as transcripts show them; 0x in front, as in summary.json, is "
+            "allowed",
             Presence::required},
            hash);
     constexpr std::size_t kDigits = 16;

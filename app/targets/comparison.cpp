@@ -171,9 +171,8 @@ Table comparison_table(const PaperTargets& targets, const std::vector<MethodFind
       "inside if it lies within the paper's interval, or within half a unit of the last digit that "
       "the paper prints, widened by two of our standard errors. It is inside by its error if only "
       "this widening makes it so, and undecided if its error is then larger than a quarter of the "
-      "paper's number. An unknown error widens nothing. Two standard errors cover the mean of "
-      "normally "
-      "distributed numbers in 95 % of cases if n is large, in 92, 82 and 70 % if n is 10, 3 and 2.";
+      "paper's number. An unknown error widens nothing. Two standard errors on either side hold "
+      "the true mean in 95 % of cases if n is large, in 92, 82 and 70 % if n is 10, 3 and 2.";
   if (std::ranges::any_of(targets.targets, is_marked))
     caption +=
         " † This number was used to choose the NSCD settings (in another specimen), so our NSCD "

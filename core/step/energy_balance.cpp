@@ -55,12 +55,14 @@ void add_contacts(const World& world, const std::vector<Contact>& contacts,
       energy.work -= momentum_of_b(row, impulse)
                          .dot((im.array() == 0).select(velocity[row.b].array(), 0.0).matrix());
     }
-    if (contact.cohesion == 0) continue;
     const Bond* bond = bonds.at(contact.pair);
     const bool lasts = bond && bond->state == BondState::active;
-    // The gap that a bond leaves behind where it breaks is lost. That of one that lasts is where the next step finds it.
-    const double left = lasts ? world.gap_after(contact.pair, velocity, dt) : 0;
-    energy.change += contact.cohesion * (left - contact.gap);
+    // The gap that a bond leaves behind where it breaks is lost. That of one that lasts is where the next step finds it,
+    // also where the bond has formed in this step, by a pair that passes and so leaves a gap.
+    if (lasts)
+      energy.change += world.law(contact.pair).cohesion_force.value_or(0) *
+                       world.gap_after(contact.pair, velocity, dt);
+    energy.change -= contact.cohesion * contact.gap;
   }
 }
 

@@ -64,6 +64,26 @@ TEST_P(Energy, OfABondedPairThatSpinsIsAccountedForWhateverItTurnsInAStep) {
   }
 }
 
+// Two disks that pass each other bond at their touch, which leaves the bond a gap; the next step closes it.
+TEST_P(Energy, OfABondThatFormsIsAccountedForWithItsGap) {
+  constexpr double kCohesion = 1e4;
+  Scenario scene = spinning_pair(GetParam(), 0, kCohesion);
+  scene.initial_bonds = InitialBonds::none;
+  scene.disks = {{.position = {0, 0}, .velocity = {1, 0}},
+                 {.position = {1.2, 0.6}, .velocity = {-1, 0}}};
+  scene.phases = {{SettlePhase{.max_time = 0.6, .until_rest = false, .bonding = true}}};
+  Protocol protocol(scene, make_world(scene));
+  while (protocol.advance() == Progress::running) {
+  }
+  const World& world = protocol.world();
+  ASSERT_EQ(world.bonds.list.size(), 1u);
+  const Energies end = energies(world);
+  const double begin = 2 * 1.0 / 2;
+  const double left = end.kinetic + end.rotational + kCohesion * world.gap({0, 1});
+  const ProtocolState& state = protocol.state();
+  EXPECT_NEAR(state.energy_dissipated - state.energy_gained, begin - left, 1e-6);
+}
+
 TEST_P(Energy, OfAFreeFallIsTheWorkOfGravity) {
   Scenario scene;
   scene.gravity = Vec2(0, -1);
