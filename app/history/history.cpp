@@ -91,6 +91,8 @@ bool History::replaced() const {
          head_from(bytes) != places_.back().head;
 }
 
+bool History::ends_within_record() const { return size_of(file_.number()) > end_; }
+
 bool History::refresh() {
   if (replaced()) {
     History now(path_);

@@ -20,6 +20,8 @@ class History {
   const std::filesystem::path& path() const { return path_; }
   // Of the records, in their order; times never decrease. A record that is not yet written to its end is left out.
   const std::vector<Moment>& moments() const { return moments_; }
+  // Whether the file goes on behind the last whole record: another is being written, or was when the file was cut short.
+  bool ends_within_record() const;
   // Takes over what the run has added or thinned out since; true if something changed. A run that began again in this
   // folder is taken over with its first record. Throws InputError; what was listed then stays.
   bool refresh();

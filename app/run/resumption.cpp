@@ -10,16 +10,6 @@
 
 namespace quicksand {
 
-namespace {
-
-// The summary is the last that a run writes.
-bool has_finished(const RunFolder& folder) {
-  const Json summary = summary_in(folder);
-  return !summary.is_null() && summary.value("finished", Json()) == true;
-}
-
-}  // namespace
-
 std::optional<std::filesystem::path> missing_frame(const RunFolder& folder, std::int64_t rows) {
   for (std::int64_t k = 0; k < rows; ++k) {
     const auto frame = frame_path(folder.frames(), k);

@@ -144,6 +144,11 @@ Json summary_in(const RunFolder& folder) {
   }
 }
 
+bool has_finished(const RunFolder& folder) {
+  const Json summary = summary_in(folder);
+  return !summary.is_null() && summary.value("finished", Json()) == true;
+}
+
 double computing_time_of(const RunFolder& folder) {
   if (const Json summary = summary_in(folder); !summary.is_null()) return seconds_in(summary);
   try {

@@ -47,6 +47,8 @@ Json summary(const Scenario& scenario, const World& world, const ProtocolState& 
 
 // That of a folder. Null if there is none or it is not whole: then there are no results that count.
 Json summary_in(const RunFolder& folder);
+// Whether it says that the run has finished: the summary is the last that a run writes.
+bool has_finished(const RunFolder& folder);
 
 // How long a run has computed, all its parts together [s]: as its summary says, or up to its last checkpoint; 0 if
 // neither is there. Until there is a summary this is kept in a file of its own, as the bytes of a state are those of a run

@@ -1,7 +1,6 @@
 #include "app/view/history_view.h"
 
-#include "app/json/fields.h"
-#include "app/json/json_text.h"
+#include "app/run_folder/summary.h"
 #include "core/base/errors.h"
 #include "render/layers/common_scales.h"
 
@@ -15,15 +14,10 @@ History history_of(const RunFolder& folder) {
   History history(folder.history());
   if (history.moments().empty())
     throw InputError(folder.history().string(), "has no sample yet; the run has just begun");
-  // Of a run that goes on the last record may not be written to its end; of one that has finished it is.
-  if (is_there(folder.summary())) {
-    const Json summary = read_json(folder.summary());
-    const double last = history.moments().back().time, end = summary.value("time", last);
-    if (summary.value("finished", false) && last < end)
-      throw InputError(folder.history().string(),
-                       "ends at t = " + number_text(last) + ", the run at t = " + number_text(end) +
-                           ": it is cut short; copy it again, or compute the run again");
-  }
+  if (history.ends_within_record() && has_finished(folder))
+    throw InputError(folder.history().string(),
+                     "ends within a record, though the run has finished: the file was cut short; "
+                     "copy it again, or compute the run again");
   return history;
 }
 

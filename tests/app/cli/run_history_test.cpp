@@ -78,10 +78,19 @@ TEST_F(RunHistoryTest, DrawsWhatTheRunHasDrawn) {
 TEST_F(RunHistoryTest, CutShortIsRefusedOnceTheRunHasFinished) {
   run();
   fs::resize_file(at("run/history.qsh"), fs::file_size(at("run/history.qsh")) - 1);
-  refused({"render", "run", "--out", "end.png"}, "it is cut short; copy it again");
-  refused({"export", "run", "--format", "csv", "--out", "tables"}, "it is cut short");
+  refused({"render", "run", "--out", "end.png"}, "the file was cut short; copy it again");
+  refused({"export", "run", "--format", "csv", "--out", "tables"}, "the file was cut short");
   run({"--no-frames", "--overwrite"});
   EXPECT_EQ(quicksand({"render", "run", "--out", "new/folder/end.png"}).exit_code, 0);
+}
+
+// A long history keeps every second, fourth, ... sample, so that it may end before the run.
+TEST_F(RunHistoryTest, ThatIsThinnedIsDrawnUpToItsLastRecord) {
+  run({"--no-frames", "--history", "0.003"});
+  const std::int64_t last = History(at("run/history.qsh")).moments().back().row;
+  ASSERT_LT(static_cast<std::size_t>(last) + 1, lines("run/series.csv") - 1);
+  const Outcome picture = quicksand({"render", "run", "--out", "end.png"});
+  EXPECT_EQ(picture.exit_code, 0) << picture.err;
 }
 
 TEST_F(RunHistoryTest, FilmsAPart) {
