@@ -57,29 +57,18 @@ Scenario with_parts_that_hold(Scenario run, const Scenario& changed) {
   return run;
 }
 
-// Whether a field differs that the present phase has made use of when it began.
+// Whether phases differ that have ended, or a field that the present one has made use of when it began.
 bool is_too_late(const Scenario& before, const Scenario& after, const Protocol& protocol) {
-  const Phase* now = protocol.phase();
-  const auto present = static_cast<std::size_t>(protocol.state().phase);
-  if (!now || !protocol.state().entered || before.phases.size() <= present ||
-      after.phases.size() <= present)
-    return false;
-  const auto fields = [&](const Scenario& scenario) -> Json {
-    return to_json(scenario).at("phases").at(present);
-  };
-  const Json old = fields(before), changed = fields(after);
-  return std::ranges::any_of(set_up_by(*now), [&](const std::string& key) {
-    return old.value(key, Json()) != changed.value(key, Json());
-  });
-}
-
-// Whether a phase differs that has ended.
-bool is_over(const Scenario& before, const Scenario& after, const Protocol& protocol) {
-  const auto ended = static_cast<std::size_t>(protocol.state().phase);
   const Json old = to_json(before).at("phases"), changed = to_json(after).at("phases");
-  for (std::size_t k = 0; k < ended && k < old.size() && k < changed.size(); ++k)
+  const auto present = static_cast<std::size_t>(protocol.state().phase);
+  for (std::size_t k = 0; k < std::min({present, old.size(), changed.size()}); ++k)
     if (old[k] != changed[k]) return true;
-  return false;
+  const Phase* now = protocol.phase();
+  if (!now || !protocol.state().entered || std::min(old.size(), changed.size()) <= present)
+    return false;
+  return std::ranges::any_of(set_up_by(*now), [&](const std::string& key) {
+    return old[present].value(key, Json()) != changed[present].value(key, Json());
+  });
 }
 
 // Whether the phases that have begun are of the same kinds in both.
@@ -213,9 +202,7 @@ bool Session::undo() {
 }
 
 bool Session::take_over(const std::string& path, Scenario changed) {
-  const bool too_late =
-      path.starts_with("phases") &&
-      (is_too_late(scenario_, changed, protocol()) || is_over(scenario_, changed, protocol()));
+  const bool too_late = path.starts_with("phases") && is_too_late(scenario_, changed, protocol());
   scenario_ = std::move(changed);
   take_scene_into_view();
   if (!holds_at_once(path)) return false;

@@ -59,10 +59,11 @@ void add_contacts(const World& world, const std::vector<Contact>& contacts,
     const bool lasts = bond && bond->state == BondState::active;
     // The gap that a bond leaves behind where it breaks is lost. That of one that lasts is where the next step finds it,
     // also where the bond has formed in this step, by a pair that passes and so leaves a gap.
+    double stored = -contact.cohesion * contact.gap;
     if (lasts)
-      energy.change += world.law(contact.pair).cohesion_force.value_or(0) *
-                       world.gap_after(contact.pair, velocity, dt);
-    energy.change -= contact.cohesion * contact.gap;
+      stored += world.law(contact.pair).cohesion_force.value_or(0) *
+                world.gap_after(contact.pair, velocity, dt);
+    energy.change += stored;
   }
 }
 

@@ -131,9 +131,10 @@ void add_lines(Legend& key, const KeyContent& content, double scale, bool all) {
   if (view.forces) {
     // As wide as the force scale says, or as the round force whose line still suits the text.
     const double per_width = content.force_scale / (kReferenceWidth * scale);
+    const double least = 0.5 * per_width, most = font.size() * per_width;
     double force = content.force_scale;
-    if (force / per_width > font.size()) force = nice_below(font.size() * per_width);
-    if (force / per_width < 0.5) force = nice_above(0.5 * per_width);
+    if (force > most) force = nice_below(most);
+    if (force < least) force = nice_above(least);
     const double width = force / per_width;
     const std::string value = short_number(force) + " " + italic("F") + subscript("g");
     for (const bool tensile : {false, true}) {
