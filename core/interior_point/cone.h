@@ -29,15 +29,6 @@ QUICKSAND_IN_LANES Real start_beside(const Real& x, const Real& least_x, const R
   return x > kSpread * least_x ? least_y * (kSpread * least_x / x) : least_y;
 }
 
-// Raises the smaller factor of a product below `least`.
-template <class Real>
-QUICKSAND_IN_LANES void lift_pair(double least, Real& x, Real& y) {
-  const Real big = larger(x, y), small = smaller(x, y), lifted = least / big;
-  const Real lower = x * y < least ? lifted : small;
-  const Real new_x = x < y ? lower : x, new_y = x < y ? y : lower;
-  x = new_x, y = new_y;
-}
-
 // project_bounded() of projection.h.
 template <class Real>
 QUICKSAND_IN_LANES Real within(const Real& x, const Real& bound) {
@@ -192,16 +183,6 @@ struct alignas(sizeof(Real)) ContactCone {
     const Real pushes = n * delassus < s ? Real{} : n;
     p = {pushes, slide.admissible(pushes), roll.admissible(pushes)};
   }
-  QUICKSAND_IN_LANES void lift(double least) {
-    lift_pair(least, n, s);
-    if (components < 2) return;
-    lift_pair(least, slide.low, slide.a);
-    lift_pair(least, slide.high, slide.b);
-    if (components < 3) return;
-    lift_pair(least, roll.low, roll.a);
-    lift_pair(least, roll.high, roll.b);
-  }
-
   // visit(here, x, dx, y, dy) for each pair of the contact.
   template <class Visit>
   QUICKSAND_IN_LANES void visit_pairs(const Visit& visit) const {

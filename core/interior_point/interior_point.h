@@ -54,8 +54,8 @@ class InteriorPoint {
 
   double start_block(const ContactProblem& problem, std::size_t block, const ContactState& state);
   void start(const ContactProblem& problem, double shift, const ContactState& state);
-  double admissible_product(const ContactProblem& problem, const SolverSettings& settings) const;
-  void linearise(const ContactProblem& problem);
+  // Proximal term over each contact's Delassus diagonal [1].
+  void linearise(const ContactProblem& problem, double proximal);
   // Heads for products tau; returns the step that reaches the boundary.
   double find_direction(const ContactProblem& problem, double tau, bool correct);
   // The same for products that such a step of alpha would leave well within bounds.
@@ -63,15 +63,13 @@ class InteriorPoint {
   double follow(const ContactProblem& problem);
   void relative_velocity_at(std::size_t block, Components<Lanes>& u) const;
   void set_momenta(std::size_t contacts);
-  double find_step(const ContactProblem& problem, double product, double least_product);
+  double find_step(const ContactProblem& problem, double product);
   bool finish(const ContactProblem& problem, const SolverSettings& settings, ContactState& state,
               SolveReport& report);
   struct Path;
   void iterate(Path& path);
   bool accept(Path& path);
   bool rescue(Path& path);
-  // Whether at most so many sweeps of relaxation of relaxed_ were accepted; then it is the solution.
-  bool try_relaxation(Path& path, int sweeps);
   double mean_product(double alpha) const;  // after a step of alpha along the direction
 
   WorkClock* clock_;
@@ -79,7 +77,6 @@ class InteriorPoint {
   NewtonOnModes newton_;
   std::array<double, 3> products_{};  // their sum after a step of alpha, by powers of alpha
   double pairs_ = 0;
-  double proximal_ = 0;  // over each contact's Delassus diagonal [1]
   // Four contacts a block; bodies by places (contact_lanes.h).
   std::vector<Components<Lanes>> softness_;  // the Delassus diagonals
   std::vector<ContactCone<Lanes>> cone_;

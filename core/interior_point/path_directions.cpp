@@ -1,6 +1,5 @@
 // The directions of the interior point's path: its start, its linearisation, and the steps towards products.
 #include <algorithm>
-#include <limits>
 
 #include "core/base/memory.h"
 #include "core/interior_point/interior_point.h"
@@ -41,23 +40,6 @@ void InteriorPoint::Products::add(const Products& other) {
   fastest = fastest > other.fastest ? fastest : other.fastest;
 }
 
-// The smallest product of an admissible error of an impulse and one of a speed.
-double InteriorPoint::admissible_product(const ContactProblem& problem,
-                                         const SolverSettings& settings) const {
-  const double admissible = settings.tolerance * problem.force_scale * problem.dt;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
-    const ContactRow& row = problem.contacts[c];
-    const Vec3 w = delassus_diagonal(row, problem.inverse_mass[row.a], problem.inverse_mass[row.b]);
-    const Vec3 bounds = bounds_of(problem, row, w);
-    double softest = w.x();
-    if (bounds.y() > 0) softest = std::min(softest, w.y());
-    if (bounds.z() > 0) softest = std::min(softest, w.z() * row.arm * row.arm);
-    least = std::min({least, admissible * softest, row.gap_tolerance / problem.dt});
-  }
-  return admissible * least;
-}
-
 // The cones of four contacts, and the impulses they start from; returns by how much the worst is away from the laws. A
 // lane beyond the last contact has no pairs; what it starts from only has to be finite.
 double InteriorPoint::start_block(const ContactProblem& problem, std::size_t block,
@@ -89,7 +71,6 @@ double InteriorPoint::start_block(const ContactProblem& problem, std::size_t blo
 
 void InteriorPoint::start(const ContactProblem& problem, double shift, const ContactState& state) {
   const std::size_t nc = problem.contacts.size(), blocks = lane_blocks(nc);
-  proximal_ = T::kProximal;
   set_size(softness_, blocks);
   cone_.assign(blocks, {});
   set_size(impedance_, blocks);
@@ -140,13 +121,13 @@ void InteriorPoint::set_momenta(std::size_t contacts) {
   u.r += row.offset.r;
 }
 
-void InteriorPoint::linearise(const ContactProblem& problem) {
+void InteriorPoint::linearise(const ContactProblem& problem, double proximal) {
   const Products found = gather_lane_blocks<Products>(
       problem.contacts.size(), [&](std::size_t k, Products & part) __attribute__((always_inline)) {
         Components<Lanes> u;
         relative_velocity_at(k, u);
         const Components<Lanes>& w = softness_[k];
-        const Components<Lanes> eps{proximal_ * w.n, proximal_ * w.t, proximal_ * w.r};
+        const Components<Lanes> eps{proximal * w.n, proximal * w.t, proximal * w.r};
         cone_[k].linearise(u, eps, impedance_[k]);
         Components<Lanes> dp;  // the predictor's, which nearly always comes first
         cone_[k].set_targets(0, 0, dp);
