@@ -183,6 +183,7 @@ struct alignas(sizeof(Real)) ContactCone {
     const Real pushes = n * delassus < s ? Real{} : n;
     p = {pushes, slide.admissible(pushes), roll.admissible(pushes)};
   }
+
   // visit(here, x, dx, y, dy) for each pair of the contact.
   template <class Visit>
   QUICKSAND_IN_LANES void visit_pairs(const Visit& visit) const {
