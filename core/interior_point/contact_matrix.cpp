@@ -71,38 +71,24 @@ struct alignas(sizeof(Lanes)) BlockSum {
   }
 };
 
-// Directions in which a body cannot move are left out.
-QUICKSAND_IN_LANES Lanes mobile(const Eigen::Vector4d& inverse_mass) {
-  Lanes im;
-  load_lanes(inverse_mass.data(), im);
-  const Lanes none{}, one = none + 1.0;
-  return im > none ? one : none;
-}
-QUICKSAND_IN_LANES void hold(const Eigen::Vector4d& of_row, const Eigen::Vector4d& of_column,
-                             BlockSum& block) {
-  const Lanes row = mobile(of_row), column = mobile(of_column);
-  for (int k = 0; k < 3; ++k) block.column[k] *= row * column[k];
-}
+// The mass of a body along a direction in which it cannot move: beside it all impedances are below rounding.
+constexpr double kHeld = 1e50;
 
 }  // namespace
 
 void ContactMatrix::attach(const ContactProblem& problem) {
   const WorkClock::Span span(clock_, Work::factorisation);
   problem_ = &problem;
-  mobile_ = 0;
-  row_of_body_.assign(problem.inverse_mass.size(), -1);
-  for (std::size_t i = 0; i < problem.inverse_mass.size(); ++i)
-    if (!problem.inverse_mass[i].isZero(0)) row_of_body_[i] = mobile_++;
   edges_.clear();
   edges_.reserve(problem.contacts.size());
   edge_of_contact_.assign(problem.contacts.size(), -1);
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
-    const int i = row_of_body_[problem.contacts[c].a], j = row_of_body_[problem.contacts[c].b];
-    if (i < 0 || j < 0) continue;
+    const ContactRow& row = problem.contacts[c];
+    if (problem.inverse_mass[row.a].isZero(0) || problem.inverse_mass[row.b].isZero(0)) continue;
     edge_of_contact_[c] = static_cast<int>(edges_.size());
-    edges_.push_back({i, j});
+    edges_.push_back({row.a, row.b});
   }
-  lu_.analyse(mobile_, edges_);
+  lu_.analyse(static_cast<int>(problem.inverse_mass.size()), edges_);
   place_bodies();
   order_contacts();
   place_contacts();
@@ -116,15 +102,13 @@ void ContactMatrix::place_bodies() {
   place_.resize(nb);
   inverse_mass_.resize(nb);
   free_velocity_.resize(nb);
-  diagonal_.resize(static_cast<std::size_t>(mobile_));
-  for (int k = 0; k < mobile_; ++k)
-    diagonal_[static_cast<std::size_t>(lu_.position(k))] = &lu_.diagonal_block(k);
-  int immobile = mobile_;
+  diagonal_.resize(nb);
   for (std::size_t i = 0; i < nb; ++i) {
-    const int place = row_of_body_[i] < 0 ? immobile++ : lu_.position(row_of_body_[i]);
-    place_[i] = place;
-    inverse_mass_[static_cast<std::size_t>(place)] << problem.inverse_mass[i], 0;
-    free_velocity_[static_cast<std::size_t>(place)] << problem.free_velocity[i], 0;
+    place_[i] = lu_.position(static_cast<int>(i));
+    const auto place = static_cast<std::size_t>(place_[i]);
+    diagonal_[place] = &lu_.diagonal(static_cast<int>(i));
+    inverse_mass_[place] << problem.inverse_mass[i], 0;
+    free_velocity_[place] << problem.free_velocity[i], 0;
   }
 }
 
@@ -163,11 +147,8 @@ void ContactMatrix::place_contacts() {
     if (c >= nc) continue;
     const int edge = edge_of_contact_[contact_here];
     if (edge < 0) continue;
-    coupling_.push_back({.contact = static_cast<int>(c),
-                         .ab = &lu_.upper_block(edge),
-                         .ba = &lu_.lower_block(edge),
-                         .held = (problem.inverse_mass[contact.a].array() == 0).any() ||
-                                 (problem.inverse_mass[contact.b].array() == 0).any()});
+    coupling_.push_back(
+        {.contact = static_cast<int>(c), .ab = &lu_.upper(edge), .ba = &lu_.lower(edge)});
   }
 }
 
@@ -184,7 +165,7 @@ void ContactMatrix::list_sides() {
 void ContactMatrix::list_parts() {
   const auto parts = static_cast<std::size_t>(lu_.parts());
   bodies_of_part_.fill(parts, [&](const auto& use) {
-    for (int i = 0; i < mobile_; ++i) use(lu_.part_of(i), i);
+    for (int i = 0; i < static_cast<int>(place_.size()); ++i) use(lu_.part_of(i), i);
   });
   couplings_of_part_.fill(parts, [&](const auto& use) {
     int k = 0;
@@ -206,9 +187,8 @@ QUICKSAND_IN_LANES void ContactMatrix::put_diagonal(std::size_t body) {
     else
       sum.add(columns_[side / 2], first_b, second_b, spin_bb);
   }
-  if (!(im[0] > 0 && im[1] > 0 && im[2] > 0)) hold(im, im, sum);
   for (int d = 0; d < 3; ++d) {
-    sum.column[d][d] += im[d] > 0 ? 1 / im[d] : 1;
+    sum.column[d][d] += im[d] > 0 ? 1 / im[d] : kHeld;
     store_lanes(sum.column[d], diagonal_[body]->column[d]);
   }
 }
@@ -219,13 +199,6 @@ QUICKSAND_IN_LANES void ContactMatrix::add_coupling(const Coupling& c) {
   BlockSum ab{}, ba{};
   ab.add(columns_[contact], first_a, second_a, spin_ab);
   ba.add(columns_[contact], first_b, second_b, spin_ba);
-  if (c.held) {
-    const RowLanes& row = rows_[contact / kLanes];
-    const Eigen::Vector4d& a = inverse_mass_[static_cast<std::size_t>(row.a[contact % kLanes])];
-    const Eigen::Vector4d& b = inverse_mass_[static_cast<std::size_t>(row.b[contact % kLanes])];
-    hold(a, b, ab);
-    hold(b, a, ba);
-  }
   for (int d = 0; d < 3; ++d) {
     Lanes x, y;
     load_lanes(c.ab->column[d], x);
@@ -278,29 +251,26 @@ template <class Put>
           load_lanes(momentum_[static_cast<std::size_t>(side)].data(), p);
           sum += p;
         }
-        Lanes im;
-        load_lanes(inverse_mass_[i].data(), im);
-        put(i, im, sum);
+        put(i, sum);
       });
 }
 
 const BodyVectors& ContactMatrix::velocity_change() {
   const WorkClock::Span span(clock_, Work::back_substitution);
   change_.resize(place_.size());
-  sum_momenta([&](std::size_t i, const Lanes& im, const Lanes& sum) __attribute__((always_inline)) {
-    const Lanes none{};
-    store_lanes(im > none ? sum : none, change_[i].data());
-  });
-  lu_.solve_in_place(change_.data());
+  sum_momenta([&](std::size_t i, const Lanes& sum)
+                  __attribute__((always_inline)) { store_lanes(sum, change_[i].data()); });
+  lu_.solve(change_.data());
   return change_;
 }
 
 void ContactMatrix::velocity(BodyVectors& velocity) const {
   const WorkClock::Span span(clock_, Work::back_substitution);
   velocity.resize(place_.size());
-  sum_momenta([&](std::size_t i, const Lanes& im, const Lanes& sum) __attribute__((always_inline)) {
-    Lanes free;
+  sum_momenta([&](std::size_t i, const Lanes& sum) __attribute__((always_inline)) {
+    Lanes free, im;
     load_lanes(free_velocity_[i].data(), free);
+    load_lanes(inverse_mass_[i].data(), im);
     store_lanes(free + im * sum, velocity[i].data());
   });
 }
@@ -319,26 +289,14 @@ void ContactMatrix::velocity_change(const std::vector<Vec3>& impulse, std::vecto
 }
 
 double ContactMatrix::fastest_change() const {
-  struct alignas(sizeof(Lanes)) Fastest {
-    Lanes squared{};
-    void add(const Fastest& other) { squared = squared > other.squared ? squared : other.squared; }
-  };
-  const Fastest found = gather_lane_blocks<Fastest>(
-      order().size(), [&](std::size_t k, Fastest & part) __attribute__((always_inline)) {
-        const RowLanes& row = rows_[k];
-        const auto at_contact = [&](const std::array<int, kLanes>& body, const Lanes& spin_n,
-                                    const Lanes& spin_t) __attribute__((always_inline)) {
-          BodyLanes v;
-          gather(change_, body, v);
-          const Lanes n = row.normal_x * v.x + row.normal_y * v.y + spin_n * v.z;
-          const Lanes t = row.normal_x * v.y - row.normal_y * v.x + spin_t * v.z;
-          part.squared = larger<Lanes>(part.squared, n * n + t * t);
-        };
-        at_contact(row.a, row.spin_a_n, row.spin_a_t);
-        at_contact(row.b, row.spin_b_n, row.spin_b_t);
-      });
+  const Vec3 rest = Vec3::Zero();
   double squared = 0;
-  for (std::size_t k = 0; k < kLanes; ++k) squared = std::max(squared, found.squared[k]);
+  for (const ContactRow& row : problem_->contacts) {
+    const Vec3 a = change_[static_cast<std::size_t>(place_[row.a])].head<3>();
+    const Vec3 b = change_[static_cast<std::size_t>(place_[row.b])].head<3>();
+    squared = std::max({squared, relative_velocity(row, a, rest).head<2>().squaredNorm(),
+                        relative_velocity(row, rest, b).head<2>().squaredNorm()});
+  }
   return std::sqrt(squared);
 }
 

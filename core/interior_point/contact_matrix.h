@@ -18,7 +18,7 @@ class ContactMatrix {
   // `clock`, if any, is told where the time goes.
   explicit ContactMatrix(WorkClock* clock = nullptr) : clock_(clock) {}
 
-  // Reads the rows and the graph of the mobile bodies. The problem must outlive the use of this object.
+  // Reads the rows and the graph of the bodies. The problem must outlive the use of this object.
   void attach(const ContactProblem& problem);
 
   // The contacts four at a time, in the order in which their first bodies are eliminated: what is near in the network
@@ -34,7 +34,7 @@ class ContactMatrix {
 
   // Where the momenta of impulses are put (see RowLanes::momenta); what is beyond the last contact is not read.
   Eigen::Vector4d* momenta(std::size_t block) { return momentum_.data() + 2 * kLanes * block; }
-  // (M + H^T D H)^-1 H^T p for the impulses p of these momenta, by places of bodies; 0 where one is immobile.
+  // (M + H^T D H)^-1 H^T p for the impulses p of these momenta, by places of bodies; next to 0 where one is immobile.
   const BodyVectors& velocity_change();
   // velocity := free velocity + M^-1 H^T p, by places of bodies.
   void velocity(BodyVectors& velocity) const;
@@ -52,7 +52,6 @@ class ContactMatrix {
   struct Coupling {
     int contact = 0;  // in the order of the lanes
     PaddedBlock *ab = nullptr, *ba = nullptr;
-    bool held = false;  // some direction of a body is immobile
   };
   void place_bodies();
   void order_contacts();
@@ -62,22 +61,20 @@ class ContactMatrix {
   void put_diagonal(std::size_t body);
   void add_coupling(const Coupling& coupling);
   template <class Put>
-  void sum_momenta(const Put& put) const;  // put(place, inverse mass, sum)
+  void sum_momenta(const Put& put) const;  // put(place, sum)
 
   WorkClock* clock_;
   const ContactProblem* problem_ = nullptr;
-  std::vector<int> row_of_body_;  // (nb) block row, -1 if immobile
-  int mobile_ = 0;                // bodies
   std::vector<Edge> edges_;
   std::vector<int> edge_of_contact_;  // (nc) -1 if only one body is mobile
   BlockLu lu_;
-  std::vector<int> place_;  // (nb) in the order of elimination, immobile bodies last
+  std::vector<int> place_;                    // (nb) in the order of elimination
   BodyVectors inverse_mass_, free_velocity_;  // by places
-  std::vector<PaddedBlock*> diagonal_;        // of mobile bodies, by places
+  std::vector<PaddedBlock*> diagonal_;        // by places
   ByBody by_first_;                           // contacts by places of the first of their bodies
   std::vector<RowLanes> rows_;
   std::vector<Coupling> coupling_;  // of contacts between two mobile bodies
-  ByBody bodies_of_part_;           // places of mobile bodies by parts of the factorisation
+  ByBody bodies_of_part_;           // places of bodies by parts of the factorisation
   ByBody couplings_of_part_;        // couplings by these parts
   ByBody sides_;          // of lanes by places of their bodies: 2 k is that of a, 2 k + 1 that of b
   BodyVectors momentum_;  // by sides

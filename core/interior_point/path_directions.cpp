@@ -80,14 +80,9 @@ void InteriorPoint::start(const ContactProblem& problem, double shift, const Con
     double speed = 0;
     void add(const Worst& other) { speed = std::max(speed, other.speed); }
   };
-  const double worst = gather_range<Worst>(
-                           blocks,
-                           [&](std::size_t begin, std::size_t end, Worst& part) {
-                             for (std::size_t k = begin; k < end; ++k)
-                               part.speed = std::max(part.speed, start_block(problem, k, state));
-                           },
-                           parallel::kWorthSharing / kLanes)
-                           .speed;
+  const double worst = gather_lane_blocks<Worst>(nc, [&](std::size_t k, Worst& part) {
+                         part.speed = std::max(part.speed, start_block(problem, k, state));
+                       }).speed;
   const double least_speed = std::max(shift * worst, 1e-12);
   set_momenta(nc);
   matrix_.velocity(velocity_);

@@ -1,5 +1,6 @@
 #include "core/linear/block_lu.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -85,29 +86,9 @@ struct LoadedBlock {
 
 // The same with the rows in an order in which each pivot is the largest left in its column.
 void invert_pivoted(PaddedBlock& block, bool& negative) {
-  BlockLu::Entry entry(&block.column[0][0]);
-  Mat3 a = entry, b = Mat3::Identity();
-  for (int k = 0; k < 3; ++k) {
-    int best = k;
-    for (int i = k + 1; i < 3; ++i)
-      if (std::abs(a(i, k)) > std::abs(a(best, k))) best = i;
-    if (best != k) {
-      negative = !negative;
-      a.row(k).swap(a.row(best));
-      b.row(k).swap(b.row(best));
-    }
-    const double pivot = 1 / a(k, k);
-    if (pivot < 0) negative = !negative;
-    a.row(k) *= pivot;
-    b.row(k) *= pivot;
-    for (int i = 0; i < 3; ++i) {
-      if (i == k) continue;
-      const double factor = a(i, k);
-      a.row(i) -= factor * a.row(k);
-      b.row(i) -= factor * b.row(k);
-    }
-  }
-  entry = b;
+  const Eigen::PartialPivLU<Mat3> lu(block.entry());
+  negative = negative != (lu.determinant() < 0);
+  block.entry() = lu.inverse();
 }
 
 // Inverts by elimination. A pivot block holds impedances from 1 to 1e7: cofactors would lose the soft directions.
@@ -215,7 +196,6 @@ void BlockLu::analyse(int n, const std::vector<Edge>& edges) {
   subtrees_.find(plan_);
   set_size(lower_, static_cast<std::size_t>(plan_.slots()));
   set_size(upper_, lower_.size());
-  work_.resize(static_cast<std::size_t>(n));
   ready_ = true;
 }
 
@@ -289,7 +269,7 @@ void BlockLu::factorise(const std::function<void(int)>& fill) {
   });
 }
 
-void BlockLu::solve_in_place(Eigen::Vector4d* x) const {
+void BlockLu::solve(Eigen::Vector4d* x) const {
   const std::vector<Supernode>& node = plan_.supernodes();
   const PaddedBlock *lower = lower_.data(), *upper = upper_.data();
   const auto& groups = subtrees_.groups();
@@ -312,12 +292,6 @@ void BlockLu::solve_in_place(Eigen::Vector4d* x) const {
         for (auto s = groups[group].rbegin(); s != groups[group].rend(); ++s)
           solve_upper(plan_, node[*s], lower, upper, x);
       });
-}
-
-void BlockLu::solve(std::vector<Vec3>& x) {
-  for (int i = 0; i < plan_.size(); ++i) work_[plan_.position(i)] << x[i], 0;
-  solve_in_place(work_.data());
-  for (int i = 0; i < plan_.size(); ++i) x[i] = work_[plan_.position(i)].head<3>();
 }
 
 }  // namespace quicksand

@@ -22,26 +22,24 @@ using Mat3 = Eigen::Matrix3d;
 
 // A 3x3 block over a row of zeros: four lanes a column.
 struct alignas(32) PaddedBlock {
+  using Entry = Eigen::Map<Mat3, 0, Eigen::OuterStride<4>>;
+  Entry entry() { return Entry(&column[0][0]); }
+
   double column[3][4] = {};
 };
 
 class BlockLu {
  public:
-  using Entry = Eigen::Map<Mat3, 0, Eigen::OuterStride<4>>;
-
   // Orders n block rows coupled by `edges`; repeated edges are allowed. Does nothing if the graph is
   // the same as before. Throws NotEnoughMemory if there is none for the factors.
   void analyse(int n, const std::vector<Edge>& edges);
 
   // The matrix: block (i, i), and for edge e the blocks (i, j) and (j, i), which add up where edges repeat.
-  Entry diagonal(int i) { return entry(diagonal_block(i)); }
-  Entry upper(int e) { return entry(upper_block(e)); }
-  Entry lower(int e) { return entry(lower_block(e)); }
-  PaddedBlock& diagonal_block(int i) { return block(lower_, plan_.diagonal_slot(i)); }
-  PaddedBlock& upper_block(int e) {
+  PaddedBlock& diagonal(int i) { return block(lower_, plan_.diagonal_slot(i)); }
+  PaddedBlock& upper(int e) {
     return block(plan_.edge_flipped(e) ? lower_ : upper_, plan_.edge_slot(e));
   }
-  PaddedBlock& lower_block(int e) {
+  PaddedBlock& lower(int e) {
     return block(plan_.edge_flipped(e) ? upper_ : lower_, plan_.edge_slot(e));
   }
   // Place of a block row in the order of elimination.
@@ -53,10 +51,8 @@ class BlockLu {
   int part_of(int position) const { return subtrees_.part_of(plan_.supernode_of(position)); }
   // Factorises the matrix whose blocks fill(part) writes into zeros, perhaps for several parts at the same time.
   void factorise(const std::function<void(int)>& fill);
-  // x (n) := A^-1 x.
-  void solve(std::vector<Vec3>& x);
-  // The same for x (n) in the order of elimination; the fourth numbers mean nothing.
-  void solve_in_place(Eigen::Vector4d* x) const;
+  // x (n) := A^-1 x, in the order of elimination; the fourth numbers mean nothing.
+  void solve(Eigen::Vector4d* x) const;
 
   // Whether the determinant of the factorised matrix is negative.
   bool negative() const { return negative_; }
@@ -71,7 +67,6 @@ class BlockLu {
   static PaddedBlock& block(std::vector<PaddedBlock>& blocks, int slot) {
     return blocks[static_cast<std::size_t>(slot)];
   }
-  static Entry entry(PaddedBlock& block) { return Entry(&block.column[0][0]); }
 
   Elimination plan_;
   Subtrees subtrees_;
@@ -81,7 +76,6 @@ class BlockLu {
   // By slots. L has a unit diagonal; its place holds the inverted pivots. U has the block of row j and
   // column i where L has that of row i and column j.
   std::vector<PaddedBlock> lower_, upper_;
-  std::vector<Eigen::Vector4d> work_;  // (n) x over a zero
 };
 
 }  // namespace quicksand

@@ -8,7 +8,6 @@
 #include "core/problem/rest.h"
 #include "core/solvers/local.h"
 #include "core/sweeps/gauss_seidel.h"
-#include "core/sweeps/relaxation.h"
 
 namespace quicksand {
 
@@ -17,9 +16,8 @@ struct ContactSolver::Methods {
   WorkClock* clock;
   LocalSolver local;
   InteriorPoint interior_point;
-  RelaxationScratch relaxation;
   std::vector<Vec3> warm_start;  // (nc)
-  ContactState best, mended;
+  ContactState best;
 };
 
 ContactSolver::ContactSolver(WorkClock* clock) : methods_(std::make_unique<Methods>(clock)) {}
@@ -104,16 +102,12 @@ SolveReport ContactSolver::solve(const ContactProblem& problem, const SolverSett
                                  ContactState& state, SolverStage from) {
   if (watch_) watch_({problem, settings, state.impulse, from});
   const SolveReport report = by_method(problem, settings, state, from);
-  count(report);
-  return report;
-}
-
-void ContactSolver::count(const SolveReport& report) {
-  if (methods_->clock == nullptr) return;
+  if (methods_->clock == nullptr) return report;
   WorkClock::Counts& counts = methods_->clock->counts;
   ++counts.solutions;
   ++counts.by_stage.at(static_cast<std::size_t>(report.stage));
   if (!report.converged) ++counts.not_converged;
+  return report;
 }
 
 SolveReport ContactSolver::by_method(const ContactProblem& problem, const SolverSettings& settings,
@@ -129,33 +123,6 @@ SolveReport ContactSolver::by_method(const ContactProblem& problem, const Solver
     }
   }
   return {};
-}
-
-// What such contacts change is near them: a few sweeps of relaxation nearly always end it, where the interior point
-// would begin anew.
-SolveReport ContactSolver::solve_with_more(const ContactProblem& problem,
-                                           const SolverSettings& settings, ContactState& state,
-                                           SolverStage from) {
-  constexpr int kSweeps = 30;
-  if (watch_) watch_({problem, settings, state.impulse, from, true});
-  SolveReport report;
-  if (settings.method == Method::automatic) {
-    SolverSettings few = settings;
-    few.max_iterations = std::min(kSweeps, settings.max_iterations);
-    ContactState& mended = methods_->mended;
-    mended = state;
-    const WorkClock::Span span(methods_->clock, Work::sweeps);
-    report = solve_relaxation(problem, few, mended, methods_->relaxation);
-    report.stage = from;
-    if (report.converged) {
-      std::swap(state, mended);
-      count(report);
-      return report;
-    }
-  }
-  report.add(by_method(problem, settings, state, from));
-  count(report);
-  return report;
 }
 
 }  // namespace quicksand

@@ -16,7 +16,6 @@ struct PosedProblem {
   const SolverSettings& settings;
   const std::vector<Vec3>& start;  // (nc) warm start
   SolverStage from = SolverStage::start;
-  bool with_more = false;  // solve_with_more()
 };
 using ProblemWatch = std::function<void(const PosedProblem&)>;
 
@@ -31,9 +30,6 @@ class ContactSolver {
   // `from`: what solved a problem much like this one; easier ways are not tried again.
   SolveReport solve(const ContactProblem& problem, const SolverSettings& settings,
                     ContactState& state, SolverStage from = SolverStage::start);
-  // The same for a problem that was solved by `from` but for some contacts that have come in since.
-  SolveReport solve_with_more(const ContactProblem& problem, const SolverSettings& settings,
-                              ContactState& state, SolverStage from);
 
   // `watch` sees each problem before it is solved; benchmarks record them.
   void watch(ProblemWatch watch) { watch_ = std::move(watch); }
@@ -41,7 +37,6 @@ class ContactSolver {
  private:
   SolveReport by_method(const ContactProblem& problem, const SolverSettings& settings,
                         ContactState& state, SolverStage from);
-  void count(const SolveReport& report);
 
   struct Methods;
   std::unique_ptr<Methods> methods_;

@@ -188,20 +188,8 @@ int LocalSolver::activate_violated(const ContactProblem& problem, double admissi
   return activated;
 }
 
-SolveReport LocalSolver::solve(const ContactProblem& problem, const SolverSettings& settings,
-                               ContactState& state) {
-  SolveReport report;
-  report.residual = residual(problem, state, settings.residual_at(SolverSettings::kAsItIs));
-  report.converged = taken_as_it_is(problem, settings, report.residual, state);
-  if (report.converged) return report;
-  const double admissible = settings.tolerance * problem.force_scale * problem.dt;
-  start_impulse_ = state.impulse;
-  // Without rolling friction no contact holds rigidly.
-  if (problem.components < 3 || !assign_roles(problem, admissible, state)) {
-    state.impulse = start_impulse_;
-    report.residual = residual(problem, state);
-    return report;
-  }
+bool LocalSolver::solve_in_rounds(const ContactProblem& problem, const SolverSettings& settings,
+                                  double admissible, ContactState& state, SolveReport& report) {
   const auto accepted = [&] {
     report.stage = SolverStage::local;
     report.velocity_change = velocity_change_;
@@ -219,23 +207,31 @@ SolveReport LocalSolver::solve(const ContactProblem& problem, const SolverSettin
     clusters_.spread(cluster_velocity_, state.velocity);
     clusters_.recover(problem, state.velocity, state.impulse);
     // Where the network holds as a whole, its residual says so at once.
-    if (by_component_.empty() && accepted()) return report;
+    if (by_component_.empty() && accepted()) return true;
     const int activated = activate_violated(problem, admissible, state);
     released += activated;
     if (activated <= 0 || released > kMostReleased * static_cast<double>(role_.size())) break;
   }
   // Components that converged do not make a solution: the residual of the whole problem decides.
-  if (accepted()) return report;
-  std::swap(state.impulse, start_impulse_);
-  SolveReport start = report;
-  if (start.measure(problem, settings, state);
-      settings.distance(start.residual) < settings.distance(report.residual)) {
-    start.velocity_change.reset();
-    start.converged = false;  // it was not taken as it is
-    return start;
-  }
-  std::swap(state.impulse, start_impulse_);
-  velocity_from_impulses(problem, state.impulse, state.velocity);
+  return accepted();
+}
+
+SolveReport LocalSolver::solve(const ContactProblem& problem, const SolverSettings& settings,
+                               ContactState& state) {
+  SolveReport report;
+  report.residual = residual(problem, state, settings.residual_at(SolverSettings::kAsItIs));
+  report.converged = taken_as_it_is(problem, settings, report.residual, state);
+  if (report.converged) return report;
+  const double admissible = settings.tolerance * problem.force_scale * problem.dt;
+  start_impulse_ = state.impulse;
+  // Without rolling friction no contact holds rigidly.
+  if (problem.components == 3 && assign_roles(problem, admissible, state) &&
+      solve_in_rounds(problem, settings, admissible, state, report))
+    return report;
+  state.impulse = start_impulse_;
+  report.residual = residual(problem, state);
+  report.converged = false;  // it was not taken as it is
+  report.velocity_change.reset();
   return report;
 }
 

@@ -20,8 +20,7 @@ namespace quicksand {
 
 class LocalSolver {
  public:
-  // Starts from state.impulse, which also tells what stuck. If it does not converge, the state is the
-  // better of start and end.
+  // Starts from state.impulse, which also tells what stuck. If it does not converge, the state is that of the start.
   SolveReport solve(const ContactProblem& problem, const SolverSettings& settings,
                     ContactState& state);
 
@@ -30,6 +29,8 @@ class LocalSolver {
 
   // False if too much is active for the local solver to pay.
   bool assign_roles(const ContactProblem& problem, double admissible, ContactState& state);
+  bool solve_in_rounds(const ContactProblem& problem, const SolverSettings& settings,
+                       double admissible, ContactState& state, SolveReport& report);
   void find_components(const ContactProblem& problem);
   bool solve_components(const ContactProblem& problem, const SolverSettings& settings,
                         std::vector<Vec3>& impulse, SolveReport& report);

@@ -66,9 +66,8 @@ void move(World& world, const std::vector<Vec3>& velocity, double dt) {
 
 }  // namespace
 
-// `repeated`: some contacts have come in, or bonds turn otherwise, since `from` solved it.
 SolveReport Stepper::solve_once(World& world, const StepSettings& step,
-                                const SolverSettings& settings, bool repeated, SolverStage from) {
+                                const SolverSettings& settings, SolverStage from) {
   Scratch& s = *scratch_;
   if (step.nscd) {
     WorkClock::look_up(&s.clock);
@@ -81,8 +80,7 @@ SolveReport Stepper::solve_once(World& world, const StepSettings& step,
     return s.sweeps.solve(s.problem, *step.nscd, settings, s.state,
                           world.sweep_random ? *world.sweep_random : none);
   }
-  return repeated ? s.solver.solve_with_more(s.problem, settings, s.state, from)
-                  : s.solver.solve(s.problem, settings, s.state, from);
+  return s.solver.solve(s.problem, settings, s.state, from);
 }
 
 // Solves the contacts of the step, again with those that the prediction had missed and where bonds turn otherwise.
@@ -94,7 +92,7 @@ void Stepper::solve_contacts(World& world, const StepSettings& step, const Solve
     build_problem(world, s.contacts, s.free_velocity, step, s.problem);
     set_size(s.state.impulse, s.contacts.size());
     for (std::size_t c = 0; c < s.contacts.size(); ++c) s.state.impulse[c] = s.contacts[c].impulse;
-    report.solve.add(solve_once(world, step, settings, repeat > 0, report.solve.stage));
+    report.solve.add(solve_once(world, step, settings, report.solve.stage));
     report.bad_body = first_not_finite(s.state.velocity);
     report.finite = report.bad_body < 0;
     if (!report.finite || (!report.solve.converged && step.stop_if_unconverged)) return;

@@ -46,7 +46,7 @@ class Stepper {
  private:
   struct Scratch;
   SolveReport solve_once(World& world, const StepSettings& step, const SolverSettings& settings,
-                         bool repeated, SolverStage from);
+                         SolverStage from);
   void solve_contacts(World& world, const StepSettings& step, const SolverSettings& settings,
                       StepReport& report);
   void update_bonds(World& world, const StepSettings& step, StepReport& report);

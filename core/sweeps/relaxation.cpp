@@ -17,13 +17,9 @@ constexpr double kViolatedShare = 0.9;
 // A set of contacts that is emptied while others come in.
 class WorkList {
  public:
-  WorkList(std::size_t size, std::vector<std::uint64_t>& words) : words_(words), size_(size) {
-    words_.assign((size + 63) / 64, 0);
-  }
+  explicit WorkList(std::vector<std::uint64_t>& words) : words_(words) {}
+
   void add(std::size_t c) { words_[c / 64] |= std::uint64_t{1} << (c % 64); }
-  void add_all() {
-    for (std::size_t c = 0; c < size_; ++c) add(c);
-  }
   // Goes through the contacts in it, roughly in their order, and takes out each before visit(c), which ends
   // the sweep by false. Returns whether there was any.
   template <class Visit>
@@ -41,7 +37,6 @@ class WorkList {
 
  private:
   std::vector<std::uint64_t>& words_;
-  std::size_t size_;
 };
 
 }  // namespace
@@ -72,10 +67,11 @@ SolveReport solve_relaxation(const ContactProblem& problem, const SolverSettings
   };
   const std::size_t most = nc * static_cast<std::size_t>(settings.max_iterations);
   std::size_t seen = 0, solved = 0;
-  WorkList list(nc, scratch.to_be_looked_at);
+  scratch.to_be_looked_at.assign((nc + 63) / 64, 0);
+  WorkList list(scratch.to_be_looked_at);
   with_components(problem, [&]<int Components> {
     do {
-      list.add_all();
+      for (std::size_t c = 0; c < nc; ++c) list.add(c);
       solved = 0;
       while (list.sweep([&](std::size_t c) {
         ++seen;

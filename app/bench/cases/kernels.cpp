@@ -83,8 +83,9 @@ struct Blocks {
   void factorise(BlockLu& lu) const {
     lu.factorise([&](int part) {
       const auto k = static_cast<std::size_t>(part);
-      for (const int i : rows_of.of(k)) lu.diagonal(i) = 10 * Mat3::Identity();
-      for (const int e : edges_of.of(k)) lu.upper(e) = lu.lower(e) = Mat3::Constant(-0.1);
+      for (const int i : rows_of.of(k)) lu.diagonal(i).entry() = 10 * Mat3::Identity();
+      for (const int e : edges_of.of(k))
+        lu.upper(e).entry() = lu.lower(e).entry() = Mat3::Constant(-0.1);
     });
   }
 };
@@ -121,11 +122,12 @@ void measure_lu(Blocks blocks, const std::string& of, const Options& options,
   factors.value = 1e-9 * lu.operations() / factors.seconds.cpu;
   rows.push_back(factors);
 
-  std::vector<Vec3> x(static_cast<std::size_t>(blocks.rows), Vec3(1, 2, 3));
+  const Eigen::Vector4d start(1, 2, 3, 0);
+  std::vector<Eigen::Vector4d> x(static_cast<std::size_t>(blocks.rows), start);
   const double read = sizeof(PaddedBlock) * (2.0 * static_cast<double>(lu.fill()) + blocks.rows);
   Row solution = measured(options, read, kBytes, [&] {
-    lu.solve(x);
-    std::ranges::fill(x, Vec3(1, 2, 3));
+    lu.solve(x.data());
+    std::ranges::fill(x, start);
   });
   solution.name = "block LU" + of + ", solve";
   rows.push_back(solution);

@@ -51,9 +51,7 @@ void record_standard(const Options& options, const fs::path& folder) {
 SolveReport solve_again(const RecordedProblem& recorded, const SolverSettings& settings,
                         ContactSolver& solver, ContactState& state) {
   state = {.velocity = {}, .impulse = recorded.step.start};
-  return recorded.with_more
-             ? solver.solve_with_more(recorded.step.problem, settings, state, recorded.from)
-             : solver.solve(recorded.step.problem, settings, state, recorded.from);
+  return solver.solve(recorded.step.problem, settings, state, recorded.from);
 }
 
 struct Recorded {

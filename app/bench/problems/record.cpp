@@ -36,7 +36,6 @@ class Sample {
           row.cohesive ? posed.problem.force_scale * posed.problem.dt : 0, 0, 0);
     kept.settings = posed.settings;
     kept.from = posed.from;
-    kept.with_more = posed.with_more;
     kept.time = time;
     if (kept_.size() < 2 * count_) return;
     for (std::size_t k = 0; 2 * k < kept_.size(); ++k) std::swap(kept_[k], kept_[2 * k]);

@@ -109,7 +109,6 @@ json as_json(const RecordedProblem& recorded) {
           {"group", recorded.group},
           {"time", recorded.time},
           {"from", static_cast<int>(recorded.from)},
-          {"with_more", recorded.with_more},
           {"tolerance", recorded.settings.tolerance},
           {"velocity_tolerance", recorded.settings.velocity_tolerance},
           {"max_iterations", recorded.settings.max_iterations},
@@ -140,7 +139,6 @@ void read_json(const json& file, RecordedProblem& recorded) {
   if (from < 0 || from > static_cast<int>(SolverStage::sweeps))
     throw std::runtime_error("names no stage of the solver");
   recorded.from = static_cast<SolverStage>(from);
-  recorded.with_more = file.at("with_more");
   recorded.settings.tolerance = file.at("tolerance");
   recorded.settings.velocity_tolerance = file.at("velocity_tolerance");
   recorded.settings.max_iterations = file.at("max_iterations");

@@ -14,7 +14,6 @@ struct RecordedProblem {
   StepProblem step;
   SolverSettings settings;
   SolverStage from = SolverStage::start;  // what solved the problem before it in its step
-  bool with_more = false;                 // that problem, with contacts that it had missed
   std::string group;                      // which part of which phase: "2 push, middle"
   double time = 0;                        // at the start of the step [sqrt(d/g)]
   Reference reference;

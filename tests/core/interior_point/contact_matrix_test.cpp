@@ -89,7 +89,8 @@ double error(const ContactProblem& problem, double stiffest, Random& random,
   matrix.velocity_change(impulse, found);
   const std::vector<Vec3> expected = dense_velocity_change(problem, impedance, impulse);
   EXPECT_EQ(found.size(), expected.size());
-  double worst = 0, largest = 1e-300;
+  constexpr double kNone = 1e-30;  // where nothing can move
+  double worst = 0, largest = kNone;
   for (std::size_t i = 0; i < expected.size(); ++i) {
     worst = std::max(worst, distance(found[i], expected[i]));
     largest = std::max(largest, expected[i].norm());

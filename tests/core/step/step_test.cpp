@@ -47,23 +47,6 @@ TEST_P(Step, FindsContactsThatOnlyAnotherContactCauses) {
   EXPECT_GT(run.world.disks.velocity[2].x(), 1) << "the third must have been hit";
 }
 
-// What a missed contact changes is near it: no further factorisation.
-TEST(MissedContact, IsMendedByRelaxation) {
-  const auto factorisations = [](double third) {
-    Scenario scene = empty_scene(Method::automatic);
-    scene.grain_law = {.friction = 0.3};
-    scene.disks = {
-        {.position = {0, 0}, .velocity = {40, 3}}, {.position = {1, 0}}, {.position = {third, 0}}};
-    Simulation run(scene);
-    run.advance();
-    EXPECT_TRUE(run.last.converged);
-    EXPECT_EQ(run.world.disks.velocity[2].x() > 1, third < 3) << "hit only where it is near";
-    return run.last.solve.factorisations;
-  };
-  EXPECT_GT(factorisations(9), 0);
-  EXPECT_EQ(factorisations(2.1), factorisations(9));
-}
-
 // What is repeated with half the time step need not be solved again with what its lost solution would hit.
 TEST(Patience, ALostStepIsNotSolvedAgain) {
   const auto sweeps = [](bool stop_if_unconverged) {
