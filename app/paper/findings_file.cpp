@@ -21,16 +21,16 @@ void write_findings(const std::filesystem::path& file, const MethodFindings& fou
           "\n");
 }
 
-MethodFindings read_findings(const std::filesystem::path& file, const Vec2& box) {
+MethodFindings read_findings(const std::filesystem::path& file, const Vec2& box,
+                             OtherBoxes others) {
   const Json json = read_json(file);
   try {
     MethodFindings read{.method = json.at("method").get<std::string>(), .findings = {}};
     const Vec2 other(json.at("box").at(0).get<double>(), json.at("box").at(1).get<double>());
-    if (other != box)
-      throw InputError(file.string(), "is of a box of " + number_text(other.x()) + " x " +
-                                          number_text(other.y()) + " d, this report of " +
-                                          number_text(box.x()) + " x " + number_text(box.y()) +
-                                          " d");
+    const bool lower = other.x() == box.x() && other.y() < box.y();
+    if (other != box && !(lower && others == OtherBoxes::named_if_lower))
+      throw InputError(file.string(), "is of a box of " + box_text(other) +
+                                          ", this report of one of " + box_text(box));
     const PaperTargets targets = read_targets(shipped_targets());
     // Of two methods it is in a folder above their findings.
     std::filesystem::path report = file.parent_path() / "report.md";
@@ -49,6 +49,7 @@ MethodFindings read_findings(const std::filesystem::path& file, const Vec2& box)
       measured.n = found.at("n").get<int>();
       measured.note = found.value("note", "");
       measured.report = report;
+      if (lower) measured.lower_box = other;
     }
     return read;
   } catch (const Json::exception& problem) {

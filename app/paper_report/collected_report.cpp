@@ -17,7 +17,7 @@ std::vector<MethodFindings> merged(const std::vector<std::filesystem::path>& fil
                                    const Vec2& box) {
   std::vector<MethodFindings> methods;
   for (const std::filesystem::path& file : files) {
-    MethodFindings read = read_findings(file, box);
+    MethodFindings read = read_findings(file, box, OtherBoxes::named_if_lower);
     const auto known = std::ranges::find(methods, read.method, &MethodFindings::method);
     if (known == methods.end())
       methods.push_back(std::move(read));
@@ -116,8 +116,9 @@ Report collected_report(const std::vector<std::filesystem::path>& files, const V
   Report report{.title = "Collapsing granular suspensions, all numbers",
                 .intro = {"All numbers of the paper beside ours. Each of ours links to the report "
                           "that it is taken from, with figures and runs. Our boxes measure " +
-                          number_text(box.x()) + " x " + number_text(box.y()) +
-                          " d; the paper uses one of 51 x 199 d and 10 realizations."}};
+                          box_text(box) +
+                          " unless a lower one is named beside the number; the paper uses one of "
+                          "51 x 199 d and 10 realizations."}};
   add_first_page(report, targets.targets, methods, folder);
   Section all{.title = "All numbers in one picture", .blocks = {}};
   all.add(Figure{.plot = Agreement(targets, methods).take(),

@@ -104,8 +104,8 @@ std::vector<std::string> add_figures(Report& report, const PaperReport& made,
 void add_intro(Report& report, const std::vector<Programme>& programmes) {
   const PaperScale& scale = programmes.front().jobs.scale();
   report.intro = {"All numbers of the paper beside ours. Our boxes measure " +
-                  number_text(scale.width) + " x " + number_text(scale.height) +
-                  " d, with at most " + count_text(scale.realizations, "realization") +
+                  box_text({scale.width, scale.height}) + ", with at most " +
+                  count_text(scale.realizations, "realization") +
                   "; the paper uses 51 x 199 d and 10 realizations."};
   if (scale.width < PaperScale{}.width || scale.height < PaperScale{}.height)
     report.intro.emplace_back(

@@ -91,8 +91,8 @@ class MethodMap : public PaperExperiment {
 
   void report(const PaperResults& results, Section& section, Findings&) const override {
     section.add(Paragraph{
-        "Specimens of " + number_text(width_) + " x " + number_text(height_) +
-        " d made with exact steps, each pushed by NSCD with every number of sweeps and every time "
+        "Specimens of " + box_text({width_, height_}) +
+        " made with exact steps, each pushed by NSCD with every number of sweeps and every time "
         "step, and by exact steps. Where the curves of NSCD meet, more sweeps change nothing; "
         "where a curve is level towards the left, smaller steps change nothing."});
     const PaperTargets targets = read_targets(shipped_targets());

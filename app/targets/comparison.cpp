@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/json/fields.h"
 #include "app/plot/typeset_number.h"
 #include "core/base/format.h"
 #include "core/measures/linear_fit.h"
@@ -28,7 +29,8 @@ std::string ours_text(const Target& target, const Measured& measured) {
   std::string text = typeset_with_error(measured.value, measured.standard_error) +
                      ", n = " + std::to_string(measured.n);
   if (!target.counts.empty()) text += " " + target.counts;
-  return text + (measured.standard_error ? "" : " (error unknown)");
+  if (!measured.standard_error) text += " (error unknown)";
+  return text + (measured.lower_box ? ", in a box of " + box_text(*measured.lower_box) : "");
 }
 
 // One method on one target.
@@ -98,6 +100,10 @@ Cell reason_cell(const Target& target, const std::vector<ByMethod>& entries,
 }
 
 }  // namespace
+
+std::string box_text(const Vec2& size) {
+  return number_text(size.x()) + " x " + number_text(size.y()) + " d";
+}
 
 Measured measured_over(std::span<const double> values, std::string note) {
   Mean mean = *mean_of(values);

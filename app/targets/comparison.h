@@ -15,6 +15,7 @@
 #include "app/report/report.h"
 #include "app/targets/evidence.h"
 #include "app/targets/paper_targets.h"
+#include "core/base/types.h"
 
 namespace quicksand {
 
@@ -24,7 +25,11 @@ struct Measured {
   int n = 1;                               // realizations, or what the target counts
   std::string note{};                      // what was different, what could be seen
   std::filesystem::path report{};          // that it is from; empty: the one that shows it
+  std::optional<Vec2> lower_box{};         // that it is of, where that of the table is higher [d]
 };
+
+// "51 x 199 d".
+std::string box_text(const Vec2& size);
 
 // Mean, standard error and number of the values; there must be one.
 Measured measured_over(std::span<const double> values, std::string note = {});

@@ -191,6 +191,15 @@ TEST_F(Records, OfAnotherBuildCountIfTheirScenesSayTheSame) {
   EXPECT_TRUE(read_record(job).other_scene);
 }
 
+TEST_F(PaperReportTest, OfOtherReportsNamesALowerBoxBesideItsNumbers) {
+  const std::string density = "unperturbed.volume_fraction";
+  const auto lower = folder_.path() / "findings.json";
+  write_findings(lower, {"exact", {{density, {.value = 0.38}}}}, {51, 66});
+  const Report report = collected_report({lower}, {51, 199}, folder_.path(), "command");
+  EXPECT_EQ(row(first_page(report), "unperturbed specimen: volume fraction")[2].text,
+            "0.38, n = 1 (error unknown), in a box of 51 x 66 d");
+}
+
 // Each number is the first file's that has it, and says where it is from.
 TEST_F(PaperReportTest, OfOtherReportsTakesEachNumberFromTheFirstThatHasIt) {
   const auto write = [&](const char* folder, const char* method, const Findings& findings) {
@@ -230,6 +239,7 @@ TEST_F(PaperReportTest, OfOtherReportsTakesEachNumberFromTheFirstThatHasIt) {
   const std::string counts = std::get<Paragraph>(report.lead[0]).text;
   EXPECT_NE(counts.find("NSCD: 2 inside, 0 outside, "), std::string::npos) << counts;
   EXPECT_THROW(collected_report({ten}, {24, 50}, folder_.path(), ""), InputError);
+  EXPECT_THROW(collected_report({ten}, {51, 66}, folder_.path(), ""), InputError) << "a higher box";
   // Of a report of both methods.
   const auto of_both = write("both/exact", "exact", {{density, {.value = 0.38}}});
   std::filesystem::rename(folder_.path() / "both/exact/report.md",
