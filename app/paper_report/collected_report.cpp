@@ -126,7 +126,7 @@ Report collected_report(const std::vector<std::filesystem::path>& files, const V
                             "Grey: the paper's last digit, or its interval, whose geometric mean "
                             "stands for its number. Filled: inside by the rule of the table; open: "
                             "not. †: used to choose the NSCD settings. Bounds and numbers that may "
-                            "be zero are left out.",
+                            "be zero are left out. Numbers of lower boxes are among them.",
                  .command = command});
   report.sections = {
       std::move(all),
