@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <span>
 
@@ -187,20 +188,54 @@ struct PointLabel {
   double bar = 0;
 };
 
-// Each is centred above the bar of its point, or below it where another is in its way.
+// In shares of the graph.
+struct Rectangle {
+  double left = 0, right = 0, bottom = 0, top = 0;
+  double shared(const Rectangle& other) const {
+    return std::max(0.0, std::min(right, other.right) - std::max(left, other.left)) *
+           std::max(0.0, std::min(top, other.top) - std::max(bottom, other.bottom));
+  }
+};
+
+// Each is centred above the bar of its point, or below it where other labels, points and bars are less in its way.
 void add_labels(Plot& plot, std::vector<PointLabel> labels) {
-  constexpr double kCharacter = 1.0 / 70;  // about its width, over that of the graph
-  constexpr double kOffset = 0.6;          // at which a label begins, in characters
-  std::ranges::sort(labels, {}, [](const PointLabel& label) { return label.text.x; });
-  const double first = std::log(labels.front().text.x);
-  const double character = kCharacter * (std::log(*plot.x.high) - first);
-  double taken = -HUGE_VAL;  // by those above, up to here
+  constexpr double kCharacter = 1.0 / 58, kLine = 1.0 / 14;  // about their size, over the graph's
+  constexpr double kOffset = 0.6;   // at which a label begins, in characters
+  constexpr double kMarker = 0.01;  // half its size
+  const auto x_of = [](const PointLabel& label) { return label.text.x; };
+  const double first = std::log(std::ranges::min(labels, {}, x_of).text.x);
+  const double width = std::log(*plot.x.high) - first;
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (const auto& [label, bar] : labels) {
+    low = std::min(low, label.y - bar);
+    high = std::max(high, label.y + bar);
+  }
+  const auto across = [&](double x) { return (std::log(x) - first) / width; };
+  const auto up = [&](double y) { return (y - low) / (high - low); };
+  std::vector<Rectangle> taken;
+  for (const Curve& curve : plot.curves)
+    for (std::size_t k = 0; k < curve.x.size(); ++k)
+      taken.push_back({across(curve.x[k]) - kMarker, across(curve.x[k]) + kMarker,
+                       up(curve.y[k] - curve.y_error[k]) - kMarker,
+                       up(curve.y[k] + curve.y_error[k]) + kMarker});
+  // From the top: what has moved below is in the way of those that come later.
+  std::ranges::sort(labels, std::greater{}, [](const PointLabel& label) { return label.text.y; });
   for (auto& [label, bar] : labels) {
-    const double place = std::log(label.x);
-    const double half = character * static_cast<double>(label.text.size()) / 2;
-    label.below = place - half < taken;
-    if (!label.below) taken = place + half;
-    label.x = std::exp(std::max(place - half, first - character) - kOffset * character);
+    const double half = kCharacter * static_cast<double>(label.text.size()) / 2;
+    const double left = std::max(across(label.x) - half, -kCharacter);
+    const auto place = [&](bool below) {
+      const double bottom =
+          below ? up(label.y - bar) - kMarker - kLine : up(label.y + bar) + kMarker;
+      return Rectangle{left, left + 2 * half, bottom, bottom + kLine};
+    };
+    const auto covered = [&](const Rectangle& at) {
+      double area = 0;
+      for (const Rectangle& other : taken) area += at.shared(other);
+      return area;
+    };
+    label.below = covered(place(true)) < covered(place(false));
+    taken.push_back(place(label.below));
+    label.x = std::exp(first + width * (left - kOffset * kCharacter));
     label.y += label.below ? -bar : bar;
     plot.annotations.push_back(std::move(label));
   }
