@@ -220,7 +220,9 @@ void add_labels(Plot& plot, std::vector<PointLabel> labels) {
                        up(curve.y[k] + curve.y_error[k]) + kMarker});
   // From the top: what has moved below is in the way of those that come later.
   std::ranges::sort(labels, std::greater{}, [](const PointLabel& label) { return label.text.y; });
-  for (auto& [label, bar] : labels) {
+  for (PointLabel& entry : labels) {
+    auto& label = entry.text;
+    const double bar = entry.bar;
     const double half = kCharacter * static_cast<double>(label.text.size()) / 2;
     const double left = std::max(across(label.x) - half, -kCharacter);
     const auto place = [&](bool below) {
