@@ -3,6 +3,7 @@
 
 #include "app/experiments/experiments.h"
 #include "app/experiments/push_course.h"
+#include "app/experiments/strong_push.h"
 #include "app/json/json_reader.h"
 #include "app/paper/outcome_table.h"
 #include "core/base/errors.h"
@@ -12,8 +13,8 @@ namespace quicksand {
 
 namespace {
 
-// The forces of the paper's three snapshots; the last stands for its "strong" one.
-constexpr double kWeak = 0.33, kEqual = 1, kStrong = 3;
+// The forces of the paper's snapshots; that of the third, its "strong" one, it does not give.
+constexpr double kWeak = 0.33, kEqual = 1;
 
 constexpr FinalQuantity kShown[] = {{"depth", "depth [d]"},
                                     {"active_bond_fraction", "active share"},
@@ -34,7 +35,8 @@ class Penetration : public PaperExperiment {
   }
 
   void report(const PaperResults& results, Section& section, Findings& findings) const override {
-    add_pictures(results, section);
+    const auto strong = strong_push(results, curve_);
+    add_pictures(results, strong, section);
     std::vector<OutcomeRow> rows;
     for (std::size_t k = 0; k < curve_.forces.size(); ++k)
       rows.push_back({number_text(curve_.forces[k]), curve_.pushes[k]});
@@ -45,53 +47,55 @@ class Penetration : public PaperExperiment {
                               {"push force [F_c]", true}, rows, kShown, all_));
     add_plots(results, section);
     add_push_course(section, results, curve_, height_, all_);
-    for (std::size_t k = 0; k < curve_.forces.size(); ++k) compare(results, k, findings);
+    compare(results, findings);
+    if (strong) compare_strong(results, *strong, findings);
   }
 
  private:
-  void add_pictures(const PaperResults& results, Section& section) const {
+  void add_pictures(const PaperResults& results, const std::optional<StrongPush>& strong,
+                    Section& section) const {
     for (std::size_t k = 0; k < curve_.forces.size(); ++k) {
-      if (curve_.forces[k] != kWeak && curve_.forces[k] != kEqual && curve_.forces[k] != kStrong)
+      if (curve_.forces[k] != kWeak && curve_.forces[k] != kEqual &&
+          !(strong && strong->index == k))
         continue;
       add_snapshots(section, results, curve_.pushes[k],
                     "pushed with " + number_text(curve_.forces[k]) + " × cohesion force");
     }
   }
 
-  static Target paper_target(const std::string& force, const std::string& quantity) {
-    return read_targets(shipped_targets()).at("penetration." + force + "." + quantity);
-  }
-
-  // The paper's strong force has no number, it is beyond F_c: its points stand in the middle of a bar over such forces.
-  static constexpr double kStrongPlace = 4.5, kLargestShown = 5.5;
+  // The paper's strong force has no number, it is beyond F_c: its points stand on a bar over such forces, to the right
+  // of ours.
+  double strong_place() const { return 1.25 * std::max(kEqual, curve_.forces.back()); }
+  double largest_shown() const { return 1.5 * std::max(kEqual, curve_.forces.back()); }
 
   // What is the paper's stands a little to the right of its force, or it would hide ours.
   static constexpr double kAside = 1.08;
 
   // The paper's shares, open and in the colour of ours, which are the curve of this style.
-  static Curve paper_shares(std::size_t style, const std::string& name,
-                            const std::string& quantity) {
+  Curve paper_shares(std::size_t style, const std::string& name,
+                     const std::string& quantity) const {
     const double none = std::nan("");
     return {.name = "paper: " + name,
             .role = Curve::Role::paper,
             .style = style,
             .colour = kCurveColours[style],
-            .x = {kAside * kWeak, kAside * kEqual, kStrongPlace},
-            .y = {*paper_target("0.33", quantity).low, *paper_target("1.0", quantity).low,
-                  *paper_target("strong", quantity).low},
-            .x_error = {none, none, kStrongPlace - kEqual}};
+            .x = {kAside * kWeak, kAside * kEqual, strong_place()},
+            .y = {*paper_push("0.33", quantity).low, *paper_push("1.0", quantity).low,
+                  *paper_push("strong", quantity).low},
+            .x_error = {none, none, strong_place() - kEqual}};
   }
 
   void add_plots(const PaperResults& results, Section& section) const {
     const Axis force{.label = "push force", .unit = "F_c", .logarithmic = true};
     add_bonds(results, force, section);
+    add_share_pairs(section, results, curve_);
     add_depth(results, force, section);
     add_contacts(results, force, section);
   }
 
   // With a value of the paper for a strong force in it.
-  static Axis with_strong(Axis force) {
-    force.high = kLargestShown;
+  Axis with_strong(Axis force) const {
+    force.high = largest_shown();
     return force;
   }
 
@@ -119,7 +123,7 @@ class Penetration : public PaperExperiment {
                .references = {
                    {.name = "height of the box", .low = height_, .role = Reference::Role::guide}}};
     depth.curves.push_back(curve_over(results, "ours", curve_.forces, curve_.pushes, "depth"));
-    const Target bottom = paper_target("1.0", "depth");
+    const Target bottom = paper_push("1.0", "depth");
     const double middle = (*bottom.low + 1) / 2 * height_;
     depth.curves.push_back({.name = "paper: " + bottom.words,
                             .role = Curve::Role::paper,
@@ -143,9 +147,9 @@ class Penetration : public PaperExperiment {
       add_with_band(contacts, curve_over(results, name, curve_.forces, curve_.pushes, quantity));
     contacts.curves.push_back({.name = "paper",
                                .role = Curve::Role::paper,
-                               .x = {kStrongPlace},
-                               .y = {*paper_target("strong", "coordination").low},
-                               .x_error = {kStrongPlace - kEqual}});
+                               .x = {strong_place()},
+                               .y = {*paper_push("strong", "coordination").low},
+                               .x_error = {strong_place() - kEqual}});
     section.add(Figure{
         std::move(contacts),
         "Coordination number after the push as a function of its force, for three gaps up to which "
@@ -153,30 +157,36 @@ class Penetration : public PaperExperiment {
         "this gap nor a number for its strong force; the bar spans all forces above F_c."});
   }
 
-  void compare(const PaperResults& results, std::size_t k, Findings& findings) const {
-    const auto find = [&](const std::string& id, const char* quantity) {
-      note(findings, id, results.mean(curve_.pushes[k], quantity));
-    };
-    if (curve_.forces[k] == kWeak) {
-      find("penetration.0.33.active_of_contacts", "active_bond_fraction");
-      find("penetration.0.33.remaining_of_initial", "remaining_bond_fraction");
-    } else if (curve_.forces[k] == kEqual) {
-      find("penetration.1.0.active_of_contacts", "active_bond_fraction");
-      find("penetration.1.0.remaining_of_initial", "remaining_bond_fraction");
+  void compare(const PaperResults& results, Findings& findings) const {
+    for (std::size_t k = 0; k < curve_.forces.size(); ++k) {
+      if (curve_.forces[k] != kWeak && curve_.forces[k] != kEqual) continue;
+      const std::string push = curve_.forces[k] == kWeak ? "penetration.0.33." : "penetration.1.0.";
+      note(findings, push + "active_of_contacts",
+           results.mean(curve_.pushes[k], "active_bond_fraction"));
+      note(findings, push + "remaining_of_initial",
+           results.mean(curve_.pushes[k], "remaining_bond_fraction"));
+      if (curve_.forces[k] != kEqual) continue;
       std::vector<double> shares;
       for (const RunResults* run : results.runs(curve_.pushes[k]))
         if (const auto depth = run->final_value("depth"))
           shares.push_back(*depth / run->column("packing_top").front());
-      note(findings, "penetration.1.0.depth", mean_over(shares));
-    } else if (curve_.forces[k] == kStrong) {
-      const std::string strong = "penetration.strong.";
-      find(strong + "active_of_contacts", "active_bond_fraction");
-      find(strong + "remaining_of_initial", "remaining_bond_fraction");
-      find(strong + "coordination", "coordination");
-      find(strong + "channel.active_of_contacts", "channel_active_bond_fraction");
-      find(strong + "channel.coordination", "channel_coordination");
-      find(strong + "intact.active_of_contacts", "intact_active_bond_fraction");
-      find(strong + "intact.coordination", "intact_coordination");
+      note(findings, push + "depth", mean_over(shares));
+    }
+  }
+
+  void compare_strong(const PaperResults& results, const StrongPush& strong,
+                      Findings& findings) const {
+    for (const auto& [id, quantity] :
+         {std::pair{"active_of_contacts", "active_bond_fraction"},
+          {"remaining_of_initial", "remaining_bond_fraction"},
+          {"coordination", "coordination"},
+          {"channel.active_of_contacts", "channel_active_bond_fraction"},
+          {"channel.coordination", "channel_coordination"},
+          {"intact.active_of_contacts", "intact_active_bond_fraction"},
+          {"intact.coordination", "intact_coordination"}}) {
+      auto found = results.mean(curve_.pushes[strong.index], quantity);
+      if (found) found->note = strong.note;
+      note(findings, std::string("penetration.strong.") + id, found);
     }
   }
 

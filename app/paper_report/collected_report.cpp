@@ -62,7 +62,7 @@ class Agreement {
           {.name = group_, .low = next_ - kHalf, .role = Reference::Role::guide});
       next_ -= 1;
     }
-    plot_.y.names.emplace_back(next_, target.short_name + (target.chose_nscd ? " †" : ""));
+    plot_.y.names.emplace_back(next_, target.short_name + (target.chose.empty() ? "" : " †"));
     rows_.emplace_back(target, next_);
     const double middle = middle_of(target);
     const double low = (*target.low - target.half_digit) / middle;
@@ -122,11 +122,12 @@ Report collected_report(const std::vector<std::filesystem::path>& files, const V
   add_first_page(report, targets.targets, methods, folder);
   Section all{.title = "All numbers in one picture", .blocks = {}};
   all.add(Figure{.plot = Agreement(targets, methods).take(),
-                 .caption = "Our numbers divided by the paper's, with bars of one standard error. "
-                            "Grey: the paper's last digit, or its interval, whose geometric mean "
-                            "stands for its number. Filled: inside by the rule of the table; open: "
-                            "not. †: used to choose the NSCD settings. Bounds and numbers that may "
-                            "be zero are left out. Numbers of lower boxes are among them.",
+                 .caption =
+                     "Our numbers divided by the paper's, with bars of one standard error. "
+                     "Grey: the paper's last digit, or its interval, whose geometric mean "
+                     "stands for its number. Filled: inside by the rule of the table; open: "
+                     "not. †: used to make a choice, so no prediction. Bounds and numbers that may "
+                     "be zero are left out. Numbers of lower boxes are among them.",
                  .command = command});
   report.sections = {
       std::move(all),

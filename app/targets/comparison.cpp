@@ -170,8 +170,11 @@ std::string paper_text(const Target& target) {
 
 Table comparison_table(const PaperTargets& targets, const std::vector<MethodFindings>& methods,
                        const Evidence& evidence, const std::filesystem::path& report) {
-  const bool by_nscd = std::ranges::find(methods, "nscd", &MethodFindings::method) != methods.end();
-  const auto is_marked = [&](const Target& target) { return by_nscd && target.chose_nscd; };
+  const auto is_marked = [&](const Target& target) {
+    return !target.chose.empty() &&
+           (target.chose_of.empty() ||
+            std::ranges::find(methods, target.chose_of, &MethodFindings::method) != methods.end());
+  };
   std::string caption =
       "Mean ± standard error; n is the number of realizations unless stated otherwise. A value is "
       "inside if it lies within the paper's interval, or within half a unit of the last digit that "
@@ -179,10 +182,13 @@ Table comparison_table(const PaperTargets& targets, const std::vector<MethodFind
       "this widening makes it so, and undecided if its error is then larger than a quarter of the "
       "paper's number. An unknown error widens nothing. Two standard errors on either side hold "
       "the true mean in 95 % of cases if n is large, in 92, 82 and 70 % if n is 10, 3 and 2.";
-  if (std::ranges::any_of(targets.targets, is_marked))
-    caption +=
-        " † This number was used to choose the NSCD settings (in another specimen), so our NSCD "
-        "value is not a prediction.";
+  std::vector<std::string> choices;
+  for (const Target& target : targets.targets)
+    if (is_marked(target) && std::ranges::find(choices, target.chose) == choices.end())
+      choices.push_back(target.chose);
+  if (!choices.empty())
+    caption += " † This number was used to choose " + joined(choices, " or ") +
+               ", so ours is not a prediction.";
   Table table{.caption = caption, .columns = {{.title = "experiment"}, {.title = "paper"}}};
   for (const MethodFindings& method : methods)
     table.columns.push_back({.title = method_title(method.method), .number = true});

@@ -50,7 +50,8 @@ void describe(Fields& f, Entry& e) {
   f.exactly_one({"printed", "interval", "at_least", "at_most"});
   f.text({"words", "the paper's words, where it gives no number"}, e.target.words);
   f.text({"counts", "objects that a measurement's n counts, if not realizations"}, e.target.counts);
-  f.flag({"chose_nscd", "whether it was used to choose the NSCD settings"}, e.target.chose_nscd);
+  f.text({"chose", "what was chosen by it"}, e.target.chose);
+  f.text({"chose_of", "the method of this choice; of each method if absent"}, e.target.chose_of);
   f.text({"source", "where it is printed", Presence::required}, e.target.source);
   f.text({"because", "how words were turned into this bound, or the origin of the interval"},
          e.target.because);

@@ -19,12 +19,13 @@ struct Target {
   std::string unit;    // "1" if none
   // The admissible values; an open side is absent. Equal if the paper has a value.
   std::optional<double> low, high;
-  std::string printed;      // a value as the paper prints it; empty for others
-  double half_digit = 0;    // half a unit of the last digit that it prints, 0 for others [unit]
-  std::string words;        // the paper's, where it gives no number
-  std::string counts;       // what a measurement's n counts; empty: realizations
-  bool chose_nscd = false;  // the setting of NSCD was chosen by it, so that ours is no prediction
-  std::string source;       // where it stands
+  std::string printed;    // a value as the paper prints it; empty for others
+  double half_digit = 0;  // half a unit of the last digit that it prints, 0 for others [unit]
+  std::string words;      // the paper's, where it gives no number
+  std::string counts;     // what a measurement's n counts; empty: realizations
+  std::string chose;      // what was chosen by it, so that ours is no prediction; empty if nothing
+  std::string chose_of;   // the method of this choice; empty: of each
+  std::string source;     // where it stands
   std::string
       because;  // how the words became a bound, or where an interval is from; empty if plain
 };
