@@ -3,12 +3,13 @@
 #include <cmath>
 
 #include "app/json/json_reader.h"
+#include "app/targets/share_pairs.h"
 #include "core/base/errors.h"
 
 namespace quicksand {
 
 Target paper_push(const std::string& force, const std::string& quantity) {
-  return read_targets(shipped_targets()).at("penetration." + force + "." + quantity);
+  return read_targets(shipped_targets()).at(push_target(force, quantity));
 }
 
 std::optional<StrongPush> strong_push(const PaperResults& results, const PushCurve& curve) {
@@ -32,9 +33,7 @@ std::optional<StrongPush> strong_push(const PaperResults& results, const PushCur
 }
 
 void add_share_pairs(Section& section, const PaperResults& results, const PushCurve& curve) {
-  Plot plot{.name = "penetration_pairs",
-            .x = {.label = "active share of contacts", .low = 0, .high = 1.02},
-            .y = {.label = "remaining share of initial bonds", .low = 0, .high = 1.05}};
+  Plot plot = share_pairs(read_targets(shipped_targets()), "penetration_pairs");
   Curve ours{.name = "ours, after pushes with these forces [F_c]",
              .kind = Curve::Kind::line_points};
   for (std::size_t k = 0; k < curve.forces.size(); ++k) {
@@ -48,16 +47,7 @@ void add_share_pairs(Section& section, const PaperResults& results, const PushCu
                                 .text = number_text(curve.forces[k]),
                                 .left = true});
   }
-  plot.curves.push_back(std::move(ours));
-  Curve paper{.name = "paper", .role = Curve::Role::paper};
-  for (const auto& [force, text] :
-       {std::pair{"0.33", "0.33"}, std::pair{"1.0", "1"}, std::pair{"strong", "strong"}}) {
-    paper.x.push_back(*paper_push(force, "active_of_contacts").low);
-    paper.y.push_back(*paper_push(force, "remaining_of_initial").low);
-    plot.annotations.push_back(
-        {.x = paper.x.back(), .y = paper.y.back(), .text = text, .below = true});
-  }
-  plot.curves.push_back(std::move(paper));
+  plot.curves.insert(plot.curves.begin(), std::move(ours));
   section.add(Figure{std::move(plot),
                      "Remaining against active share after a push, with bars of one standard "
                      "error: where the paper's pair lies on our line, some force leaves both of "

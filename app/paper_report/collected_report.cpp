@@ -7,6 +7,7 @@
 #include "app/paper/findings_file.h"
 #include "app/paper_report/first_page.h"
 #include "app/report/provenance.h"
+#include "app/targets/share_pairs.h"
 #include "core/base/format.h"
 
 namespace quicksand {
@@ -107,6 +108,26 @@ class Agreement {
   std::vector<std::pair<Target, double>> rows_;
 };
 
+// Ours after the same three pushes as the paper's, a line a method.
+Plot pairs_of_shares(const PaperTargets& targets, const std::vector<MethodFindings>& methods) {
+  Plot plot = share_pairs(targets, "pairs");
+  for (const MethodFindings& method : methods) {
+    const std::string title = method_title(method.method);
+    Curve curve{.name = title, .kind = Curve::Kind::line_points, .colour = method_colour(title)};
+    for (const auto& [force, text] : kPaperPushes) {
+      const auto active = method.findings.find(push_target(force, "active_of_contacts")),
+                 remaining = method.findings.find(push_target(force, "remaining_of_initial"));
+      if (active == method.findings.end() || remaining == method.findings.end()) continue;
+      add_point(curve, active->second.value, remaining->second);
+      curve.x_error.push_back(active->second.standard_error.value_or(0));
+      plot.annotations.push_back(
+          {.x = active->second.value, .y = remaining->second.value, .text = text, .left = true});
+    }
+    plot.curves.insert(plot.curves.end() - 1, std::move(curve));
+  }
+  return plot;
+}
+
 }  // namespace
 
 Report collected_report(const std::vector<std::filesystem::path>& files, const Vec2& box,
@@ -128,6 +149,12 @@ Report collected_report(const std::vector<std::filesystem::path>& files, const V
                      "stands for its number. Filled: inside by the rule of the table; open: "
                      "not. †: used to make a choice, so no prediction. Bounds and numbers that may "
                      "be zero are left out. Numbers of lower boxes are among them.",
+                 .command = command});
+  all.add(Figure{.plot = pairs_of_shares(targets, methods),
+                 .caption = "Shares of bonds after the pushes with 0.33 F_c, F_c and a strong "
+                            "force, against each other, with bars of one standard error. A pair "
+                            "of the paper's that lies on one of our lines is left by that method "
+                            "after some other force.",
                  .command = command});
   report.sections = {
       std::move(all),

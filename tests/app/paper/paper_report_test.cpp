@@ -236,6 +236,16 @@ TEST_F(PaperReportTest, OfOtherReportsTakesEachNumberFromTheFirstThatHasIt) {
   EXPECT_NEAR(curve->x[0], 0.41 / std::sqrt(0.40 * 0.43), 1e-12) << "over the interval's middle";
   EXPECT_NEAR(curve->y[0], plot.y.names[0].first, 0.5) << "in its row";
   EXPECT_EQ(plot.y.names[0].second, "volume fraction †") << "used to choose the settings";
+  const std::string push = "penetration.1.0.";
+  const auto pushed = write("pushed", "exact",
+                            {{push + "active_of_contacts", {.value = 0.34, .standard_error = 0.01}},
+                             {push + "remaining_of_initial", {.value = 0.48}}});
+  const Report of_pushes = collected_report({ten, pushed}, {51, 199}, folder_.path(), "command");
+  const Plot& pairs = std::get<Figure>(of_pushes.sections[0].blocks.at(1)).plot;
+  ASSERT_EQ(pairs.curves.size(), 3U) << "NSCD, exact, paper";
+  EXPECT_TRUE(pairs.curves[0].x.empty()) << "NSCD has none";
+  EXPECT_EQ(pairs.curves[1].x, std::vector<double>{0.34});
+  EXPECT_EQ(pairs.curves[1].y, std::vector<double>{0.48});
   const std::string counts = std::get<Paragraph>(report.lead[0]).text;
   EXPECT_NE(counts.find("NSCD: 2 inside, 0 outside, "), std::string::npos) << counts;
   EXPECT_THROW(collected_report({ten}, {24, 50}, folder_.path(), ""), InputError);
