@@ -151,10 +151,12 @@ Report collected_report(const std::vector<std::filesystem::path>& files, const V
                      "be zero are left out. Numbers of lower boxes are among them.",
                  .command = command});
   all.add(Figure{.plot = pairs_of_shares(targets, methods),
-                 .caption = "Shares of bonds after the pushes with 0.33 F_c, F_c and a strong "
-                            "force, against each other, with bars of one standard error. A pair "
-                            "of the paper's that lies on one of our lines is left by that method "
-                            "after some other force.",
+                 .caption =
+                     "Shares of bonds after the pushes with 0.33 F_c, F_c and a strong "
+                     "force, against each other, with bars of one standard error. Numbers are "
+                     "forces in F_c. A pair "
+                     "of the paper's that lies on one of our lines is left by that method "
+                     "after some other force.",
                  .command = command});
   report.sections = {
       std::move(all),
