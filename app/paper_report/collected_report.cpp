@@ -120,6 +120,8 @@ Plot pairs_of_shares(const PaperTargets& targets, const std::vector<MethodFindin
       if (active == method.findings.end() || remaining == method.findings.end()) continue;
       add_point(curve, active->second.value, remaining->second);
       curve.x_error.push_back(active->second.standard_error.value_or(0));
+      // Ours after the strong push, chosen by its active share, stands beside the paper's.
+      if (force == "strong") continue;
       plot.annotations.push_back(
           {.x = active->second.value, .y = remaining->second.value, .text = text, .left = true});
     }
