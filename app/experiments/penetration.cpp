@@ -86,22 +86,21 @@ class Penetration : public PaperExperiment {
   }
 
   void add_plots(const PaperResults& results, Section& section) const {
-    const Axis force{.label = "push force", .unit = "F_c", .logarithmic = true};
+    // One for all, with the paper's values for its weakest and its strong push in it.
+    const Axis force{.label = "push force",
+                     .unit = "F_c",
+                     .low = 0.9 * std::min(kWeak, curve_.forces.front()),
+                     .high = largest_shown(),
+                     .logarithmic = true};
     add_bonds(results, force, section);
     add_share_pairs(section, results, curve_);
     add_depth(results, force, section);
     add_contacts(results, force, section);
   }
 
-  // With a value of the paper for a strong force in it.
-  Axis with_strong(Axis force) const {
-    force.high = largest_shown();
-    return force;
-  }
-
   void add_bonds(const PaperResults& results, const Axis& force, Section& section) const {
     Plot bonds{.name = "penetration_bonds",
-               .x = with_strong(force),
+               .x = force,
                .y = {.label = "share of bonds", .low = 0, .high = 1.02}};
     add_with_band(bonds, curve_over(results, "active share", curve_.forces, curve_.pushes,
                                     "active_bond_fraction"));
@@ -138,9 +137,8 @@ class Penetration : public PaperExperiment {
   }
 
   void add_contacts(const PaperResults& results, const Axis& force, Section& section) const {
-    Plot contacts{.name = "penetration_coordination",
-                  .x = with_strong(force),
-                  .y = {.label = "coordination number"}};
+    Plot contacts{
+        .name = "penetration_coordination", .x = force, .y = {.label = "coordination number"}};
     for (const auto& [name, quantity] : {std::pair{"gap up to d_c", "coordination"},
                                          std::pair{"gap up to 10⁻³ d", "coordination_within_1e-3"},
                                          std::pair{"gap up to 10⁻² d", "coordination_within_1e-2"}})
