@@ -126,17 +126,20 @@ StrengthRuns plan_strength(PaperJobs& jobs) {
   constexpr double kFirstForce = 100, kFirstForceStrong = 32 * kFirstForce;
   const double height = jobs.scale().height;
   const RunGroup usual = jobs.samples();
-  const auto with_cohesion = [&](const char* tag, double force) {
-    return jobs.samples(tag, {{"contact.cohesion_force", force}});
+  const auto made_with = [&](const char* tag, const char* key, double value) {
+    return jobs.samples(tag, {{key, value}});
   };
-  const RunGroup weak = with_cohesion("cohesion_100", 100);
-  const RunGroup strong = with_cohesion("cohesion_1e6", 1e6);
-  const RunGroup rough = jobs.samples("friction_0.6", {{"contact.friction", 0.6}});
-  return {.loose = jobs.shears(usual, kLooseTop * height, kFirstForce),
-          .weak = jobs.shears(weak, kWeakTop * height, kFirstForce),
-          .strong = jobs.shears(strong, kLooseTop * height, kFirstForceStrong),
-          .compact = jobs.shears(jobs.pistons(usual), kCompactTop * height, kFirstForce),
-          .compact_rough = jobs.shears(jobs.pistons(rough), kCompactTop * height, kFirstForce)};
+  // Runs are computed in this order, so those come first that most of the paper's numbers are compared with.
+  StrengthRuns runs;
+  const RunGroup rough = made_with("friction_0.6", "contact.friction", 0.6);
+  runs.compact = jobs.shears(jobs.pistons(usual), kCompactTop * height, kFirstForce);
+  runs.compact_rough = jobs.shears(jobs.pistons(rough), kCompactTop * height, kFirstForce);
+  runs.loose = jobs.shears(usual, kLooseTop * height, kFirstForce);
+  const RunGroup strong = made_with("cohesion_1e6", "contact.cohesion_force", 1e6);
+  runs.strong = jobs.shears(strong, kLooseTop * height, kFirstForceStrong);
+  const RunGroup weak = made_with("cohesion_100", "contact.cohesion_force", 100);
+  runs.weak = jobs.shears(weak, kWeakTop * height, kFirstForce);
+  return runs;
 }
 
 }  // namespace quicksand

@@ -140,6 +140,13 @@ TEST_F(Reproduce, StrengthIsPooledOverTheGrainsOfAllRuns) {
   EXPECT_NEAR(strength.against_weight->slope, 0.4, 1e-12);
 }
 
+// An interrupted study should have what most of the paper's numbers need.
+TEST_F(Reproduce, StrengthsAfterThePistonAreMeasuredFirst) {
+  PaperJobs jobs(small(), folder_.path());
+  const StrengthRuns runs = plan_strength(jobs);
+  EXPECT_LT(runs.compact_rough.runs.back(), runs.loose.runs.front());
+}
+
 // The loose sample has 100 + 10 depth; the dense one of weak bonds, which is lower, 75 at 2 d and 125 at 4 d.
 TEST_F(Reproduce, StrengthsOfTwoCohesionForcesAreComparedAtTheSameDepth) {
   PaperScale scale = small();
