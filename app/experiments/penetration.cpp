@@ -20,6 +20,7 @@ constexpr FinalQuantity kShown[] = {{"depth", "depth [d]"},
                                     {"active_bond_fraction", "active share"},
                                     {"remaining_bond_fraction", "remaining share"},
                                     {"coordination", "coordination number"},
+                                    {"coordination_loaded", "coordination, with a force or a bond"},
                                     {"coordination_within_1e-3", "coordination, gaps below 1e-3 d"},
                                     {"coordination_within_1e-2", "coordination, gaps below 1e-2 d"},
                                     {"channel_active_bond_fraction", "channel: active"},
@@ -139,7 +140,8 @@ class Penetration : public PaperExperiment {
   void add_contacts(const PaperResults& results, const Axis& force, Section& section) const {
     Plot contacts{
         .name = "penetration_coordination", .x = force, .y = {.label = "coordination number"}};
-    for (const auto& [name, quantity] : {std::pair{"gap up to d_c", "coordination"},
+    for (const auto& [name, quantity] : {std::pair{"with a force or a bond", "coordination_loaded"},
+                                         std::pair{"gap up to d_c", "coordination"},
                                          std::pair{"gap up to 10⁻³ d", "coordination_within_1e-3"},
                                          std::pair{"gap up to 10⁻² d", "coordination_within_1e-2"}})
       add_with_band(contacts, curve_over(results, name, curve_.forces, curve_.pushes, quantity));
@@ -150,9 +152,10 @@ class Penetration : public PaperExperiment {
                                .x_error = {strong_place() - kEqual}});
     section.add(Figure{
         std::move(contacts),
-        "Coordination number after the push as a function of its force, for three gaps up to which "
-        "a pair counts as a contact, with bands of one standard error. The paper gives neither "
-        "this gap nor a number for its strong force; the bar spans all forces above F_c."});
+        "Coordination number after the push as a function of its force, with bands of one standard "
+        "error: of the contacts that carry a force or a bond, and of all pairs up to three gaps. "
+        "The paper says neither what it counts nor how large its strong force is; the bar spans "
+        "all forces above F_c."});
   }
 
   void compare(const PaperResults& results, Findings& findings) const {

@@ -23,6 +23,7 @@ class Piston : public PaperExperiment {
     constexpr FinalQuantity kLines[] = {{"packing_top", "height [d]"},
                                         {"volume_fraction", "volume fraction"},
                                         {"coordination", "coordination number"},
+                                        {"coordination_loaded", "the same, with a force or a bond"},
                                         {"coordination_within_1e-3", "the same, gaps below 1e-3 d"},
                                         {"coordination_within_1e-2", "the same, gaps below 1e-2 d"},
                                         {"active_bond_fraction", "active share"},
