@@ -114,6 +114,32 @@ TEST_F(Reproduce, BondsAreCountedOnTheIntrudersWayAndAtRest) {
   EXPECT_EQ(table.rows[2][2].text, "0.40 ± 0.10") << "at rest";
 }
 
+// NSCD leaves touching grains without a force, so what is counted as a contact matters.
+TEST_F(Reproduce, ContactsWithAForceOrABondAreCountedBesideThoseUpToAGap) {
+  PaperScale scale = small();
+  scale.push_forces = {1};
+  PaperJobs jobs(scale, folder_.path());
+  const auto penetration = make_penetration_experiment();
+  penetration->plan(jobs);
+  for (const std::size_t run : jobs.pushes(jobs.samples(), 1).runs)
+    leave_results(jobs.jobs()[run],
+                  {{"depth", 19}, {"coordination", 2.91}, {"coordination_loaded", 2.8}},
+                  "time,step,phase,depth,packing_top\n0,0,push,0,20\n");
+  Section section;
+  Findings findings;
+  penetration->report(PaperResults(jobs.jobs()), section, findings);
+  const auto found = std::ranges::find_if(
+      section.blocks, [](const Block& block) { return std::holds_alternative<Table>(block); });
+  ASSERT_NE(found, section.blocks.end());
+  const Table& table = std::get<Table>(*found);
+  const auto column = std::ranges::find_if(table.columns, [](const Column& c) {
+    return c.title == "coordination, with a force or a bond";
+  });
+  ASSERT_NE(column, table.columns.end());
+  const auto at = static_cast<std::size_t>(column - table.columns.begin());
+  EXPECT_EQ(table.rows.at(0).at(at).text, "2.8 ± 0");
+}
+
 // Two runs with the strengths 10 + 2 depth: the line is found, and grains that no force moved are counted.
 TEST_F(Reproduce, StrengthIsPooledOverTheGrainsOfAllRuns) {
   PaperJobs jobs(small(), folder_.path());
