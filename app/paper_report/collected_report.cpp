@@ -136,12 +136,14 @@ Report collected_report(const std::vector<std::filesystem::path>& files, const V
                         const std::filesystem::path& folder, const std::string& command) {
   const PaperTargets targets = read_targets(shipped_targets());
   std::vector<MethodFindings> methods = merged(files, box);
-  Report report{.title = "Collapsing granular suspensions, all numbers",
-                .intro = {"All numbers of the paper beside ours. Each of ours links to the report "
-                          "that it is taken from, with figures and runs. Our boxes measure " +
-                          box_text(box) +
-                          " unless a lower one is named beside the number; the paper uses one of "
-                          "51 x 199 d and 10 realizations."}};
+  Report report{
+      .title = "Collapsing granular suspensions, all numbers",
+      .intro = {"All numbers of the paper beside ours. Each of ours links to the report "
+                "that it is taken from, with figures and runs. Our boxes measure " +
+                box_text(box) +
+                " unless a lower one is named beside the number; the paper uses one of "
+                "51 x 199 d and 10 realizations. What is known about a difference is said "
+                "here; the linked reports say what was known when they were written."}};
   add_first_page(report, targets.targets, methods, folder);
   Section all{.title = "All numbers in one picture", .blocks = {}};
   all.add(Figure{.plot = Agreement(targets, methods).take(),
@@ -152,14 +154,13 @@ Report collected_report(const std::vector<std::filesystem::path>& files, const V
                      "not. †: used to make a choice, so no prediction. Bounds and numbers that may "
                      "be zero are left out. Numbers of lower boxes are among them.",
                  .command = command});
-  all.add(Figure{.plot = pairs_of_shares(targets, methods),
-                 .caption =
-                     "Shares of bonds after the pushes with 0.33 F_c, F_c and a strong "
-                     "force, against each other, with bars of one standard error. Numbers are "
-                     "forces in F_c. A pair "
-                     "of the paper's that lies on one of our lines is left by that method "
-                     "after some other force.",
-                 .command = command});
+  all.add(Figure{
+      .plot = pairs_of_shares(targets, methods),
+      .caption = "Shares of bonds after the pushes with 0.33 F_c, F_c and a strong "
+                 "force, against each other, with bars of one standard error. Numbers are "
+                 "forces in F_c. A pair of the paper's on one of our lines would be left by that "
+                 "method after another force, if its pairs follow the line.",
+      .command = command});
   report.sections = {
       std::move(all),
       {.title = "What was free, and what each choice does",

@@ -93,8 +93,9 @@ Cell reason_cell(const Target& target, const std::vector<ByMethod>& entries,
     cell.text += (cell.text.empty() ? "" : " ") + (reason && reason->method.empty() ? "" : name) +
                  (reason ? reason->sentence : "No reason has been measured.");
     if (!reason) continue;
+    if (std::ranges::find(given, reason->evidence, &Reason::evidence) == given.end())
+      cell.links.push_back(evidence_link(reason->evidence, report));
     given.push_back(reason);
-    cell.links.push_back(evidence_link(reason->evidence, report));
   }
   return cell;
 }

@@ -197,6 +197,15 @@ TEST_F(ComparisonTable, SaysWhyWhatIsOutsideIsOrThatNoReasonIsMeasured) {
   EXPECT_EQ(none.rows[1][3].text, "outside");
 }
 
+TEST_F(ComparisonTable, LinksOnceToWhatGivesTheReasonsOfBothMethods) {
+  const Evidence two{.reasons = {{{"unperturbed.coordination"}, "nscd", "One.", "doc/a.md"},
+                                 {{"unperturbed.coordination"}, "exact", "Two.", "doc/a.md"}},
+                     .choices = {}};
+  const Cell cell = comparison_table(paper_, {nscd_, exact_}, two, "out").rows[1].back();
+  EXPECT_EQ(cell.text, "NSCD: One. exact: Two.");
+  EXPECT_EQ(cell.links.size(), 1U);
+}
+
 TEST_F(ComparisonTable, MarksTheNumbersByWhichSomethingWasChosen) {
   const auto marked = [&](const std::vector<MethodFindings>& methods) {
     const Table table = comparison_table(paper_, methods, evidence_, "out");
