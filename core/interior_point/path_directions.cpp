@@ -133,7 +133,7 @@ void InteriorPoint::linearise(const ContactProblem& problem, double proximal) {
           part.pairs += here;
         });
       });
-  products_[0] = sum(found.by_power[0]);
+  products_ = {sum(found.by_power[0]), 0, 0};  // no direction yet
   pairs_ = sum(found.pairs);
   matrix_.factorise(impedance_);
 }

@@ -150,6 +150,25 @@ TEST_P(Solver, NeverCallsAProblemWithANotANumberConverged) {
   EXPECT_FALSE(solve(problem, settings, state).converged);
 }
 
+TEST_P(Solver, SolvesAfterAProblemThatItCouldNotSolveAsIfItWereTheFirst) {
+  ContactProblem hopeless = disk_on_floor({0, -2, 0}, 0.3, 0.05);
+  hopeless.free_velocity[0].y() = std::numeric_limits<double>::quiet_NaN();
+  const SolverSettings settings = tight(GetParam());
+  ContactSolver used;
+  ContactState lost = zero_state(hopeless);
+  EXPECT_FALSE(used.solve(hopeless, settings, lost).converged);
+
+  Random random{15};
+  const ContactProblem problem = random_problem({.bodies = 5, .contacts = 5}, random);
+  ContactState first = zero_state(problem), after = first;
+  const SolveReport as_the_first = solve(problem, settings, first);
+  EXPECT_TRUE(as_the_first.converged);
+  const SolveReport report = used.solve(problem, settings, after);
+  EXPECT_EQ(report.factorisations, as_the_first.factorisations);
+  EXPECT_EQ(report.iterations, as_the_first.iterations);
+  EXPECT_EQ(after.impulse, first.impulse);
+}
+
 TEST_P(Solver, AnOverlapIsPushedApartWithinTheStep) {
   ContactProblem problem = disk_on_floor({0, -2, 0}, 0.3, 0.05);
   problem.contacts[0].offset.x() = -0.5;
