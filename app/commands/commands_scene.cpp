@@ -93,10 +93,12 @@ struct Load {
   }
 };
 
-// The value that the scene has at this path now.
+// The value that the scene has at this path now, by the key that it keeps it as.
 Json value_now(const Session& session, const std::string& path, bool at_once) {
-  return {{"path", path},
-          {"value", value_at(to_json(session.scenario()), path)},
+  const Json scene = to_json(session.scenario());
+  const std::string kept = kept_as(scene, path);
+  return {{"path", kept},
+          {"value", value_at(scene, kept)},
           {"holds", at_once ? "now" : "from the next reset on"}};
 }
 
@@ -116,10 +118,7 @@ struct Set {
 
   Json perform(Console& console, const std::string&) {
     const bool at_once = console.session().set(path, value_from_here(console, path, value));
-    Json answer = value_now(console.session(), path, at_once);
-    // A key that stands for another one, as force_over_cohesion for force, is not in the scene itself.
-    if (answer["value"].is_null()) answer["value"] = value;
-    return answer;
+    return value_now(console.session(), path, at_once);
   }
 };
 

@@ -206,4 +206,17 @@ Json value_at(const Json& scene, const std::string& path) {
   return *place;
 }
 
+std::string kept_as(const Json& scene, const std::string& path) {
+  if (!value_at(scene, path).is_null()) return path;
+  const std::size_t dot = path.rfind('.');
+  const std::string object = dot == std::string::npos ? "" : path.substr(0, dot + 1);
+  const std::string name = path.substr(object.size());
+  for (const auto& [one, other] : kOtherTerms) {
+    if (name != one && name != other) continue;
+    const std::string kept = object + std::string(name == one ? other : one);
+    if (!value_at(scene, kept).is_null()) return kept;
+  }
+  return path;
+}
+
 }  // namespace quicksand

@@ -29,4 +29,8 @@ std::string set_value(Json& scene, const std::string& path, Json value, const st
 // The value that the path names, the last entry for [+]; null if there is none. Throws InputError if it is not a path.
 Json value_at(const Json& scene, const std::string& path);
 
+// The path of the value that the scene keeps for this one: that of the key that says the same in other terms where only
+// that is there, as phases[0].force for phases[0].force_over_cohesion, or else the path itself.
+std::string kept_as(const Json& scene, const std::string& path);
+
 }  // namespace quicksand

@@ -162,8 +162,8 @@ TEST_F(SessionTest, WhatAPhaseHasSetUpChangesWithAReset) {
   EXPECT_EQ(lines[4]["result"]["holds"], "now");
 }
 
-// The force of a scene may be given over its cohesion force.
-TEST_F(SessionTest, AnswersWithTheValueThatWasSetAndWhenItHolds) {
+// The force of a scene may be given over its cohesion force; the scene keeps the force.
+TEST_F(SessionTest, AnswersWithTheValueThatTheSceneKeepsAndWhenItHolds) {
   Json scene = Json::parse(kHanging);
   scene["box"] = {{"width", 5}, {"height", 6}, {"sides", "periodic"}};
   scene["phases"] = {{{"type", "settle"}, {"max_time", 0.02}, {"until_rest", false}},
@@ -171,13 +171,16 @@ TEST_F(SessionTest, AnswersWithTheValueThatWasSetAndWhenItHolds) {
   const Outcome played =
       play({R"({"command": "load", "scene": )" + scene.dump() + "}",
             R"({"command": "set", "path": "phases[1].force_over_cohesion", "value": 0.5})",
-            R"({"command": "run", "phase_end": true})",
+            R"({"command": "undo"})", R"({"command": "run", "phase_end": true})",
             R"({"command": "set", "path": "phases[0].max_time", "value": 3})"});
   ASSERT_EQ(played.exit_code, 0) << played.err;
   const std::vector<Json> lines = transcript();
-  EXPECT_EQ(lines[1]["result"]["value"], 0.5);
-  EXPECT_EQ(lines[1]["result"]["holds"], "now");
-  EXPECT_EQ(lines[3]["result"]["holds"], "from the next reset on") << "that phase is over";
+  const double cohesion = scene["contact"]["cohesion_force"];
+  EXPECT_EQ(lines[1]["result"],
+            (Json{{"path", "phases[1].force"}, {"value", 0.5 * cohesion}, {"holds", "now"}}));
+  EXPECT_EQ(lines[2]["result"],
+            (Json{{"path", "phases[1].force"}, {"value", 1}, {"holds", "now"}}));
+  EXPECT_EQ(lines[4]["result"]["holds"], "from the next reset on") << "that phase is over";
 }
 
 TEST_F(SessionTest, APhaseBegunByHandComesBeforeThoseOfTheScene) {
