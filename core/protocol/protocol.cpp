@@ -148,17 +148,28 @@ void Protocol::apply(int body, const std::optional<Vec2>& force, std::optional<d
 
 bool Protocol::make_step(const Phase& phase) {
   record_trajectory(world_);
-  StepSettings step = scenario_.step;
-  step.dt = phase.dt.value_or(step.dt);
-  const int halvings = halvings_by_turning(world_, step);
-  step.dt = std::ldexp(step.dt, -halvings);
-  return try_step(step, step.max_halvings - halvings);
+  StepSettings whole = scenario_.step;
+  whole.dt = phase.dt.value_or(whole.dt);
+  // Whether a jam is solved is hardly a question of the length of the step: where the shortest fails, the whole one is
+  // tried from there. Where shorter ones have led nowhere, all lengths are tried once more, patiently.
+  bool patient = false;
+  for (int tries = 0; tries <= whole.max_halvings; ++tries) {
+    const std::int64_t before = world_.step;
+    const int halvings = halvings_by_turning(world_, whole);
+    StepSettings step = whole;
+    step.dt = std::ldexp(whole.dt, -halvings);
+    if (try_step(step, step.max_halvings - halvings, patient)) return true;
+    const bool stuck = world_.step == before;
+    if (!report_.finite || (stuck && patient)) return false;
+    patient = stuck;
+  }
+  return false;
 }
 
-bool Protocol::try_step(const StepSettings& step, int halvings_left) {
+bool Protocol::try_step(const StepSettings& step, int halvings_left, bool patient) {
   SolverSettings solver = scenario_.solver;
   solver.tolerance = phase()->solver_tolerance.value_or(solver.tolerance);
-  solver.patient = halvings_left == 0 || !step.stop_if_unconverged;
+  solver.patient = patient || halvings_left == 0 || !step.stop_if_unconverged;
   report_ = stepper_.advance(world_, step, solver);
   state_.iterations += report_.solve.iterations;
   state_.factorisations += report_.solve.factorisations;
@@ -178,7 +189,7 @@ bool Protocol::try_step(const StepSettings& step, int halvings_left) {
     ++state_.halved_steps;
     StepSettings half = step;
     half.dt = step.dt / 2;
-    return try_step(half, halvings_left - 1) && try_step(half, halvings_left - 1);
+    return try_step(half, halvings_left - 1, patient) && try_step(half, halvings_left - 1, patient);
   }
   state_.worst_residual = std::max(state_.worst_residual, report_.solve.residual.natural);
   state_.worst_overlap = std::max(state_.worst_overlap, report_.worst_overlap);

@@ -64,7 +64,7 @@ class Protocol {
  private:
   Progress go_on();
   bool make_step(const Phase& phase);
-  bool try_step(const StepSettings& step, int halvings_left);
+  bool try_step(const StepSettings& step, int halvings_left, bool patient);
   void enter();
   Progress end_phase();
 

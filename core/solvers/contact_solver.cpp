@@ -30,7 +30,7 @@ namespace {
 //      (a packing at rest);
 //   2. interior point from near the warm start, and relaxation from where it jams;
 //   3. both again from farther inside;
-//   4. where the step cannot be halved any more, both again from other distances and shares of the warm start.
+//   4. where that is all that is left to try (see protocol.cpp), both again from other distances and shares of the warm start.
 // In a jammed packing the interior point ends at folds of its path, where some ten to some hundred sweeps
 // of relaxation gain the last factor of 10 to 30. What has jammed is a bad start for another path: each
 // begins at the warm start, and ends elsewhere. If all fall short, the best state counts, and the
