@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "core/base/memory.h"
 
@@ -294,8 +295,11 @@ double ContactMatrix::fastest_change() const {
   for (const ContactRow& row : problem_->contacts) {
     const Vec3 a = change_[static_cast<std::size_t>(place_[row.a])].head<3>();
     const Vec3 b = change_[static_cast<std::size_t>(place_[row.b])].head<3>();
-    squared = std::max({squared, relative_velocity(row, a, rest).head<2>().squaredNorm(),
-                        relative_velocity(row, rest, b).head<2>().squaredNorm()});
+    const double of_a = relative_velocity(row, a, rest).head<2>().squaredNorm(),
+                 of_b = relative_velocity(row, rest, b).head<2>().squaredNorm();
+    // What is no number is no small change.
+    if (std::isnan(of_a + of_b)) return std::numeric_limits<double>::infinity();
+    squared = std::max({squared, of_a, of_b});
   }
   return std::sqrt(squared);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "core/base/memory.h"
 #include "core/bodies/sorted_cursor.h"
@@ -20,8 +21,10 @@ namespace {
 
 constexpr int kMaxRepeats = 10;
 
+// The first whose square is not finite: distances and energies are computed with it.
 int first_not_finite(const std::vector<Vec3>& velocity) {
-  const auto bad = std::ranges::find_if(velocity, [](const Vec3& v) { return !v.allFinite(); });
+  const auto bad = std::ranges::find_if(
+      velocity, [](const Vec3& v) { return !std::isfinite(v.squaredNorm()); });
   return bad == velocity.end() ? -1 : static_cast<int>(bad - velocity.begin());
 }
 

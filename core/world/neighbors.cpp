@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "core/world/shaped_contact.h"
 
@@ -15,6 +16,7 @@ constexpr double kLeastSkin = 0.25;  // [d], a list serves for about ten steps o
 // A list looks this much farther than asked for, over that distance, but not farther than so many d: where one
 // body flies off, there would be too many pairs of all the others.
 constexpr double kFarther = 1.5, kFarthest = 4;
+constexpr double kNothing = -1;  // the skin of a list that serves for no distance, as one half made does
 
 struct Cell {
   int x = 0, y = 0;
@@ -50,7 +52,8 @@ class CellGrid {
   void visit_near(int i, double reach, Visit visit) const {
     // Bodies of a failing run may be so fast that their reach counts more cells than an int holds.
     const auto cells = [&](double size) {
-      return static_cast<int>(std::min(std::ceil(reach / size), 1e9));
+      constexpr double kMost = 1e9;
+      return static_cast<int>(reach < kMost * size ? std::ceil(reach / size) : kMost);
     };
     const int nx = cells(size_x_), ny = cells(size_y_);
     const Cell c = cell_[i];
@@ -160,8 +163,9 @@ bool NeighborList::covers(const World& world, double distance) const {
 }
 
 void NeighborList::append_new_disks(const World& world) {
+  const double skin = std::exchange(skin_, kNothing);
   // The others may have moved by up to half the skin since the list was built, and may move back.
-  const double distance = 1.5 * skin_;
+  const double distance = 1.5 * skin;
   const auto old_size = static_cast<std::ptrdiff_t>(pairs_.size());
   for (int j = static_cast<int>(built_at_.size()); j < world.disks.size(); ++j) {
     for (int i = 0; i < j; ++i)
@@ -173,6 +177,7 @@ void NeighborList::append_new_disks(const World& world) {
   }
   std::sort(pairs_.begin() + old_size, pairs_.end());
   std::inplace_merge(pairs_.begin(), pairs_.begin() + old_size, pairs_.end());
+  skin_ = skin;
 }
 
 const std::vector<Pair>& NeighborList::pairs(const World& world, double distance) {
@@ -184,8 +189,9 @@ const std::vector<Pair>& NeighborList::pairs(const World& world, double distance
     if (world.disks.size() > static_cast<int>(built_at_.size())) append_new_disks(world);
     return pairs_;
   }
-  skin_ = std::max(kLeastSkin, distance + std::min(kFarther * distance, kFarthest));
-  pairs_ = pairs_within(world, skin_);
+  const double skin = std::max(kLeastSkin, distance + std::min(kFarther * distance, kFarthest));
+  skin_ = kNothing;
+  pairs_ = pairs_within(world, skin);
   built_at_ = world.disks.position;
   radius_ = world.disks.radius;
   shapes_ = world.shapes;
@@ -193,6 +199,7 @@ const std::vector<Pair>& NeighborList::pairs(const World& world, double distance
   for (const ShapedBody& shaped : shapes_.bodies) angle_.push_back(world.disks.angle[shaped.body]);
   walls_ = world.walls;
   box_ = world.box;
+  skin_ = skin;
   return pairs_;
 }
 

@@ -5,6 +5,7 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <limits>
 
 #include "tests/support/core/random_problems.h"
 #include "tests/support/core/tolerance.h"
@@ -156,6 +157,20 @@ TEST(ContactMatrix, OneObjectServesOneProblemAfterTheOther) {
   for (int round = 0; round < 2; ++round)
     for (const ContactProblem& problem : all)
       EXPECT_LE(error(problem, 10, random, matrix), tolerance::rounding(10));
+}
+
+TEST(ContactMatrix, AChangeThatIsNoNumberIsNotSmall) {
+  Random random{6};
+  const ContactProblem problem = random_problem({.bodies = 4, .contacts = 5}, random);
+  ContactMatrix matrix;
+  matrix.attach(problem);
+  matrix.factorise(std::vector<Impedance<double>>(5, {.nn = 1, .tt = 1, .rr = 1}));
+  std::vector<Vec3> impulse(5, Vec3(1, 0, 0)), change(4);
+  matrix.velocity_change(impulse, change);
+  EXPECT_LT(matrix.fastest_change(), 100);
+  impulse[2].x() = std::numeric_limits<double>::quiet_NaN();
+  matrix.velocity_change(impulse, change);
+  EXPECT_EQ(matrix.fastest_change(), std::numeric_limits<double>::infinity());
 }
 
 }  // namespace

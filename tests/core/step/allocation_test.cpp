@@ -1,21 +1,28 @@
-// Counts the allocations of whole steps. Alone in its process, because it replaces operator new.
+// Counts the allocations of whole steps, and lets some fail. Alone in its process, because it replaces operator new.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <limits>
 #include <new>
 
 #include "core/problem/solver_settings.h"
+#include "core/scene/make_world.h"
+#include "core/world/neighbors.h"
 #include "tests/support/core/methods.h"
 #include "tests/support/core/scenes.h"
 #include "tests/support/core/simulation.h"
 
 namespace {
 long allocations = 0;
-}
+constexpr long kEnough = std::numeric_limits<long>::max();
+long allocations_left = kEnough;
+}  // namespace
 
 // Not inlined, or the compiler warns of memory from malloc that is deleted.
 [[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;
+  if (allocations_left-- <= 0) throw std::bad_alloc();
   if (void* memory = std::malloc(size)) return memory;
   throw std::bad_alloc();
 }
@@ -62,6 +69,40 @@ TEST_P(Allocation, AMovingClusterAllocatesOnlyWhenItsListsAreMadeAnew) {
   for (int k = 0; k < 100; ++k)
     steps_that_allocate += allocations_of(run, 1) > allowed(GetParam(), 1) ? 1 : 0;
   EXPECT_LE(steps_that_allocate, 15);
+}
+
+// Whether `work` ran to its end with so many allocations.
+template <class Work>
+bool ends_with(long left, const Work& work) {
+  allocations_left = left;
+  try {
+    work();
+  } catch (const std::bad_alloc&) {
+    allocations_left = kEnough;
+    return false;
+  }
+  allocations_left = kEnough;
+  return true;
+}
+
+// A session goes on after a step for which the memory did not suffice.
+TEST(NeighborMemory, AListThatWasNotFinishedIsMadeAgain) {
+  World near = make_world(column(Method::automatic, 6, paper_law()));
+  World more = near;
+  more.disks.add({.position = more.disks.position[5] + Vec2(0.5, 1)});
+  for (const World* world : {&near, &more}) {
+    bool ended = false;
+    for (long left = 0; !ended; ++left) {
+      ASSERT_LT(left, 1000);
+      SCOPED_TRACE(left);
+      NeighborList list;
+      list.pairs(near, world == &near ? 1e-3 : 1);
+      ended = ends_with(left, [&] { list.pairs(*world, 1); });
+      const std::vector<Pair>& listed = list.pairs(*world, 1);
+      EXPECT_TRUE(std::ranges::includes(listed, pairs_within(*world, 1)));
+      EXPECT_EQ(std::ranges::adjacent_find(listed), listed.end()) << "twice in it";
+    }
+  }
 }
 
 }  // namespace

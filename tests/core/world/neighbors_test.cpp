@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "core/base/random.h"
 
@@ -102,7 +103,7 @@ TEST(NeighborSearch, AnyReachIsSearchedInBoundedTime) {
     World world;
     world.box = {.width = 10, .sides = sides};
     for (double x : {0.5, 3.0, 7.0}) world.disks.add({.position = {x, x}});
-    for (double distance : {1e6, 1e12, 1e200})
+    for (double distance : {1e6, 1e12, 1e200, std::numeric_limits<double>::infinity()})
       EXPECT_EQ(pairs_within(world, distance).size(), 3U) << distance;
   }
 }
