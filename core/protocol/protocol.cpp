@@ -177,7 +177,8 @@ bool Protocol::try_step(const StepSettings& step, int halvings_left, bool patien
     const int wall = report_.bad_body - world_.disks.size();
     failure_ = "the velocity of " +
                message_name(world_, wall < 0 ? report_.bad_body : kWallBase + wall) +
-               " is no number, or too large for its square to be one, in step " + std::to_string(world_.step + 1);
+               " is no number, or too large for its square to be one, in step " +
+               std::to_string(world_.step + 1);
     return false;
   }
   if (!report_.taken) {

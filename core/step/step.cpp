@@ -23,8 +23,8 @@ constexpr int kMaxRepeats = 10;
 
 // The first whose square is not finite: distances and energies are computed with it.
 int first_not_finite(const std::vector<Vec3>& velocity) {
-  const auto bad = std::ranges::find_if(
-      velocity, [](const Vec3& v) { return !std::isfinite(v.squaredNorm()); });
+  const auto bad =
+      std::ranges::find_if(velocity, [](const Vec3& v) { return !std::isfinite(v.squaredNorm()); });
   return bad == velocity.end() ? -1 : static_cast<int>(bad - velocity.begin());
 }
 
