@@ -58,7 +58,12 @@ struct RunCommand {
 
   Json perform(Console& console, const std::string& place) {
     Session& session = console.session();
+    if (session.finished() && (steps > 0 || time))
+      throw CommandFailure(
+          "all phases have ended, so that nothing would be computed; begin another one first, for "
+          R"(example {"command": "settle", "max_time": 1, "until_rest": false})");
     const std::int64_t first = session.world().step;
+    const int first_phase = session.protocol().state().phase;
     const Json found_before = results_so_far(session);
     RunUntil end;
     if (steps > 0) end.steps = steps;
@@ -81,6 +86,8 @@ struct RunCommand {
                    {"phase", session.phase_name()}};
     const Json found = new_entries(found_before, results_so_far(session));
     result.update(found);
+    const bool ended = session.protocol().state().phase != first_phase;
+    if (ended && session.protocol().missed_rest()) result["missed_rest"] = true;
     if (console.print)
       for (const std::string& warning : search_warnings(found, session.protocol().state().phase))
         console.print(warning);
@@ -181,7 +188,8 @@ std::vector<SessionCommand> run_commands() {
   return {
       define<RunCommand>({"run", kRunGroup,
                           "Computes until the first of these conditions is met; without any, to "
-                          "the end of the scene.",
+                          "the end of the scene. The result says missed_rest where the last phase "
+                          "that ended waits for rest and ended at its max_time instead.",
                           R"({"command": "run", "time": 0.5})"}),
       define<Without<start_computing>>({"start", kRunGroup,
                                         "Makes every frame of the panel compute.",

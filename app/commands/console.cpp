@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <exception>
+#include <filesystem>
 #include <utility>
 
 #include "app/commands/command_table.h"
@@ -10,6 +11,7 @@
 #include "app/run_folder/run_folder.h"
 #include "app/scene/scene_file.h"
 #include "core/base/errors.h"
+#include "core/base/memory.h"
 
 namespace quicksand {
 
@@ -176,6 +178,10 @@ void Console::tell_failure(Do what) {
   } catch (const InputError& error) {
     panel().show_refusal(error);
   } catch (const CommandFailure& error) {
+    panel().show_error(error.what());
+  } catch (const NotEnoughMemory& error) {
+    panel().show_error(error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
     panel().show_error(error.what());
   }
 }

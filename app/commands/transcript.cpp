@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <chrono>
+#include <filesystem>
 #include <new>
 
 #include "app/commands/command_table.h"
@@ -35,6 +36,8 @@ Answer answer_to(Console& console, const Json& command, const std::string& place
     answer.problem = error.what();
   } catch (const std::bad_alloc&) {
     answer.problem = "there is not enough memory for this";
+  } catch (const std::filesystem::filesystem_error& error) {
+    answer.problem = error.what();
   }
   answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   return answer;

@@ -97,6 +97,7 @@ bool History::refresh() {
   if (replaced()) {
     History now(path_);
     if (now.moments_.empty()) return false;
+    now.replacements_ = replacements_ + 1;
     *this = std::move(now);
     return true;
   }

@@ -25,6 +25,8 @@ class History {
   // Takes over what the run has added or thinned out since; true if something changed. A run that began again in this
   // folder is taken over with its first record. Throws InputError; what was listed then stays.
   bool refresh();
+  // How often the file has turned out to be another one, of a run that began again or whose records were thinned out.
+  int replacements() const { return replacements_; }
   // The moment nearest to a time; of equal times the last, after all that happened then. There must be one.
   std::size_t nearest(double time) const;
   // Throws InputError if the record is damaged, NotEnoughMemory if there is too little to read it.
@@ -44,6 +46,7 @@ class History {
   std::uint64_t end_ = 0;  // of the last whole record
   std::vector<Place> places_;
   std::vector<Moment> moments_;
+  int replacements_ = 0;
 };
 
 }  // namespace quicksand

@@ -129,9 +129,10 @@ Json search_results(const Scenario& scenario, const ProtocolState& state) {
     const bool followed = k + 1 < state.adiabatic_deposits.size() &&
                           state.adiabatic_deposits[k + 1].phase == last.phase;
     if (followed || last.phase >= state.phase) continue;
-    const auto& deposit =
-        std::get<DepositPhase>(scenario.phases[static_cast<std::size_t>(last.phase)].kind);
-    const double tolerance = deposit.adiabatic->tolerance;
+    const auto* deposit =
+        std::get_if<DepositPhase>(&scenario.phases[static_cast<std::size_t>(last.phase)].kind);
+    if (!deposit || !deposit->adiabatic) continue;  // the scene is another by now
+    const double tolerance = deposit->adiabatic->tolerance;
     if (last.change && std::abs(*last.change) < tolerance) continue;
     json["adiabatic_unsettled"].push_back(
         {{"phase", last.phase}, {"change", or_null(last.change)}, {"tolerance", tolerance}});

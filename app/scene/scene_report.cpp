@@ -1,7 +1,9 @@
 #include "app/scene/scene_report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "app/scene/scene_size.h"
 #include "app/scene_json/scenario_json.h"
@@ -9,6 +11,7 @@
 #include "app/series/sample_times.h"
 #include "core/base/format.h"
 #include "core/protocol/search.h"
+#include "core/scene/validate.h"
 
 namespace quicksand {
 
@@ -197,14 +200,29 @@ std::optional<double> bond_time(const Scenario& s) {
   return std::sqrt(2 * law.cohesion_range * kReducedMass / *law.cohesion_force);
 }
 
-// Of a phase in which no bond can break by an impact; else empty.
-std::string phase_warning(const Scenario& s, const Phase& phase) {
+// What the author of a phase may not mean by it.
+std::vector<std::string> phase_warnings(const Scenario& s, std::size_t k) {
+  std::vector<std::string> warnings;
+  const Phase& phase = s.phases[k];
   const std::optional<double> shortest = bond_time(s);
-  if (!shortest || std::holds_alternative<HealPhase>(phase.kind) ||
-      phase.dt.value_or(s.step.dt) >= *shortest)
-    return {};
-  return "dt is below " + number(*shortest) + " sqrt(d/g), where the energy criterion never acts";
+  if (shortest && !std::holds_alternative<HealPhase>(phase.kind) &&
+      phase.dt.value_or(s.step.dt) < *shortest)
+    warnings.push_back("dt is below " + number(*shortest) +
+                       " sqrt(d/g), where the energy criterion never acts (limits.md)");
+  if (!brings_intruder(phase)) return warnings;
+  const auto before = std::span(s.phases).first(k);
+  if (s.start_from.empty() && s.disks.empty() && std::ranges::none_of(before, [](const Phase& p) {
+        return std::holds_alternative<DepositPhase>(p.kind);
+      }))
+    warnings.push_back("there are no grains yet that the intruder could enter");
+  if (std::ranges::any_of(before, brings_intruder) ||
+      std::ranges::any_of(s.disks, [](const Disk& d) { return d.role == DiskRole::intruder; }))
+    warnings.push_back("places another intruder; depth and pull-outs are those of the first");
+  return warnings;
 }
+
+// Metres per second squared for multiples of g.
+bool is_likely_in_si(const Vec2& gravity) { return std::abs(gravity.norm() - 9.81) < 0.1; }
 
 std::string phases_text(const Scenario& s) {
   std::string text;
@@ -217,8 +235,7 @@ std::string phases_text(const Scenario& s) {
         "", "dt = " + number(phase.dt.value_or(s.step.dt)) + ", a sample every " +
                 number(sample_interval(s, phase, {})) + " sqrt(d/g)" +
                 (phase.solver_tolerance ? ", residual " + number(*phase.solver_tolerance) : ""));
-    if (const std::string warning = phase_warning(s, phase); !warning.empty())
-      text += line("", "warning: " + warning);
+    for (const std::string& warning : phase_warnings(s, i)) text += line("", "warning: " + warning);
   }
   return text.empty() ? line("phases", "none: nothing will be computed") : text;
 }
@@ -261,9 +278,12 @@ std::string si_text(const Scenario& s) {
 
 std::vector<std::string> scene_warnings(const Scenario& s) {
   std::vector<std::string> warnings;
+  if (s.gravity && is_likely_in_si(*s.gravity))
+    warnings.push_back("gravity: is " + number(s.gravity->norm()) +
+                       " g; its unit is g, so that the Earth's has a magnitude of 1");
   for (std::size_t k = 0; k < s.phases.size(); ++k)
-    if (const std::string warning = phase_warning(s, s.phases[k]); !warning.empty())
-      warnings.push_back("phases[" + std::to_string(k) + "]: " + warning + " (limits.md)");
+    for (const std::string& warning : phase_warnings(s, k))
+      warnings.push_back("phases[" + std::to_string(k) + "]: " + warning);
   return warnings;
 }
 
@@ -277,6 +297,8 @@ std::string scene_report(const Scenario& s) {
   text += line("box", number(s.box.width) + " x " + number(s.box.height) + " d, sides " +
                           word(scene, "box", "sides") + (s.box.floor ? ", floor at y = 0" : ""));
   text += line("gravity", gravity_text(s));
+  if (s.gravity && is_likely_in_si(*s.gravity))
+    text += line("", "warning: the unit is g, so that the Earth's has a magnitude of 1");
   if (s.drag)
     text += line("drag", "on a grain: " + number(s.drag->linear) + " F_g/sqrt(g d) v + " +
                              number(s.drag->quadratic) + " F_g/(g d) v^2");

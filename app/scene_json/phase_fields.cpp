@@ -136,7 +136,10 @@ constexpr PhaseKind kKinds[] = {
      R"({"command": "deposit", "grains": 50})"},
     {SettlePhase::kName, "Nothing is added. Ends at rest or after a time.",
      R"({"command": "settle", "max_time": 3})"},
-    {PushPhase::kName, "An intruder is placed on the surface and pushed down by a constant force.",
+    {PushPhase::kName,
+     "An intruder is placed on the surface and pushed down by a constant force. Another push "
+     "places "
+     "another one; depth and pull-outs are those of the first.",
      R"({"command": "push", "force_over_cohesion": 1, "max_time": 2})"},
     {PullPhase::kName, "Finds the smallest upward force that pulls the intruder out.",
      R"({"command": "pull", "first_force": 1000})"},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "app/run/continuation.h"
@@ -71,13 +72,27 @@ bool is_too_late(const Scenario& before, const Scenario& after, const Protocol& 
   });
 }
 
-// Whether the phases that have begun are of the same kinds in both.
+// Whether the phases that have begun are of the same kinds in both; where all have ended, whether all are.
 bool same_kinds(const std::vector<Phase>& a, const std::vector<Phase>& b, int present) {
   const auto begun = static_cast<std::size_t>(present) + 1;
-  if (a.size() < begun || b.size() < begun) return a.size() == b.size();
-  return std::equal(
-      a.begin(), a.begin() + static_cast<std::ptrdiff_t>(begun), b.begin(),
-      [](const Phase& p, const Phase& q) { return p.kind.index() == q.kind.index(); });
+  const auto first = [&](const std::vector<Phase>& phases) {
+    return std::span(phases).first(std::min(begun, phases.size()));
+  };
+  if (std::min(a.size(), b.size()) < begun && a.size() != b.size()) return false;
+  return std::ranges::equal(
+      first(a), first(b), {}, [](const Phase& p) { return p.kind.index(); },
+      [](const Phase& q) { return q.kind.index(); });
+}
+
+// Throws InputError, `path`, if the run would go on by NSCD with an intruder of several parts, or come to one.
+void refuse_shapes_in_nscd(const Scenario& now, const Protocol& run, const std::string& path) {
+  refuse_swept_shapes(now, run.world(), path);
+  if (!now.step.nscd) return;
+  for (auto k = static_cast<std::size_t>(run.state().phase); k < now.phases.size(); ++k)
+    if (brings_shaped_intruder(now.phases[k]))
+      throw InputError(path, "phases[" + std::to_string(k) +
+                                 "] of the run brings an intruder of several parts, but nscd "
+                                 "handles only disks and walls");
 }
 
 // Those of earlier steps.
@@ -187,32 +202,37 @@ bool Session::set(const std::string& path, const Json& value) {
   set_value(json, path, value, path);
   Scenario changed = scenario_from_json(json);
   validate(changed);
-  refuse_swept_shapes(changed, world(), path);
-  changes_.push_back({path, scenario_});
+  Change change{path, scenario_};
+  const bool at_once = take_over(path, std::move(changed));
+  changes_.push_back(std::move(change));
   if (changes_.size() > kMostChanges) changes_.erase(changes_.begin());
-  return take_over(path, std::move(changed));
+  return at_once;
 }
 
 bool Session::undo() {
   require_computing();
   if (changes_.empty()) throw InputError("undo", "has nothing to undo");
-  const Change last = std::move(changes_.back());
+  const Change& last = changes_.back();
+  const bool at_once = take_over(last.path, last.before);
   changes_.pop_back();
-  return take_over(last.path, last.before);
+  return at_once;
 }
 
 bool Session::take_over(const std::string& path, Scenario changed) {
-  const bool too_late = path.starts_with("phases") && is_too_late(scenario_, changed, protocol());
+  const bool of_phases = path.starts_with("phases"), at_once = holds_at_once(path);
+  const bool too_late = of_phases && is_too_late(scenario_, changed, protocol());
+  const bool phases_fit =
+      !by_hand_ && same_kinds(changed.phases, phases(), protocol().state().phase);
+  Scenario now = with_parts_that_hold(protocol().scenario(), changed);
+  if (!phases_fit) now.phases = phases();
+  if (at_once) refuse_shapes_in_nscd(now, protocol(), path);
   scenario_ = std::move(changed);
   take_scene_into_view();
-  if (!holds_at_once(path)) return false;
-  Scenario now = with_parts_that_hold(protocol().scenario(), scenario_);
-  const bool phases_fit =
-      !by_hand_ && same_kinds(scenario_.phases, phases(), protocol().state().phase);
-  if (!phases_fit) now.phases = phases();
+  if (!at_once) return false;
   sampled_run_->protocol().change(now);
+  sampled_run_->sample_every(every_);
   failed_ = false;
-  return !too_late && (phases_fit || !path.starts_with("phases"));
+  return !too_late && (phases_fit || !of_phases);
 }
 
 void Session::begin_phase(const Phase& phase) {

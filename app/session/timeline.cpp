@@ -22,10 +22,11 @@ void Timeline::show(std::size_t k) {
 bool Timeline::refresh() {
   const bool at_end = shown_ + 1 == moments().size();
   const double time = moment().time;
+  const int replacements = history_.replacements();
   if (!history_.refresh()) return false;
   // Records may have been thinned out. Whatever fails from here on, the shown moment is one that is listed.
   shown_ = at_end ? moments().size() - 1 : nearest(time);
-  for (auto& [key, scales] : scales_) scales.added = std::min(scales.added, moments().size());
+  if (history_.replacements() != replacements) scales_.clear();
   show(shown_);
   rows_ = read_series(folder_.series(), most_rows_);
   return true;

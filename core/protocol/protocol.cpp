@@ -148,6 +148,7 @@ void Protocol::apply(int body, const std::optional<Vec2>& force, std::optional<d
 
 bool Protocol::make_step(const Phase& phase) {
   record_trajectory(world_);
+  worst_of_parts_ = {};
   StepSettings whole = scenario_.step;
   whole.dt = phase.dt.value_or(whole.dt);
   // Whether a jam is solved is hardly a question of the length of the step: where the shortest fails, the whole one is
@@ -192,7 +193,11 @@ bool Protocol::try_step(const StepSettings& step, int halvings_left, bool patien
     half.dt = step.dt / 2;
     return try_step(half, halvings_left - 1, patient) && try_step(half, halvings_left - 1, patient);
   }
-  state_.worst_residual = std::max(state_.worst_residual, report_.solve.residual.natural);
+  Residual& worst = worst_of_parts_;
+  worst.natural = std::max(worst.natural, report_.solve.residual.natural);
+  worst.gap = std::max(worst.gap, report_.solve.residual.gap);
+  report_.solve.residual = worst;
+  state_.worst_residual = std::max(state_.worst_residual, worst.natural);
   state_.worst_overlap = std::max(state_.worst_overlap, report_.worst_overlap);
   state_.worst_bond_gap = std::max(state_.worst_bond_gap, report_.worst_bond_gap);
   state_.external_work += report_.energy.work;

@@ -52,6 +52,7 @@ class Protocol {
   const Scenario& scenario() const { return scenario_; }
   const World& world() const { return world_; }
   const ProtocolState& state() const { return state_; }
+  // Of a step in parts, that of the last one, but the residual of the worst.
   const StepReport& last_step() const { return report_; }
   const Phase* phase() const;  // null when finished
   // Share of the present phase that is done, as far as it can be known [0..1].
@@ -77,7 +78,8 @@ class Protocol {
   ProtocolState state_;
   Stepper stepper_;
   StepReport report_;
-  Stage stage_;  // of world and state
+  Residual worst_of_parts_;  // of the present step
+  Stage stage_;              // of world and state
   struct Kept {
     World world;
     ProtocolState state;

@@ -16,8 +16,8 @@ constexpr double kLeastSkin = 0.25;  // [d], a list serves for about ten steps o
 // A list looks this much farther than asked for, over that distance, but not farther than so many d: where one
 // body flies off, there would be too many pairs of all the others.
 constexpr double kFarther = 1.5, kFarthest = 4;
-constexpr double kNothing =
-    -1;  // the skin of a list that serves for no distance, as one half made does
+// The skin of a list that serves for no distance, as one that is half made.
+constexpr double kNothing = -1;
 
 struct Cell {
   int x = 0, y = 0;

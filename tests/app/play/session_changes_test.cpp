@@ -183,6 +183,49 @@ TEST_F(SessionTest, AnswersWithTheValueThatTheSceneKeepsAndWhenItHolds) {
   EXPECT_EQ(lines[4]["result"]["holds"], "from the next reset on") << "that phase is over";
 }
 
+// A scene that has ended stays what it was, whatever takes the place of its phases.
+TEST_F(SessionTest, ResultsOfAnEndedPhaseAreNotReadAsThoseOfAnother) {
+  Json scene = Json::parse(kHanging);
+  scene["phases"] = {{{"type", "deposit"},
+                      {"grains", 3},
+                      {"interval", 0.1},
+                      {"adiabatic", {{"tolerance", 1e-9}, {"max_interval", 0.2}}}}};
+  scene["box"] = {{"width", 6}, {"height", 10}};
+  const Outcome played = play(
+      {R"({"command": "load", "scene": )" + scene.dump() + "}", R"({"command": "run"})",
+       R"({"command": "set", "path": "phases[0]", "value": {"type": "settle", "max_time": 1}})",
+       R"({"command": "run"})"});
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_EQ(transcript()[2]["result"]["holds"], "from the next reset on");
+}
+
+TEST_F(SessionTest, AnotherTimeBetweenSamplesHoldsInThePresentPhase) {
+  Json scene = Json::parse(kHanging);
+  scene["phases"] = {
+      {{"type", "settle"}, {"max_time", 4}, {"until_rest", false}, {"sample_every", 1}}};
+  const Outcome played =
+      play({R"({"command": "load", "scene": )" + scene.dump() + "}",
+            R"({"command": "record", "on": true, "folder": "rec"})",
+            R"({"command": "run", "time": 0.05})",
+            R"({"command": "set", "path": "phases[0].sample_every", "value": 0.1})",
+            R"({"command": "run", "time": 0.9})", R"({"command": "record", "on": false})"});
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_GE(std::ranges::count(contents(at("out/rec/series.csv")), '\n'), 9);
+}
+
+TEST_F(SessionTest, ARunAfterTheLastPhaseIsRefusedAndRestThatWasMissedIsTold) {
+  Json scene = Json::parse(kHanging);
+  scene["bodies"] = {{{"position", {1, 5}}}};
+  scene["phases"] = {{{"type", "settle"}, {"max_time", 0.02}}};
+  const Outcome played =
+      play({R"({"command": "load", "scene": )" + scene.dump() + "}", R"({"command": "run"})",
+            R"({"command": "run"})", R"({"command": "run", "time": 1})"});
+  EXPECT_EQ(played.exit_code, 1);
+  EXPECT_NE(played.err.find("all phases have ended"), std::string::npos) << played.err;
+  EXPECT_EQ(transcript()[1]["result"]["missed_rest"], true) << "it falls";
+  EXPECT_FALSE(transcript()[2]["result"].contains("missed_rest")) << "nothing ended";
+}
+
 TEST_F(SessionTest, APhaseBegunByHandComesBeforeThoseOfTheScene) {
   const Outcome played = play(
       {R"({"command": "load", "scene": "collapse", "set": {"phases[0].height": 3, "box.width": 10}})",

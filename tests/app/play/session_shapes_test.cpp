@@ -67,5 +67,29 @@ TEST_F(ShapedIntruder, IsStillThereInASceneThatStartsFromItsState) {
   EXPECT_NE(loaded.err.find("intruder of several parts"), std::string::npos) << loaded.err;
 }
 
+// NSCD handles disks and walls only, whatever the order in which method and intruder come.
+TEST_F(SessionTest, AShapedIntruderBegunByHandKeepsNscdOut) {
+  Json scene = Json::parse(kHanging);
+  scene["box"] = {{"width", 12}, {"height", 6}, {"sides", "periodic"}};
+  const std::string penetrate =
+      R"({"command": "penetrate", "shape": {"type": "cone", "width": 2}, "speed": 1, "depth": 2})";
+  const Outcome changed = play({R"({"command": "load", "scene": )" + scene.dump() + "}", penetrate,
+                                R"({"command": "set", "path": "method", "value": "nscd"})"});
+  EXPECT_EQ(changed.exit_code, 1);
+  EXPECT_NE(changed.err.find("nscd handles only disks and walls"), std::string::npos)
+      << changed.err;
+  scene["method"] = "nscd";
+  scene.erase("step");
+  for (const char* run :
+       {R"({"command": "run", "steps": 1})", R"({"command": "print", "text": ""})"}) {
+    const Outcome undone = play({R"({"command": "load", "scene": )" + scene.dump() + "}",
+                                 R"({"command": "set", "path": "method", "value": "exact"})",
+                                 penetrate, run, R"({"command": "undo"})"});
+    EXPECT_EQ(undone.exit_code, 1);
+    EXPECT_NE(undone.err.find("nscd handles only disks and walls"), std::string::npos)
+        << undone.err;
+  }
+}
+
 }  // namespace
 }  // namespace quicksand::test

@@ -68,6 +68,26 @@ TEST(SceneReport, WarnsOfStepsBelowWhichTheEnergyCriterionNeverActs) {
   EXPECT_EQ(report("1.1e-3").find(warning), std::string::npos);
 }
 
+TEST(SceneReport, WarnsOfWhatIsAllowedAndHardlyMeant) {
+  const auto warnings = [](const std::string& magnitude, const std::string& phases) {
+    return scene_warnings(scenario_from_json(
+        parse_json(R"({"name": "a", "box": {"width": 10}, "gravity": {"magnitude": )" + magnitude +
+                   R"(}, "phases": [)" + phases + "]}")));
+  };
+  const std::string deposit = R"({"type": "deposit", "grains": 5})",
+                    push = R"({"type": "push", "force": 1})";
+  EXPECT_TRUE(warnings("1", deposit + "," + push).empty());
+  EXPECT_EQ(warnings("9.81", deposit),
+            std::vector<std::string>{"gravity: is 9.81 g; its unit is g, so that the Earth's has a "
+                                     "magnitude of 1"});
+  EXPECT_EQ(
+      warnings("1", push + "," + deposit),
+      std::vector<std::string>{"phases[0]: there are no grains yet that the intruder could enter"});
+  EXPECT_EQ(warnings("1", deposit + "," + push + "," + push),
+            std::vector<std::string>{"phases[2]: places another intruder; depth and pull-outs are "
+                                     "those of the first"});
+}
+
 TEST(SceneReport, AThresholdIsSoughtInTrialsAndNothingIsReleased) {
   const std::string report = scene_report(scenario_from_json(parse_json(
       R"({"name": "a", "box": {"width": 10}, "gravity": {}, "phases": [

@@ -22,12 +22,16 @@ namespace {
 class TimelineTest : public testing::Test {
  protected:
   TimelineTest() {
+    compute(scenario_from_json(parse_json(kPiercedScene)));
+    session_.open(run_);
+  }
+  void compute(const Scenario& scene) {
+    std::filesystem::remove_all(run_);
     RunOptions options;
     options.out = run_;
     options.frames = false;
     options.quiet = true;
-    run_scene(scenario_from_json(parse_json(kPiercedScene)), options);
-    session_.open(run_);
+    run_scene(scene, options);
   }
   Timeline& timeline() { return *session_.timeline(); }
 
@@ -115,6 +119,22 @@ TEST_F(TimelineTest, StandsThroughARunThatIsStartedAgain) {
   std::ofstream(run_ / "history.qsh") << damaged;
   EXPECT_THROW(timeline().refresh(), InputError);
   EXPECT_LT(timeline().shown(), timeline().moments().size());
+}
+
+// Colours of the whole run are those of the run that is there now.
+TEST_F(TimelineTest, TakesItsScalesFromTheRunThatReplacedTheOther) {
+  View by_speed = session_.view;
+  by_speed.colouring = Colouring::speed;
+  by_speed.colour_high = 0;
+  timeline().with_fixed_scales(by_speed);
+  Json calmer = parse_json(kPiercedScene);
+  calmer["phases"][1]["force"] = 3;
+  compute(scenario_from_json(calmer));
+  ASSERT_TRUE(timeline().refresh());
+  Session fresh;
+  fresh.open(run_);
+  EXPECT_EQ(timeline().with_fixed_scales(by_speed).colour_high,
+            fresh.timeline()->with_fixed_scales(by_speed).colour_high);
 }
 
 TEST_F(TimelineTest, PlaysToTheEndOrAroundIt) {

@@ -28,14 +28,17 @@ TEST(FailedStep, GoesOnFromWhereShorterOnesHaveLed) {
     const Scenario scene = settling_heap(seed);
     Protocol protocol(scene, make_world(scene));
     std::int64_t most_halved = 0;
+    double worst_residual = 0;
     Progress last = Progress::running;
     while (last != Progress::finished && last != Progress::failed) {
       const std::int64_t before = protocol.state().halved_steps;
       last = protocol.advance();
       most_halved = std::max(most_halved, protocol.state().halved_steps - before);
+      worst_residual = std::max(worst_residual, protocol.last_step().solve.residual.natural);
     }
     EXPECT_EQ(last, Progress::finished) << protocol.failure();
     EXPECT_LE(protocol.state().worst_residual, scene.solver.tolerance);
+    EXPECT_EQ(worst_residual, protocol.state().worst_residual) << "a step tells of all its parts";
     EXPECT_EQ(protocol.state().unconverged_steps, 0);
     EXPECT_GE(most_halved, scene.step.max_halvings) << "no step failed at its shortest";
   }
