@@ -5,6 +5,7 @@
 
 #include "app/campaign/campaign.h"
 #include "app/run_report/run_report.h"
+#include "app/scene/scene_override.h"
 #include "core/base/format.h"
 
 namespace quicksand {
@@ -36,8 +37,21 @@ std::string about_nscd(std::span<const Job> jobs, std::span<const RunRecord> rec
 
 }  // namespace
 
+std::vector<std::string> numbers_that_no_run_has(std::span<const RunRecord> records,
+                                                 const ReportChoices& report) {
+  std::vector<std::string> texts;
+  const auto is_finished = [](const RunRecord& r) { return r.status == JobStatus::finished; };
+  if (std::ranges::none_of(records, is_finished)) return texts;
+  for (const std::string& path : reported_paths(report))
+    if (std::ranges::none_of(records, [&](const RunRecord& record) {
+          return is_finished(record) && value_at(record.summary, path).is_number();
+        }))
+      texts.push_back("No run has a number `" + path + "` in its summary.json" +
+                      meant_by(path, records));
+  return texts;
+}
+
 std::vector<Remark> campaign_remarks(std::span<const Job> jobs, std::span<const RunRecord> records,
-                                     std::span<const CampaignPoint> points,
                                      const ReportChoices& report) {
   std::vector<Remark> remarks;
   const auto add = [&](Remark::Kind kind, std::string text) {
@@ -57,13 +71,8 @@ std::vector<Remark> campaign_remarks(std::span<const Job> jobs, std::span<const 
     add(Remark::Kind::note, count_text(moved, "run") +
                                 " ended a phase at its max_time, before it came to rest "
                                 "(missed_rest in results.csv).");
-  if (finished > 0)
-    for (const std::string& path : reported_paths(report))
-      if (std::ranges::none_of(points, [&](const CampaignPoint& point) {
-            return measured_at(point, records, {.path = path}).has_value();
-          }))
-        add(Remark::Kind::warning,
-            "No run has a number `" + path + "` in its summary.json" + meant_by(path, records));
+  for (const std::string& text : numbers_that_no_run_has(records, report))
+    add(Remark::Kind::warning, text);
   for (const std::string& warning : warnings_of(jobs)) add(Remark::Kind::warning, warning + ".");
   return remarks;
 }

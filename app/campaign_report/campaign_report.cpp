@@ -102,7 +102,7 @@ class Writer {
     page.intro.push_back(
         "Numbers are means over realizations, which differ only in their seed, with standard "
         "errors of the mean.");
-    for (Remark& remark : campaign_remarks(jobs_, records_, points_, campaign_.report))
+    for (Remark& remark : campaign_remarks(jobs_, records_, campaign_.report))
       page.lead.emplace_back(std::move(remark));
     Section results{.title = "Results"};
     results.add(table());

@@ -10,6 +10,7 @@
 #include "app/campaign/campaign.h"
 #include "app/campaign/results_table.h"
 #include "app/campaign/slurm.h"
+#include "app/campaign_report/campaign_remarks.h"
 #include "app/cli/commands.h"
 #include "app/cli/run_outcome.h"
 #include "app/jobs/job_pool.h"
@@ -214,6 +215,8 @@ class CampaignRun {
     }
     std::printf("%s: %s, %s; results are in %s\n", campaign_.name.c_str(),
                 count_text(std::ssize(jobs_), "run").c_str(), counts.c_str(), results().c_str());
+    for (const std::string& text : numbers_that_no_run_has(records_, campaign_.report))
+      std::fprintf(stderr, "warning: %s\n", text.c_str());
     if (count(JobStatus::elsewhere) > 0)
       std::printf(
           "another process is computing the runs marked as running elsewhere; once it has ended, "

@@ -211,6 +211,8 @@ TEST_F(CampaignReportTest, SaysWhichNumberNoRunHasAndWhatScenesAskForInVain) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const std::string warning = "6 of 12 runs, phases[0]: dt is below";
   EXPECT_NE(outcome.err.find("warning: " + warning), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("warning: No run has a number `dept`"), std::string::npos)
+      << outcome.err;
   double seconds = 0;
   std::string lead;
   for (const Block& block : campaign_report(at("out"), seconds).lead)
