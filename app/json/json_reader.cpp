@@ -13,13 +13,8 @@ namespace {
 
 class JsonReader : public Fields {
  public:
-  // Throws InputError if it is not an object.
-  JsonReader(const Json& value, std::string path, std::string whole)
-      : object_(&value), path_(std::move(path)), whole_(std::move(whole)) {
-    if (!value.is_object()) {
-      throw InputError(path_, "is " + described(value) + ", must be an object {...}");
-    }
-  }
+  JsonReader(const Json& object, std::string path, std::string whole)
+      : object_(&object), path_(std::move(path)), whole_(std::move(whole)) {}
 
   // After the visit: throws InputError if a key was not asked for.
   void refuse_unknown_keys() const {
@@ -30,6 +25,8 @@ class JsonReader : public Fields {
       }
     }
   }
+
+  const std::vector<std::string>& known() const { return known_; }
 
   void exactly_one(const std::vector<std::string>& names) override {
     const std::string all = joined(names, " or ");
@@ -108,10 +105,29 @@ class JsonReader : public Fields {
   std::vector<std::string> known_;  // keys that were asked for
 };
 
+// The first keys that an object may have, up to one that it must have.
+std::vector<std::string> first_keys(const Fields::Visit& describe) {
+  const Json nothing = Json::object();
+  JsonReader reader(nothing, {}, {});
+  try {
+    describe(reader);
+  } catch (const InputError&) {  // it misses a key
+  }
+  constexpr std::size_t kMost = 4;
+  std::vector<std::string> keys = reader.known();
+  keys.resize(std::min(kMost, keys.size()));
+  return keys;
+}
+
 }  // namespace
 
 void read_fields(const Json& json, const std::string& whole, const Fields::Visit& describe,
                  const std::string& path) {
+  if (!json.is_object()) {
+    const std::vector<std::string> keys = first_keys(describe);
+    throw InputError(path, "is " + described(json) + ", must be an object {...}" +
+                               (keys.empty() ? "" : " with keys such as " + joined(keys, ", ")));
+  }
   JsonReader reader(json, path, whole);
   describe(reader);
   reader.refuse_unknown_keys();
