@@ -1,6 +1,7 @@
 #include "render/draw/font.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -70,6 +71,26 @@ std::string plain(std::string_view text) {
   std::replace_if(
       clean.begin(), clean.end(), [](char c) { return static_cast<unsigned char>(c) < 32; }, ' ');
   return clean;
+}
+
+std::string with_symbols(std::string_view text) {
+  const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  const auto is_word = [](char c) {
+    return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0;
+  };
+  const std::string clean = plain(text);
+  std::string typeset;
+  for (std::size_t k = 0; k < clean.size();) {
+    std::size_t end = k;
+    while (end < clean.size() && is_word(clean[end])) ++end;
+    const std::string word = clean.substr(k, end - k);
+    if (word.size() == 3 && is_letter(word[0]) && word[1] == '_' && is_letter(word[2]))
+      typeset += italic(word.substr(0, 1)) + subscript(word.substr(2));
+    else
+      typeset += word.empty() ? clean.substr(k, 1) : word;
+    k = std::max(end, k + 1);
+  }
+  return typeset;
 }
 
 // The font files and their scales; the baked letters do not need them any more but for kerning.

@@ -20,6 +20,8 @@ std::string italic(std::string_view symbol);
 std::string subscript(std::string_view index);
 // A user's text without control characters, which could be taken for the markup above.
 std::string plain(std::string_view text);
+// The same with symbols typeset: a word "F_c", of a letter and a letter below it.
+std::string with_symbols(std::string_view text);
 
 // Contents of a font file of the Roboto family, "Roboto-Regular.ttf". Throws RenderError if it is not
 // installed.

@@ -31,7 +31,7 @@ void add_numbers(Legend& key, const KeyContent& content, double widest, bool all
   Legend::Group captions{.title = {}, .words = {}, .line_each = true};
   for (const std::string& line : content.caption) {
     captions.words.push_back(
-        text_word(content.font, cut_to_fit(content.font, line, widest), widest, ink));
+        text_word(content.font, with_symbols(cut_to_fit(content.font, line, widest)), widest, ink));
   }
   key.add(std::move(captions));
   Legend::Group numbers{.title = {}, .words = {}, .line_each = true};

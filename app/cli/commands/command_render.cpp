@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdio>
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "app/base/exit_code.h"
@@ -16,6 +17,7 @@
 #include "app/view/film.h"
 #include "app/view/history_view.h"
 #include "core/base/errors.h"
+#include "core/base/format.h"
 #include "render/image/png.h"
 #include "render/picture/renderer.h"
 
@@ -31,6 +33,7 @@ struct RenderArguments {
   std::vector<fs::path> sources;  // checkpoints, or the folder of a run
   fs::path out;
   std::vector<double> times;
+  std::vector<std::string> titles;  // of panels
   bool film = false;
   MomentOptions moments;
   std::optional<std::string> range;
@@ -41,13 +44,31 @@ struct Shown {
   World world;
   std::string scene, phase;
   View view;  // with what its own scene says of units, method and box
+  std::string title;
 };
 
-// One picture with the names of scene and phase, or panels a, b, c, each with that of its phase.
+// What tells states apart: the names of their files, or of the folders of runs; of their phases, where those are equal.
+void name_by_places(const std::vector<fs::path>& places, std::vector<Shown>& shown) {
+  std::vector<std::string> names;
+  for (const fs::path& place : places) {
+    const fs::path file = fs::absolute(place).lexically_normal();
+    const bool of_run = file == RunFolder{file.parent_path()}.state();
+    names.push_back((of_run ? file.parent_path().filename() : file.stem()).string());
+  }
+  const bool told_apart = std::set<std::string>(names.begin(), names.end()).size() == names.size();
+  for (std::size_t k = 0; k < shown.size(); ++k)
+    shown[k].title = told_apart ? names[k] : shown[k].phase;
+}
+
+// One picture with the names of scene and phase, or panels a, b, c, each with its title.
 void write_picture(const RenderArguments& options, const std::vector<Shown>& shown) {
   require_png(options.out);
   if (options.out.has_parent_path()) make_writable({options.out.parent_path()});
-  if (shown.size() == 1) {
+  if (!options.titles.empty() && options.titles.size() != shown.size())
+    throw InputError("--titles", "are " + std::to_string(options.titles.size()) +
+                                     ", but the picture has " +
+                                     count_text(std::ssize(shown), "panel"));
+  if (shown.size() == 1 && options.titles.empty()) {
     const auto caption = std::to_array<std::string>({shown[0].scene, shown[0].phase});
     return write_png(options.out, Renderer().draw(shown[0].world, shown[0].view, caption));
   }
@@ -57,9 +78,11 @@ void write_picture(const RenderArguments& options, const std::vector<Shown>& sho
                      "has more panels than there are letters; draw a film");
   std::vector<SideBySide> panels;
   panels.reserve(shown.size());
-  for (const Shown& one : shown)
-    panels.push_back({one.world, one.view,
-                      std::string(1, static_cast<char>('a' + panels.size())) + "  " + one.phase});
+  for (const Shown& one : shown) {
+    const std::string letter(1, static_cast<char>('a' + panels.size()));
+    const std::string& title = options.titles.empty() ? one.title : options.titles[panels.size()];
+    panels.push_back({one.world, one.view, letter + "  " + title});
+  }
   write_png(options.out, Renderer().draw_panels(panels));
 }
 
@@ -72,9 +95,13 @@ void render_states(const RenderArguments& options, const View& view) {
   std::vector<Shown> shown;
   for (const fs::path& source : options.sources) {
     StateFile state = read_state(source);
-    shown.push_back({std::move(state.checkpoint.world), state.scenario.name, state.phase,
-                     still_of(state.scenario, view)});
+    shown.push_back({std::move(state.checkpoint.world),
+                     state.scenario.name,
+                     state.phase,
+                     still_of(state.scenario, view),
+                     {}});
   }
+  name_by_places(options.sources, shown);
   write_picture(options, shown);
 }
 
@@ -92,7 +119,7 @@ void render_moments(const RenderArguments& options, const History& history,
   shown.reserve(moments.size());
   for (const std::size_t k : moments)
     shown.push_back({history.world(k), scenario.name, history.moments()[k].phase_name,
-                     view_of(scenario, view)});
+                     view_of(scenario, view), history.moments()[k].phase_name});
   write_picture(options, shown);
 }
 
@@ -179,6 +206,11 @@ Command add_render(CLI::App& program) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(in_range(between(0, 1e12, "sqrt(d/g)")));
+  command
+      ->add_option("--titles", options->titles,
+                   "titles of the panels, one each; the names of the states, or the phases of the "
+                   "moments, if absent")
+      ->type_name("TEXT");
   command->add_flag("--film", options->film, "draw all samples and join them into a film");
   add_moment_options(*command, options->moments);
   command
@@ -192,8 +224,8 @@ Command add_render(CLI::App& program) {
       "far apart as the samples of the run. In all pictures of a run the same colour means the\n"
       "same value, and the same width the same force.\n\n"
       "Examples:\n"
-      "  quicksand render out/collapse --time 3.2 --colour pressure --out pressure.png\n"
-      "  quicksand render out/collapse --film --from 2 --to 4 --forces --out out/forces");
+      "  quicksand render out/collapse --film --from 2 --to 4 --forces --out out/forces\n"
+      "  quicksand render weak.cbor strong.cbor --titles '0.33 F_c' 'F_c' --out both.png");
   return {command, [options] { return render(*options); }};
 }
 

@@ -52,6 +52,26 @@ TEST_F(RunHistoryTest, HasARecordARow) {
   EXPECT_FALSE(fs::exists(at("run/history.qsh")));
 }
 
+// States are told apart by their names; a title each takes their place.
+TEST_F(RunHistoryTest, PanelsOfStatesHaveTheirNamesOrTitles) {
+  run();
+  fs::copy(at("run/state.cbor"), at("before.cbor"));
+  const std::vector<std::string> states{"render", "run/state.cbor", "before.cbor", "--out"};
+  const auto drawn = [&](const std::string& name, const std::vector<std::string>& titles) {
+    std::vector<std::string> command = states;
+    command.push_back(name);
+    if (!titles.empty()) command.emplace_back("--titles");
+    command.insert(command.end(), titles.begin(), titles.end());
+    EXPECT_EQ(quicksand(command).exit_code, 0);
+    return contents(at(name));
+  };
+  EXPECT_EQ(drawn("named.png", {}), drawn("titled.png", {"run", "before"}));
+  EXPECT_NE(drawn("named.png", {}), drawn("other.png", {"run", "F_c"}));
+  std::vector<std::string> three = states;
+  three.insert(three.end(), {"two.png", "--titles", "a", "b", "c"});
+  refused(three, "the picture has 2 panels");
+}
+
 // The run has drawn the same moments while it computed.
 TEST_F(RunHistoryTest, DrawsWhatTheRunHasDrawn) {
   run(kLook);

@@ -31,6 +31,14 @@ TEST(Font, MarkupTakesNoRoomOfItsOwn) {
   EXPECT_EQ(plain(italic("x")), " x ");
 }
 
+TEST(Font, TypesetsALetterAndALetterBelowItAsASymbol) {
+  const std::string cohesion = italic("F") + subscript("c");
+  EXPECT_EQ(with_symbols("F_c"), cohesion);
+  EXPECT_EQ(with_symbols("0.1 F_c, 3\xC2\xB0"), "0.1 " + cohesion + ", 3\xC2\xB0");
+  for (const char* name : {"", "push_1", "sample.push_0.1", "a_bc", "ab_c", "F_", "small_box"})
+    EXPECT_EQ(with_symbols(name), name);
+}
+
 TEST(Font, BrokenUtf8IsDrawnAsQuestionMarks) {
   const Font font(12);
   EXPECT_EQ(font.width("\xFF"), font.width("?"));
