@@ -34,7 +34,9 @@ TEST_F(SessionTest, APanelIsLabelledWithTheMethodOfItsOwnState) {
                 .exit_code,
             0);
   const auto left_half = [&](const char* left, const char* right) {
-    EXPECT_EQ(quicksand({"render", left, right, "--out", "panels.png"}).exit_code, 0);
+    EXPECT_EQ(quicksand({"render", left, right, "--titles", "one", "other", "--out", "panels.png"})
+                  .exit_code,
+              0);
     Image picture = read_png(at("panels.png"));
     picture.width /= 2;
     std::vector<std::uint8_t> half;

@@ -26,6 +26,11 @@ long allocations_left = kEnough;
   if (void* memory = std::malloc(size)) return memory;
   throw std::bad_alloc();
 }
+// The buffers of merges.
+[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t& /*tag*/) noexcept {
+  ++allocations;
+  return allocations_left-- <= 0 ? nullptr : std::malloc(size);
+}
 [[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
