@@ -221,8 +221,12 @@ std::vector<std::string> phase_warnings(const Scenario& s, std::size_t k) {
   return warnings;
 }
 
-// Metres per second squared for multiples of g.
-bool is_likely_in_si(const Vec2& gravity) { return std::abs(gravity.norm() - 9.81) < 0.1; }
+// Of metres per second squared that were likely given for multiples of g; else empty.
+std::string gravity_warning(const Scenario& s) {
+  if (!s.gravity || std::abs(s.gravity->norm() - 9.81) > 0.1) return {};
+  return "is " + number(s.gravity->norm()) +
+         " g; its unit is g, so that the Earth's has a magnitude of 1";
+}
 
 std::string phases_text(const Scenario& s) {
   std::string text;
@@ -278,9 +282,8 @@ std::string si_text(const Scenario& s) {
 
 std::vector<std::string> scene_warnings(const Scenario& s) {
   std::vector<std::string> warnings;
-  if (s.gravity && is_likely_in_si(*s.gravity))
-    warnings.push_back("gravity: is " + number(s.gravity->norm()) +
-                       " g; its unit is g, so that the Earth's has a magnitude of 1");
+  if (const std::string warning = gravity_warning(s); !warning.empty())
+    warnings.push_back("gravity: " + warning);
   for (std::size_t k = 0; k < s.phases.size(); ++k)
     for (const std::string& warning : phase_warnings(s, k))
       warnings.push_back("phases[" + std::to_string(k) + "]: " + warning);
@@ -297,8 +300,8 @@ std::string scene_report(const Scenario& s) {
   text += line("box", number(s.box.width) + " x " + number(s.box.height) + " d, sides " +
                           word(scene, "box", "sides") + (s.box.floor ? ", floor at y = 0" : ""));
   text += line("gravity", gravity_text(s));
-  if (s.gravity && is_likely_in_si(*s.gravity))
-    text += line("", "warning: the unit is g, so that the Earth's has a magnitude of 1");
+  if (const std::string warning = gravity_warning(s); !warning.empty())
+    text += line("", "warning: " + warning);
   if (s.drag)
     text += line("drag", "on a grain: " + number(s.drag->linear) + " F_g/sqrt(g d) v + " +
                              number(s.drag->quadratic) + " F_g/(g d) v^2");

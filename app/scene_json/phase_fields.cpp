@@ -138,8 +138,7 @@ constexpr PhaseKind kKinds[] = {
      R"({"command": "settle", "max_time": 3})"},
     {PushPhase::kName,
      "An intruder is placed on the surface and pushed down by a constant force. Another push "
-     "places "
-     "another one; depth and pull-outs are those of the first.",
+     "places another one; depth and pull-outs are those of the first.",
      R"({"command": "push", "force_over_cohesion": 1, "max_time": 2})"},
     {PullPhase::kName, "Finds the smallest upward force that pulls the intruder out.",
      R"({"command": "pull", "first_force": 1000})"},
