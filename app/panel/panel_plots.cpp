@@ -76,6 +76,9 @@ void show_drives(PanelFrame& frame) {
   if (has_phase(session, VanePhase::kName))
     w.plot("torque over angle", "Torque over angle [rad]",
            drive_curve(session, VanePhase::kName, "intruder_torque", "intruder_angle"));
+  if (has_phase(session, SlidePhase::kName))
+    w.plot("shear force over distance", "Shear force over distance [d]",
+           drive_curve(session, SlidePhase::kName, "piston_shear", "piston_x"));
 }
 
 }  // namespace

@@ -43,10 +43,11 @@ Json json_of(const AdiabaticDeposit& sample) {
           {"grains", sample.grains}};
 }
 
-// A vane also tells what strength field practice would compute from its torque.
+// A vane also tells what strength field practice would compute from its torque, a piston the ratios of shear to normal force.
 Json json_of(const DriveResult& found) {
+  constexpr const char* kDrives[] = {"penetrate", "vane", "slide"};
   Json json = {{"phase", found.phase},
-               {"drive", found.drive == Drive::vane ? "vane" : "penetrate"},
+               {"drive", kDrives[static_cast<std::size_t>(found.drive)]},
                {"peak", or_null(found.peak)},
                {"peak_at", or_null(found.peak_at)},
                {"residual", or_null(found.residual)},
@@ -54,6 +55,16 @@ Json json_of(const DriveResult& found) {
                {"mean", or_null(found.mean)},
                {"way", found.way},
                {"cleared", found.cleared}};
+  if (found.normal_load) {
+    const double normal = *found.normal_load;
+    json["normal_load"] = normal;
+    const auto ratio = [&](const std::optional<double>& force) {
+      return force && normal > 0 ? Json(*force / normal) : Json(nullptr);
+    };
+    json["peak_friction"] = ratio(found.peak);
+    json["residual_friction"] = ratio(found.residual);
+    json["mean_friction"] = ratio(found.mean);
+  }
   if (found.drive != Drive::vane) return json;
   json["radius"] = found.radius;
   const auto strength = [&](const std::optional<double>& torque) {

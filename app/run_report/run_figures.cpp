@@ -188,7 +188,14 @@ std::vector<DrivePlot> drive_plots() {
            .x = {.label = "angle", .unit = "rad"},
            .y = {.label = "torque against the rotation", .unit = "F_g d"},
            .sign = -1,
-           .histories = {{"intruder_torque", "torque"}}}};
+           .histories = {{"intruder_torque", "torque"}}},
+          {.phase = "slide",
+           .caption = "Horizontal force of the sliding piston on the bodies.",
+           .way = "piston_x",
+           .x = {.label = "position of the piston along x", .unit = "d"},
+           .y = {.label = "shear force", .unit = "F_g"},
+           .sign = 1,
+           .histories = {{"piston_shear", "shear force"}}}};
 }
 
 // Empty if no run has such a phase.

@@ -67,7 +67,9 @@ std::vector<Block> found_by_searches(std::span<const RunResults> runs,
                               {"mean", "mean [F_g; vane: F_g d]"},
                               {"way", "driven to [d; vane: rad]"},
                               {"peak_strength", "vane: peak strength [F_g/d]"},
-                              {"residual_strength", "residual strength [F_g/d]"}});
+                              {"residual_strength", "residual strength [F_g/d]"},
+                              {"peak_friction", "slide: peak over normal load"},
+                              {"residual_friction", "residual over normal load"}});
   static constexpr auto kSamples =
       std::to_array<Finding>({{"interval", "interval [√(d/g)]"},
                               {"grains", "grains"},
@@ -84,10 +86,11 @@ std::vector<Block> found_by_searches(std::span<const RunResults> runs,
                "Depth: that of the intruder's centre below the packing's top before the first "
                "trial, or the depth that the scene asks for, with grains within 0.5 d of it. "
                "Weight above: that of all grains with centres above that depth."));
-  add(findings(runs, names, "drives", kDrives,
-               "Drives: the load on the intruder. Peak: the largest of the means over consecutive "
-               "windows of the travel; residual: the mean over its last quarter; strength of a "
-               "vane: torque divided by 2πR²."));
+  add(findings(
+      runs, names, "drives", kDrives,
+      "Drives: the load on the intruder, or the shear force of the sliding piston. Peak: the "
+      "largest of the means over consecutive windows of the travel; residual: the mean "
+      "over its last quarter; strength of a vane: torque divided by 2πR²."));
   add(findings(runs, names, "adiabatic", kSamples,
                "Deposits with increasing intervals between grains."));
   return blocks;

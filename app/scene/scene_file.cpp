@@ -62,15 +62,17 @@ bool needs_intruder(const Phase& phase) {
 
 // validate() could not know what the state holds.
 void require_beginnings(const Scenario& scenario, const World& state) {
-  bool brought = false;  // an intruder, by an earlier phase
+  bool brought = false, left = false;  // an intruder, a piston, by an earlier phase
   for (std::size_t k = 0; k < scenario.phases.size(); ++k) {
     const Phase& phase = scenario.phases[k];
     const std::string problem = problem_of_beginning(phase, state,
                                                      {.phase = "phases[" + std::to_string(k) + "]",
                                                       .walls = state.walls.size(),
-                                                      .intruder_comes = brought});
+                                                      .intruder_comes = brought,
+                                                      .piston_comes = left});
     if (!problem.empty()) throw InputError(scenario.start_from, problem);
     brought = brought || brings_intruder(phase);
+    left = left || leaves_piston(phase);
   }
 }
 
@@ -104,6 +106,10 @@ std::string problem_of_beginning(const Phase& phase, const World& world,
   if (needs_intruder(phase) && !has_intruder && !beginning.intruder_comes)
     return "has no intruder, but " + beginning.phase + ", a " + std::string(phase_name(phase)) +
            ", needs one";
+  const auto walls = world.walls.begin();
+  if (std::holds_alternative<SlidePhase>(phase.kind) && !beginning.piston_comes &&
+      std::none_of(walls, walls + static_cast<std::ptrdiff_t>(beginning.walls), is_pressing_piston))
+    return "has no piston that stays, but " + beginning.phase + ", a slide, needs one";
   if (places_from_above(phase))
     if (const std::string wall = wall_in_the_way(world, beginning.walls); !wall.empty())
       return "has " + wall + " in the way of " + beginning.phase +

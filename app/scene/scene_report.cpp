@@ -105,6 +105,11 @@ struct PhaseText {
            bonding(p.bonding, p.bonds) + (p.remove ? "; then it is removed" : "; it stays");
   }
 
+  std::string operator()(const SlidePhase& p) const {
+    return "the piston slides by " + number(p.distance) + " d towards " +
+           (p.speed > 0 ? "+x" : "-x") + " at " + number(std::abs(p.speed)) + " sqrt(g d)" +
+           ramp(p.ramp_time) + bonding(p.bonding, p.bonds);
+  }
   std::string operator()(const PenetratePhase& p) const {
     const std::string intruder = shape_name(p.shape) + " of density " + number(p.density);
     if (p.threshold)

@@ -215,4 +215,13 @@ void describe_fields(Fields& f, VanePhase& p, const Scenario& /*scenario*/) {
   if (f.reading() && !p.shape) refuse_places(f, p);
 }
 
+void describe_fields(Fields& f, SlidePhase& p, const Scenario& /*scenario*/) {
+  f.number({"speed", "speed of the piston towards +x; negative: towards -x", Presence::required},
+           between(-1e6, 1e6, "sqrt(g d)"), p.speed);
+  f.number({"distance", "distance after which the phase ends", Presence::required},
+           above(0, 1e6, "d"), p.distance);
+  describe_ramp(f, "time in which the speed rises from 0 to its value; 0: at once", p.ramp_time);
+  describe_bonding(f, p.bonding, p.bonds);
+}
+
 }  // namespace quicksand

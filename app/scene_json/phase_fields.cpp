@@ -156,7 +156,11 @@ constexpr PhaseKind kKinds[] = {
     {VanePhase::kName,
      "A vane inserted into the packing, or an intruder already there, is turned. Finds the peak "
      "and the residual torque.",
-     R"({"command": "vane", "shape": {"radius": 2}, "depth": 4, "clear": true, "angular_velocity": 1})"}};
+     R"({"command": "vane", "shape": {"radius": 2}, "depth": 4, "clear": true, "angular_velocity": 1})"},
+    {SlidePhase::kName,
+     "The piston that presses on the packing slides along x and shears it; it stays and stops. "
+     "Finds the peak and the residual shear force.",
+     R"({"command": "slide", "speed": 1, "distance": 5})"}};
 
 template <class... Kinds>
 constexpr bool has_row_of_each(const std::variant<Kinds...>* /*kinds*/) {

@@ -52,5 +52,6 @@ void describe_fields(Fields& f, HealPhase& phase, const Scenario& scenario);
 void describe_fields(Fields& f, PistonPhase& phase, const Scenario& scenario);
 void describe_fields(Fields& f, PenetratePhase& phase, const Scenario& scenario);
 void describe_fields(Fields& f, VanePhase& phase, const Scenario& scenario);
+void describe_fields(Fields& f, SlidePhase& phase, const Scenario& scenario);
 
 }  // namespace quicksand

@@ -45,6 +45,10 @@ struct Interval {
            kSamples;
   }
 
+  double operator()(const SlidePhase& phase) const {
+    return (phase.ramp_time / 2 + phase.distance / std::abs(phase.speed)) / kSamples;
+  }
+
   double until_rest(double max_time) const {
     const double fall = fall_time(scenario) / kSamplesPerFall;
     return fall > 0 ? std::min(fall, max_time / kSamples) : max_time / kSamples;

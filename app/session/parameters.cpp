@@ -156,6 +156,9 @@ std::vector<ParameterGroup> parameters_of(const Scenario& scenario) {
         group_of<VanePhase>("Vane", scenario, all,
                             Names{"shape.blades", "shape.radius", "shape.thickness",
                                   "angular_velocity", "torque", "ramp_time", "angle"}));
+  if (std::ranges::any_of(scenario.phases, is<SlidePhase>))
+    groups.push_back(
+        group_of<SlidePhase>("Slide", scenario, all, Names{"speed", "distance", "ramp_time"}));
   groups.push_back(std::move(computing));
   return groups;
 }

@@ -29,6 +29,10 @@ struct Wall {
 
 // What bodies that fall come to lie on.
 inline bool is_floor(const Wall& wall) { return wall.normal.y() > 0.5; }
+// What presses from above.
+inline bool is_pressing_piston(const Wall& wall) {
+  return wall.role == WallRole::piston && wall.mass > 0 && wall.normal.y() < -0.5;
+}
 inline bool is_tilted(const Wall& wall) { return wall.normal.x() != 0 && wall.normal.y() != 0; }
 
 }  // namespace quicksand

@@ -27,6 +27,7 @@ WallLoads wall_loads(const World& world) {
         break;
       case WallRole::piston:
         to(loads.piston, normal);
+        to(loads.piston_shear, -force.x());
         break;
     }
   };
@@ -35,6 +36,14 @@ WallLoads wall_loads(const World& world) {
   for (const Contact& contact : world.contacts)
     if (is_wall(contact.pair.b)) add(world.wall(contact.pair.b), contact.force(world.impulse_dt));
   return loads;
+}
+
+Vec2 force_on_wall(const World& world, int wall) {
+  Vec2 sum(0, 0);
+  if (world.impulse_dt == 0) return sum;
+  for (const Contact& contact : world.contacts)
+    if (contact.pair.b == kWallBase + wall) sum += contact.force(world.impulse_dt);
+  return sum;
 }
 
 }  // namespace quicksand

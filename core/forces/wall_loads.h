@@ -16,9 +16,13 @@ struct WallLoads {
   std::optional<double>
       side_thrust;  // normal force, summed over the sides, positive if bodies press on them [F_g]
   std::optional<double> piston;  // the same of pistons [F_g]
+  // Horizontal force of the pistons on the bodies, positive towards +x [F_g].
+  std::optional<double> piston_shear;
 };
 
 // Zeros before the first step.
 WallLoads wall_loads(const World& world);
+// Force of the contacts of the last step on one wall, by its index in the world; 0 before the first step [F_g].
+Vec2 force_on_wall(const World& world, int wall);
 
 }  // namespace quicksand

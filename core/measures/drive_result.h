@@ -1,4 +1,4 @@
-// What a driven intruder met: the largest load on the way, and the one that is left.
+// What a driven intruder or piston met: the largest load on the way, and the one that is left.
 #pragma once
 
 #include <cmath>
@@ -8,10 +8,10 @@
 
 namespace quicksand {
 
-enum class Drive : std::uint8_t { penetrate, vane };
+enum class Drive : std::uint8_t { penetrate, vane, slide };
 
 // Loads are means in time over windows of the way (see drive.h), forces [F_g] and depths [d] of a penetration, torques [F_g d]
-// and angles [rad] of a vane.
+// and angles [rad] of a vane, horizontal forces [F_g] and distances [d] of a piston that slides.
 struct DriveResult {
   int phase = 0;  // index
   Drive drive = Drive::penetrate;
@@ -24,6 +24,8 @@ struct DriveResult {
   double way = 0;            // in all
   double radius = 0;         // of a vane, to its tips; farthest point of other bodies [d]
   std::int64_t cleared = 0;  // grains that made room
+  // Of a piston that slides: the force with which it presses, its weight included [F_g].
+  std::optional<double> normal_load = {};
 
   bool operator==(const DriveResult&) const = default;
 };

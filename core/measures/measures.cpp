@@ -212,7 +212,10 @@ Sample measure(const World& world, const MeasureChoices& choices) {
   s.bonds_broken = world.bonds.broken;
   s.bonds_healed = world.bonds.healed;
   for (const Wall& wall : world.walls)
-    if (wall.role == WallRole::piston) s.piston_y = wall.point.y();
+    if (wall.role == WallRole::piston) {
+      s.piston_x = wall.point.x();
+      s.piston_y = wall.point.y();
+    }
   s.stress = mean_stress(world);
   s.fabric = fabric_of(world, touching);
   s.loads = wall_loads(world);

@@ -90,9 +90,10 @@ struct Sample {
   double depth = 0;  // of its lowest point below the packing's top when it was placed [d]
   WeightAbove weight_above;
   AroundIntruder around_intruder;
-  std::optional<double> piston_y;  // height of the last piston [d]
-  std::optional<Stress> stress;    // mean_stress()
-  std::optional<Fabric> fabric;    // of the touching grains
+  // Of the last piston: of its point, which has slid with it, and of its surface [d].
+  std::optional<double> piston_x, piston_y;
+  std::optional<Stress> stress;  // mean_stress()
+  std::optional<Fabric> fabric;  // of the touching grains
   WallLoads loads;
 };
 Sample measure(const World& world, const MeasureChoices& choices = {});

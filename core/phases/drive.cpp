@@ -52,31 +52,36 @@ void take_last_window(Memory& memory, double window, double way) {
               memory["window_time"] + share * memory["last_time"], way);
 }
 
-DriveResult drive_result(const Stage& stage, Drive drive, double way, int body) {
-  const auto& memory = stage.state.memory;
+}  // namespace
+
+double ramp_share(const Stage& stage, double ramp_time) {
+  return ramp_time == 0 ? 1 : std::min(1.0, stage.since_start() / ramp_time);
+}
+
+void keep_account(Stage& stage, const DriveSetup& setup, double way, DriveResult found) {
+  Memory& memory = stage.state.memory;
+  take_last_window(memory, setup.window, way);
   const auto known = [&](const char* key) -> std::optional<double> {
-    const auto found = memory.find(key);
-    return found == memory.end() ? std::nullopt : std::optional(found->second);
+    const auto entry = memory.find(key);
+    return entry == memory.end() ? std::nullopt : std::optional(entry->second);
   };
   const auto number = [&](const char* key) { return known(key).value_or(0); };
   const auto ratio = [](double load, double by) {
     return by > 0 ? std::optional(load / by) : std::nullopt;
   };
-  return {.phase = stage.state.phase,
-          .drive = drive,
-          .peak = known("peak"),
-          .peak_at = known("peak_at"),
-          .residual = ratio(number("late_load"), number("late_time")),
-          .mean = ratio(number("work"), way - number("way_begins")),
-          .way = way,
-          .radius = reach_of(stage.world, body),
-          .cleared = static_cast<std::int64_t>(number("cleared"))};
+  found.phase = stage.state.phase;
+  found.drive = setup.drive;
+  found.peak = known("peak");
+  found.peak_at = known("peak_at");
+  found.residual = ratio(number("late_load"), number("late_time"));
+  found.mean = ratio(number("work"), way - number("way_begins"));
+  found.way = way;
+  found.cleared = static_cast<std::int64_t>(number("cleared"));
+  stage.state.drive_results.push_back(found);
 }
 
-}  // namespace
-
 void drive_on(Stage& stage, const DriveSetup& setup, int body, double ramp_time) {
-  const double share = ramp_time == 0 ? 1 : std::min(1.0, stage.since_start() / ramp_time);
+  const double share = ramp_share(stage, ramp_time);
   if (setup.rate) return prescribe(stage.world, body, share * *setup.rate * setup.direction);
   set_free(stage.world, body);  // a session may have driven it at a rate so far
   stage.world.disks.applied[body] = share * setup.load * setup.direction;
@@ -172,8 +177,7 @@ void record_load(Stage& stage, const DriveSetup& setup, double load, double time
 }
 
 void end_way(Stage& stage, const DriveSetup& setup, double way, int body, bool release) {
-  take_last_window(stage.state.memory, setup.window, way);
-  stage.state.drive_results.push_back(drive_result(stage, setup.drive, way, body));
+  keep_account(stage, setup, way, {.radius = reach_of(stage.world, body)});
   if (setup.rate) prescribe(stage.world, body, {0, 0, 0});
   if (!release) return;
   stage.world.disks.applied[body] = {0, 0, 0};

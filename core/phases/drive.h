@@ -27,6 +27,8 @@ void require_no_intruder(const Stage& stage);
 // The body goes its own way from now on.
 void set_free(World& world, int body);
 
+// Share of rate or load that acts by now, where they rise from 0 in `ramp_time`. [0..1]
+double ramp_share(const Stage& stage, double ramp_time);
 // The account begins with this much of the way behind.
 void begin_way(Stage& stage, double way);
 // A step of the drive begins: rate or load, which rise from 0 in `ramp_time`, act on the body.
@@ -38,7 +40,9 @@ void require_free_way(const Stage& stage);
 double take_unrecorded_time(Stage& stage);
 // Records a resistance that has acted for this time, with `way` behind now.
 void record_load(Stage& stage, const DriveSetup& setup, double load, double time, double way);
-// Keeps the account of the phase, which is at its end, and stops the body; `release`: lets go of it, too.
+// Keeps the account of the phase, which is at its end with `way` behind, in `found`, which says what else is known.
+void keep_account(Stage& stage, const DriveSetup& setup, double way, DriveResult found);
+// The same of a body, which is stopped; `release`: lets go of it, too.
 void end_way(Stage& stage, const DriveSetup& setup, double way, int body, bool release);
 
 template <class Settings>

@@ -73,6 +73,7 @@ std::unique_ptr<RunningPhase> running(const HealPhase& settings);
 std::unique_ptr<RunningPhase> running(const PistonPhase& settings);
 std::unique_ptr<RunningPhase> running(const PenetratePhase& settings);
 std::unique_ptr<RunningPhase> running(const VanePhase& settings);
+std::unique_ptr<RunningPhase> running(const SlidePhase& settings);
 
 inline std::unique_ptr<RunningPhase> running(const Phase& phase) {
   return std::visit([](const auto& settings) { return running(settings); }, phase.kind);

@@ -97,6 +97,11 @@ struct PhaseValues {
     positive("volume_fraction", p.volume_fraction);
     ends(p);
   }
+  void operator()(const SlidePhase& p) const {
+    finite("speed", p.speed);
+    positive("distance", p.distance);
+    not_negative("ramp_time", p.ramp_time);
+  }
   void operator()(const PenetratePhase& p) const {
     check_shape(p.shape, where + ".shape");
     finite("speed", p.speed);

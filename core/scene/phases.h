@@ -152,6 +152,17 @@ struct PistonPhase {
   bool operator==(const PistonPhase&) const = default;
 };
 
+// The piston that is there slides along x and shears what it presses on, over a distance. It stays, and stops.
+struct SlidePhase {
+  static constexpr std::string_view kName = "slide";
+  double speed = 0;      // towards +x; not 0 [sqrt(g d)]
+  double distance = 1;   // [d]
+  double ramp_time = 0;  // in which the speed rises linearly from 0 [sqrt(d/g)]; 0: at once
+  bool bonding = false;
+  BondingTouch bonds = BondingTouch::first;
+  bool operator==(const SlidePhase&) const = default;
+};
+
 // Instead of one drive, the smallest force or torque is sought that drives the intruder to the end of its way, by
 // trials from the state in which it begins; the phase's own is that of the first. Ends with that state.
 struct CriticalDrive {
@@ -206,7 +217,7 @@ struct VanePhase {
 
 struct Phase {
   std::variant<DepositPhase, SettlePhase, PushPhase, PullPhase, ShearPhase, HealPhase, PistonPhase,
-               PenetratePhase, VanePhase>
+               PenetratePhase, VanePhase, SlidePhase>
       kind;
   std::optional<double> dt;                // overrides StepSettings::dt [sqrt(d/g)]
   std::optional<double> sample_every;      // time between samples and frames [sqrt(d/g)]

@@ -22,6 +22,11 @@ bool brings_intruder(const Phase& phase) {
          std::holds_alternative<PenetratePhase>(phase.kind) || brings_shaped_intruder(phase);
 }
 
+bool leaves_piston(const Phase& phase) {
+  const auto* piston = std::get_if<PistonPhase>(&phase.kind);
+  return piston && !piston->remove;
+}
+
 bool places_from_above(const Phase& phase) {
   return std::holds_alternative<PushPhase>(phase.kind) ||
          std::holds_alternative<PenetratePhase>(phase.kind) ||
@@ -114,6 +119,18 @@ void check_one_intruder(const Scenario& scenario, std::size_t phase, const std::
     throw InputError(where, "brings an intruder, but one is already among the bodies");
 }
 
+void check_slide(const Scenario& scenario, const SlidePhase& slide, std::size_t phase,
+                 const std::string& where) {
+  if (slide.speed == 0) throw InputError(where + ".speed", "is 0; the piston would never arrive");
+  const auto before = scenario.phases.begin() + static_cast<std::ptrdiff_t>(phase);
+  if (std::any_of(scenario.phases.begin(), before, leaves_piston) || !scenario.start_from.empty() ||
+      std::ranges::any_of(scenario.walls, is_pressing_piston))
+    return;
+  throw InputError(where,
+                   "slides the piston that presses on the packing, but there is none: give a "
+                   "piston phase before it, with \"remove\": false");
+}
+
 void check_vane(const Scenario& scenario, const VanePhase& vane, std::size_t phase,
                 const std::string& where) {
   if (vane.shape) {
@@ -156,8 +173,7 @@ void check_way_down(const Scenario& scenario, std::size_t phase, const std::stri
     if (brings_shaped_intruder(scenario.phases[k]))
       throw InputError(where, "places bodies from above, but the shaped intruder of phases[" +
                                   std::to_string(k) + "] may be in their way");
-    const auto* piston = std::get_if<PistonPhase>(&scenario.phases[k].kind);
-    if (piston && !piston->remove)
+    if (leaves_piston(scenario.phases[k]))
       throw InputError(where, "places bodies from above, but the piston of phases[" +
                                   std::to_string(k) +
                                   "] is in their way; set its \"remove\" to true");
@@ -201,6 +217,7 @@ struct PhaseCheck {
     check_one_intruder(scenario, phase, where);
   }
   void operator()(const VanePhase& p) const { check_vane(scenario, p, phase, where); }
+  void operator()(const SlidePhase& p) const { check_slide(scenario, p, phase, where); }
 };
 
 void check_phases(const Scenario& scenario) {

@@ -17,6 +17,9 @@ void validate(const Scenario& scenario);
 bool brings_intruder(const Phase& phase);
 bool brings_shaped_intruder(const Phase& phase);
 
+// Whether the phase puts in a piston that stays.
+bool leaves_piston(const Phase& phase);
+
 // Whether the phase places bodies above all others, which come straight down.
 bool places_from_above(const Phase& phase);
 // The first of the world's first `walls` walls that may be in their way, as messages call it; empty if none is. The floor

@@ -301,7 +301,7 @@ TEST_F(PanelTest, SizesAndScalesThatCannotBeDrawnAreRefused) {
 }
 
 // The load of a driven intruder over its way, where the scene has such a phase and no other.
-TEST_F(PanelTest, PlotsForceOverDepthAndTorqueOverAngle) {
+TEST_F(PanelTest, PlotsForceOverDepthTorqueOverAngleAndShearForceOverDistance) {
   perform({{"command", "load"}, {"scene", "cone"}, {"set", {{"phases[0].height", 4}}}});
   UiDriver& r = driver(1, kWidth, 1400);
   ASSERT_NE(widget("Plots/resistance over depth"), nullptr);
@@ -318,6 +318,9 @@ TEST_F(PanelTest, PlotsForceOverDepthAndTorqueOverAngle) {
   load();
   r.wait(1);
   EXPECT_EQ(widget("Plots/torque over angle"), nullptr);
+  perform({{"command", "load"}, {"scene", "shear_cell"}});
+  r.wait(1);
+  EXPECT_NE(widget("Plots/shear force over distance"), nullptr);
 }
 
 }  // namespace

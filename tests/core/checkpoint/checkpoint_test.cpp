@@ -83,6 +83,17 @@ TEST_P(Restart, InAPenetrationAndAVaneGivesTheSameBytes) {
   expect_restarts_to_agree(scene, 3);
 }
 
+TEST_P(Restart, WhereAPistonSlidesGivesTheSameBytes) {
+  Scenario scene = small_collapse(GetParam());
+  scene.phases = {
+      {DepositPhase{.grains = 25, .interval = 0}},
+      {PistonPhase{.mass = 30, .force = 2000, .ramp_time = 0.1, .max_time = 0.2, .remove = false},
+       5e-3},
+      {SlidePhase{.speed = 3, .distance = 0.6, .ramp_time = 0.05, .bonding = true}, 5e-3},
+      {SettlePhase{.max_time = 0.1}}};
+  expect_restarts_to_agree(scene, 3);
+}
+
 TEST_P(Restart, WithDragGivesTheSameBytes) {
   Scenario scene = small_collapse(GetParam());
   scene.drag = Drag{.linear = 0.7, .quadratic = 0.3};

@@ -11,7 +11,7 @@
 namespace quicksand {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN(),
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN(),
                  kInfinity = std::numeric_limits<double>::infinity();
 
 // The grain of disk_on_floor has mass 1 and inertia 1/8, dt = 0.1, force scale 1.
@@ -117,7 +117,8 @@ TEST(Residual, IsTheWorstUpToABoundAndBeyondIt) {
 
 TEST(Residual, DoesNotTrustTheVelocityThatASolverReports) {
   const ContactProblem problem = disk_on_floor({0, -2, 0}, 0.3, 0.05);
-  ContactState state{.velocity = {Vec3(9, kNan, 9), Vec3(9, 9, 9)}, .impulse = {Vec3(2, 0, 0)}};
+  ContactState state{.velocity = {Vec3(9, kNotANumber, 9), Vec3(9, 9, 9)},
+                     .impulse = {Vec3(2, 0, 0)}};
   EXPECT_EQ(residual(problem, state).natural, 0);
   EXPECT_EQ(distance(state.velocity[0], Vec3(0, 0, 0)), 0) << "it leaves the true one";
 }
@@ -125,7 +126,7 @@ TEST(Residual, DoesNotTrustTheVelocityThatASolverReports) {
 // A number that is not finite must never pass as a small residual, wherever it stands.
 TEST(Residual, IsInfiniteWhereAnyImpulseIsNotANumber) {
   for (int k = 0; k < 3; ++k) {
-    for (double bad : {kNan, std::numeric_limits<double>::infinity()}) {
+    for (double bad : {kNotANumber, std::numeric_limits<double>::infinity()}) {
       const ContactProblem problem = disk_on_floor({0, -2, 0}, 0.3, 0.05);
       Vec3 impulse(2, 0, 0);
       impulse[k] = bad;
@@ -137,7 +138,7 @@ TEST(Residual, IsInfiniteWhereAnyImpulseIsNotANumber) {
 TEST(Residual, IsInfiniteWhereAnyFreeVelocityIsNotANumber) {
   for (int k = 0; k < 3; ++k) {
     ContactProblem problem = disk_on_floor({0, -2, 0}, 0.3, 0.05);
-    problem.free_velocity[0][k] = kNan;
+    problem.free_velocity[0][k] = kNotANumber;
     EXPECT_TRUE(std::isinf(natural(problem, {2, 0, 0}))) << "component " << k;
   }
 }

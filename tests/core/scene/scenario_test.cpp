@@ -86,6 +86,8 @@ TEST(Validation, RefusesPhasesOfImpossibleNumbers) {
   EXPECT_EQ(of(PenetratePhase{.depth = 0}), "phases[0].depth");
   EXPECT_EQ(of(VanePhase{.shape = VaneIntruder{.blades = 0}}), "phases[0].shape.blades");
   EXPECT_EQ(of(VanePhase{.shape = VaneIntruder{}, .angle = kNan}), "phases[0].angle");
+  EXPECT_EQ(of(SlidePhase{.speed = kNan}), "phases[0].speed");
+  EXPECT_EQ(of(SlidePhase{.speed = 1, .distance = 0}), "phases[0].distance");
 }
 
 TEST(Validation, RefusesOverlappingBodiesAndSaysByHowMuch) {
