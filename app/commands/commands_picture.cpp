@@ -69,10 +69,10 @@ struct CameraCommand {
     if (fit > 0) {
       view.fit = fit == 1 ? Fit::box : Fit::content;
       view.window.reset();
-      session.follow_intruder = false;
+      session.view.follow = false;
     }
     if (window) view.window = window;
-    if (follow) session.follow_intruder = *follow;
+    if (follow) session.view.follow = *follow;
     if (zoom) {
       const WorldRect shown = view_window(session.world(), session.shown());
       const Vec2 fixed = at.value_or((shown.low + shown.high) / 2);

@@ -59,6 +59,9 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
       ->type_name("X,Y,X,Y")
       ->delimiter(',')
       ->expected(4);
+  command.add_flag(
+      "--follow", options.view.follow,
+      "move this part with the intruder, where there is one, so that it is in the middle");
   for (const ViewFlag& flag : view_flags())
     if (flag.field.of_runs)
       command.add_flag(option_of(flag.field), options.view.*flag.value,
@@ -85,6 +88,7 @@ std::string picture_words(const View& view) {
     const std::string numbers = Json{low.x(), low.y(), high.x(), high.y()}.dump();
     text += " --window " + numbers.substr(1, numbers.size() - 2);
   }
+  if (view.follow) text += " --follow";
   for (const ViewFlag& flag : view_flags())
     if (flag.field.of_runs && view.*flag.value) text += " " + option_of(flag.field);
   for (const ViewNumber& number : view_numbers())

@@ -78,7 +78,7 @@ void show_view_controls(PanelFrame& frame) {
     const Widgets::Disabled disabled(w, !intruder);
     if (const auto on =
             w.checkbox({"follow", "Follow intruder", "Keeps the intruder in the middle."},
-                       session.follow_intruder)) {
+                       session.view.follow)) {
       frame.command("camera", {{"follow", *on ? "intruder" : "none"}});
     }
   }

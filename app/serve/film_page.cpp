@@ -102,7 +102,7 @@ FilmFrame frame_of(const Session& session) {
                                                  {"scene", session.scenario().name},
                                                  {"phase", moment.phase},
                                                  {"phase_name", moment.phase_name},
-                                                 {"follows", false},
+                                                 {"follows", session.view.follow},
                                                  {"picked", nullptr}}))};
 }
 
@@ -118,6 +118,7 @@ std::size_t write_film_page(const std::filesystem::path& file, const RunFolder& 
   session.scales_of_run = choices.scales_of_run;
   session.open(run.path);
   session.view.window = view.window;
+  session.view.follow = view.follow;
   Timeline& timeline = *session.timeline();
   std::string page = page_around();
   const std::size_t fixed = page.size() + for_html(shaders_json()).size() + 4096;

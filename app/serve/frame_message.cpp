@@ -229,7 +229,7 @@ Json look_of(const Session& session) {
               {"floor", world.box.floor}}},
             {"walls", walls_json(world)},
             {"window", {window.low.x(), window.low.y(), window.high.x(), window.high.y()}},
-            {"fitted", !view.window.has_value() && !session.follow_intruder}};
+            {"fitted", !view.window.has_value() && !session.view.follow}};
   // How long d and sqrt(d/g) are.
   if (view.physical) {
     const PhysicalScale& scale = *view.physical;

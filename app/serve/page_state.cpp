@@ -127,7 +127,7 @@ Json page_state(const Session& session) {
   state["last_change"] = session.last_change();
   state["steps_per_frame"] = session.steps_per_frame;
   state["walks"] = session.timeline() != nullptr;
-  state["follow"] = session.follow_intruder;
+  state["follow"] = session.view.follow;
   return state;
 }
 

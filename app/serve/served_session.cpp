@@ -152,7 +152,7 @@ void ServedSession::answer_next() {
 void ServedSession::perform(ClientId client, const Json& command, const Json& id) {
   const bool loaded = console_.session().loaded();
   const std::int64_t first = loaded ? console_.session().world().step : 0;
-  const bool followed = console_.session().follow_intruder;
+  const bool followed = console_.session().view.follow;
   const Answer answer = answer_to(console_, command, "command");
   if (answer.ok) record(command, answer.result);
   theme_chosen_ = theme_chosen_ || command.contains("theme");
@@ -161,7 +161,7 @@ void ServedSession::perform(ClientId client, const Json& command, const Json& id
   tell_if_full();
   picture_is_old_ = true;
   if (changes_controls(command)) state_is_old_ = plots_are_old_ = true;
-  if (console_.session().follow_intruder != followed) state_is_old_ = true;
+  if (console_.session().view.follow != followed) state_is_old_ = true;
   Json json = to_json(answer, console_);
   json["command"] = command;
   tell(client, std::move(json), id);
@@ -297,7 +297,7 @@ Json ServedSession::moment() const {
             {"finished", session.finished()},
             {"failed", session.failed()},
             {"recording", console_.recording != nullptr},
-            {"follows", session.follow_intruder},
+            {"follows", session.view.follow},
             {"picked", session.picked ? Json(*session.picked) : Json()},
             {"pull", session.scenario().grain_law.cohesion_force.value_or(10)}};
   if (const Timeline* timeline = session.timeline()) {

@@ -16,7 +16,6 @@
 #include "core/base/errors.h"
 #include "core/base/format.h"
 #include "core/scene/validate.h"
-#include "render/base/camera.h"
 
 namespace quicksand {
 
@@ -144,7 +143,7 @@ void Session::begin(const Scenario& scenario, World world) {
   changes_.clear();
   view = view_of(scenario, view);
   view.window.reset();
-  follow_intruder = false;
+  view.follow = false;
   start(scenario_, std::move(checkpoint));
 }
 
@@ -290,15 +289,7 @@ void Session::restore(const std::filesystem::path& file) {
 }
 
 View Session::shown() const {
-  View shown = timeline_ && scales_of_run ? timeline_->with_fixed_scales(view) : view;
-  const int intruder = follow_intruder ? world().intruder() : -1;
-  if (intruder < 0) return shown;
-  const WorldRect window = view_window(world(), view);
-  const Vec2 half = window.size() / 2;
-  const Vec2 at = world().disks.position[intruder];
-  const Vec2 centre(world().wrapped_x(at.x()), at.y());
-  shown.window = WorldRect{centre - half, centre + half};
-  return shown;
+  return timeline_ && scales_of_run ? timeline_->with_fixed_scales(view) : view;
 }
 
 Row Session::measure_now() const {

@@ -114,11 +114,10 @@ class Session {
   View view;  // of the packing, its size that of a picture without panel
   // Whether the scales of a run that is shown fit its whole history, not each moment by itself.
   bool scales_of_run = true;
-  // The view with its window, around the intruder if that is followed, and with the scales of a run that is shown.
+  // The view with the scales of a run that is shown.
   View shown() const;
   std::optional<int> picked;  // body that is inspected
-  bool follow_intruder = false;
-  bool running = false;  // whether each frame of a panel computes steps_per_frame
+  bool running = false;       // whether each frame of a panel computes steps_per_frame
   std::int64_t steps_per_frame = 1;
 
  private:

@@ -33,7 +33,10 @@ Camera::Camera(const WorldRect& window, const PixelRect& viewport) : window_(win
   origin_ = {covered_.x - scale_ * window.low.x(), covered_.y + scale_ * window.high.y()};
 }
 
-WorldRect view_window(const World& world, const View& view) {
+namespace {
+
+// What is shown where nothing is followed.
+WorldRect fixed_window(const World& world, const View& view) {
   if (view.window) return *view.window;
   const Box& box = world.box;
   WorldRect rect = bounds(world);
@@ -51,6 +54,20 @@ WorldRect view_window(const World& world, const View& view) {
   // A single layer or nothing at all still gets a picture of some extent.
   rect.high = rect.high.cwiseMax(rect.low + Vec2::Constant(0.5));
   return rect;
+}
+
+}  // namespace
+
+bool follows_intruder(const World& world, const View& view) {
+  return view.follow && world.intruder() >= 0;
+}
+
+WorldRect view_window(const World& world, const View& view) {
+  const WorldRect fixed = fixed_window(world, view);
+  if (!follows_intruder(world, view)) return fixed;
+  const Vec2& at = world.disks.position[world.intruder()];
+  const Vec2 centre(world.wrapped_x(at.x()), at.y()), half = fixed.size() / 2;
+  return {centre - half, centre + half};
 }
 
 }  // namespace quicksand

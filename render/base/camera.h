@@ -48,5 +48,7 @@ class Camera {
 // Window of the world that a view shows, without margins: the given one, or the box, or what
 // contains the bodies. Never empty.
 WorldRect view_window(const World& world, const View& view);
+// Whether it is moved with an intruder that the world has.
+bool follows_intruder(const World& world, const View& view);
 
 }  // namespace quicksand

@@ -75,6 +75,8 @@ struct View {
   Fit fit = Fit::box;
   // Shown instead of what `fit` finds; keeps a film steady.
   std::optional<WorldRect> window = std::nullopt;
+  bool follow =
+      false;  // the window is moved so that the intruder, where there is one, is in its middle
   // What the first and the last colour stand for, of a colouring by a value with a unit [its unit]. Both 0: from the data.
   double colour_low = 0;
   double colour_high = 0;

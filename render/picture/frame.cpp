@@ -23,7 +23,7 @@ constexpr double kLeastSize = 0.3;
 // The window of the view with the room around it that is part of the world.
 WorldRect window_with_margins(const World& world, const View& view) {
   WorldRect window = view_window(world, view);
-  if (view.window) return window;
+  if (view.window || follows_intruder(world, view)) return window;
   if (world.box.width > 0) {
     const double side = world.box.sides == Sides::walls ? 0 : kImageMargin;
     window.low.x() -= side;

@@ -54,6 +54,22 @@ TEST_F(FilmPage, ShowsTheWindowThatIsAskedFor) {
   EXPECT_NE(page({}, view), whole);
 }
 
+// Each frame has a window of its own.
+TEST_F(FilmPage, FollowsTheIntruder) {
+  folder_.write("fall.json", R"({"gravity": {}, "box": {"width": 6, "height": 9},
+    "bodies": [{"position": [3, 8], "role": "intruder"}],
+    "phases": [{"type": "settle", "until_rest": false, "max_time": 1, "sample_every": 0.5}]})");
+  ASSERT_EQ(
+      run_program({"run", "fall.json", "--no-frames", "--out", "run", "--quiet", "--overwrite"},
+                  folder_.path())
+          .exit_code,
+      0);
+  const View still{.window = WorldRect{{1, 2}, {3, 4}}};
+  View moving = still;
+  moving.follow = true;
+  EXPECT_NE(page({}, moving), page({}, still));
+}
+
 TEST_F(FilmPage, HasTheScalesOfTheRunOrOfEachMoment) {
   const View from_data{.colouring = Colouring::speed, .forces = true};
   const std::string of_run = page({}, from_data);

@@ -40,6 +40,7 @@ TEST(ViewFields, OfARunComeBackFromTheWordsOfItsOptions) {
   view.width = 640, view.bonds = view.forces = true;
   view.colour_low = 0.1, view.colour_high = 1e3, view.force_scale = 2.5e4;
   view.window = WorldRect{{-1.5, 0}, {20, 12.25}};
+  view.follow = true;
   CLI::App app;
   PictureOptions options;
   add_picture_options(app, options);

@@ -79,6 +79,17 @@ TEST(ViewWindow, OfTheViewGoesBeforeAll) {
   EXPECT_EQ(view_window(worlds::arch(), view).high, Vec2(3, 4));
 }
 
+TEST(ViewWindow, ThatFollowsHasTheIntruderInItsMiddleAndItsOwnSize) {
+  World world;
+  world.box = {.width = 10, .height = 20, .sides = Sides::periodic, .floor = true};
+  View view{.window = WorldRect{{1, 2}, {3, 6}}, .follow = true};
+  EXPECT_EQ(view_window(world, view), *view.window) << "there is none";
+  world.disks.add({.position = Vec2(14, 5), .role = DiskRole::intruder});  // once around the box
+  EXPECT_EQ(view_window(world, view), (WorldRect{{3, 3}, {5, 7}}));
+  view.window.reset();
+  EXPECT_EQ(view_window(world, view), (WorldRect{{-1, -5}, {9, 15}}));
+}
+
 TEST(ViewWindow, IsNotEmptyInAnEmptyWorld) {
   World world;
   world.box.width = 0;
