@@ -78,7 +78,7 @@ void show_drives(PanelFrame& frame) {
            drive_curve(session, VanePhase::kName, "intruder_torque", "intruder_angle"));
   if (has_phase(session, SlidePhase::kName))
     w.plot("shear force over distance", "Shear force over distance [d]",
-           drive_curve(session, SlidePhase::kName, "piston_shear", "piston_x"));
+           drive_curve(session, SlidePhase::kName, "shear_force", "piston_x"));
 }
 
 }  // namespace

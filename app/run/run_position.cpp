@@ -30,6 +30,8 @@ void describe_row(Archive archive, AnyRow& row) {
   archive.added("external_work", row.external_work);
   archive.added("energy_dissipated", row.energy_dissipated);
   archive.added("energy_gained", row.energy_gained);
+  archive.added("shear_impulse", row.shear_impulse);
+  archive.added("shear_time", row.shear_time);
 }
 
 template <class Archive, class Position>

@@ -64,6 +64,7 @@ Json json_of(const DriveResult& found) {
     json["peak_friction"] = ratio(found.peak);
     json["residual_friction"] = ratio(found.residual);
     json["mean_friction"] = ratio(found.mean);
+    json["inertial_number"] = or_null(found.inertial_number);
   }
   if (found.drive != Drive::vane) return json;
   json["radius"] = found.radius;

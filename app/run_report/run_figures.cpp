@@ -167,35 +167,38 @@ struct DrivePlot {
   const char* way;  // column of series.csv
   Axis x, y;
   double sign;  // of the load
+  Curve::Kind kind = Curve::Kind::points;
   std::vector<TimeHistory> histories;
 };
 
 std::vector<DrivePlot> drive_plots() {
-  return {{.phase = "penetrate",
-           .caption = "Upward force of the contacts on the intruder, in total and by the part of "
-                      "its surface on which it acts.",
-           .way = "depth",
-           .x = {.label = "depth of the lowest point", .unit = "d"},
-           .y = {.label = "resistance", .unit = "F_g"},
-           .sign = 1,
-           .histories = {{"resistance", "total"},
-                         {"resistance_front", "front"},
-                         {"resistance_flank", "flank"},
-                         {"resistance_shaft", "shaft"}}},
-          {.phase = "vane",
-           .caption = "Torque of the contacts on the vane while it turns.",
-           .way = "intruder_angle",
-           .x = {.label = "angle", .unit = "rad"},
-           .y = {.label = "torque against the rotation", .unit = "F_g d"},
-           .sign = -1,
-           .histories = {{"intruder_torque", "torque"}}},
-          {.phase = "slide",
-           .caption = "Horizontal force of the sliding piston on the bodies.",
-           .way = "piston_x",
-           .x = {.label = "position of the piston along x", .unit = "d"},
-           .y = {.label = "shear force", .unit = "F_g"},
-           .sign = 1,
-           .histories = {{"piston_shear", "shear force"}}}};
+  return {
+      {.phase = "penetrate",
+       .caption = "Upward force of the contacts on the intruder, in total and by the part of "
+                  "its surface on which it acts.",
+       .way = "depth",
+       .x = {.label = "depth of the lowest point", .unit = "d"},
+       .y = {.label = "resistance", .unit = "F_g"},
+       .sign = 1,
+       .histories = {{"resistance", "total"},
+                     {"resistance_front", "front"},
+                     {"resistance_flank", "flank"},
+                     {"resistance_shaft", "shaft"}}},
+      {.phase = "vane",
+       .caption = "Torque of the contacts on the vane while it turns.",
+       .way = "intruder_angle",
+       .x = {.label = "angle", .unit = "rad"},
+       .y = {.label = "torque against the rotation", .unit = "F_g d"},
+       .sign = -1,
+       .histories = {{"intruder_torque", "torque"}}},
+      {.phase = "slide",
+       .caption = "Horizontal force of the sliding piston on the bodies: means between samples.",
+       .way = "piston_x",
+       .x = {.label = "position of the piston along x", .unit = "d"},
+       .y = {.label = "shear force", .unit = "F_g"},
+       .sign = 1,
+       .kind = Curve::Kind::line,
+       .histories = {{"shear_force", "shear force"}}}};
 }
 
 // Empty if no run has such a phase.
@@ -216,8 +219,10 @@ std::optional<Plot> plot_of_drive(const DrivePlot& described, std::span<const Ru
         load.push_back(described.sign * all_loads[i]);
       }
       if (!way.empty())
-        plot.curves.push_back(
-            {.name = single ? history.name : names[r], .x = std::move(way), .y = std::move(load)});
+        plot.curves.push_back({.name = single ? history.name : names[r],
+                               .kind = described.kind,
+                               .x = std::move(way),
+                               .y = std::move(load)});
       if (!single) break;  // the sum alone
     }
   }

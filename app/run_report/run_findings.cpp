@@ -68,8 +68,11 @@ std::vector<Block> found_by_searches(std::span<const RunResults> runs,
                               {"way", "driven to [d; vane: rad]"},
                               {"peak_strength", "vane: peak strength [F_g/d]"},
                               {"residual_strength", "residual strength [F_g/d]"},
-                              {"peak_friction", "slide: peak over normal load"},
-                              {"residual_friction", "residual over normal load"}});
+                              {"normal_load", "slide: normal load [F_g]"},
+                              {"peak_friction", "peak over normal load"},
+                              {"residual_friction", "residual over normal load"},
+                              {"mean_friction", "mean over normal load"},
+                              {"inertial_number", "inertial number"}});
   static constexpr auto kSamples =
       std::to_array<Finding>({{"interval", "interval [√(d/g)]"},
                               {"grains", "grains"},

@@ -31,8 +31,11 @@ void describe_fields(Fields& f, PistonPhase& p, const Scenario& scenario) {
            p.mass);
   describe_force(f, "downward force, in addition to the piston's weight", 0, p.force,
                  scenario.grain_law);
-  f.number({"ramp_time", "time in which the force rises from 0 to its value; 0: at once"},
-           between(0, kMaxTime, "sqrt(d/g)"), p.ramp_time);
+  f.number(
+      {"ramp_time",
+       "time in which the force goes from 0, or from that of a piston that stands, to its value; "
+       "0: at once"},
+      between(0, kMaxTime, "sqrt(d/g)"), p.ramp_time);
   describe_rest(f, p.rest_speed, p.rest_time, p.max_time);
   f.choice({"until",
             "whether the phase ends at rest of everything, or of the piston alone; counted from "
@@ -221,6 +224,8 @@ void describe_fields(Fields& f, SlidePhase& p, const Scenario& /*scenario*/) {
   f.number({"distance", "distance after which the phase ends", Presence::required},
            above(0, 1e6, "d"), p.distance);
   describe_ramp(f, "time in which the speed rises from 0 to its value; 0: at once", p.ramp_time);
+  f.number({"window", "distance over which the peak of the shear force is a mean"},
+           above(0, 1e6, "d"), p.window);
   describe_bonding(f, p.bonding, p.bonds);
 }
 

@@ -189,6 +189,13 @@ const Quantity kQuantities[] = {
     {"piston_shear", "F_g",
      "horizontal force of the same walls on the bodies in the last step, positive towards +x",
      [](const Row& r) { return or_none(r.sample.loads.piston_shear); }},
+    {"shear_force", "F_g",
+     "horizontal force of a piston that slides on the bodies, positive towards +x: mean since the "
+     "last sample",
+     [](const Row& r) {
+       return r.shear_time > 0 ? Value(r.shear_impulse / r.shear_time) : Value();
+     },
+     true},
     {"piston_x", "d", "how far the piston has slid towards +x since it was placed",
      [](const Row& r) { return or_none(r.sample.piston_x); }},
     {"external_work", "F_g d",

@@ -28,6 +28,8 @@ struct Row {
   std::int64_t unconverged = 0;     // steps since the last sample [1]
   std::int64_t trial = 0;           // Search::trial; 0: no force is sought
   double trial_force = 0;           // Search::force [F_g]
+  // Since the last sample, in steps in which a piston slides: its horizontal force on the bodies, and their time.
+  double shear_impulse = 0, shear_time = 0;  // [F_g sqrt(d/g), sqrt(d/g)]
   // Sums over all steps so far [F_g d], those of trials included.
   double external_work = 0, energy_dissipated = 0, energy_gained = 0;
   void take_energy(const ProtocolState& state);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/forces/wall_loads.h"
+
 namespace quicksand {
 
 SampledRun::SampledRun(const Scenario& scenario, Checkpoint start, std::optional<double> every,
@@ -37,7 +39,7 @@ Progress SampledRun::advance() {
   phase_index_ = before.phase;
   const Progress progress = advance_protocol();
   if (progress == Progress::given_up) return progress;
-  if (world().step != step_before) count(before);
+  if (world().step != step_before) count(before, world().time - time_before);
   if (times_.due(world().time) || progress == Progress::phase_ended) sample();
   return progress;
 }
@@ -55,7 +57,7 @@ void SampledRun::sample_every(std::optional<double> every) {
   times_of_ = -1;
 }
 
-void SampledRun::count(const ProtocolState& before) {
+void SampledRun::count(const ProtocolState& before, double time) {
   const ProtocolState& now = protocol_.state();
   const SolveReport& solve = protocol_.last_step().solve;
   Row& pending = samples_.pending;
@@ -66,6 +68,10 @@ void SampledRun::count(const ProtocolState& before) {
   pending.factorisations += now.factorisations - before.factorisations;
   pending.trial = now.search.trial;
   pending.trial_force = now.search.force;
+  if (samples_.phase == SlidePhase::kName) {
+    pending.shear_impulse += time * wall_loads(world()).piston_shear.value_or(0);
+    pending.shear_time += time;
+  }
   pending.unconverged += now.unconverged_steps - before.unconverged_steps;
 }
 

@@ -64,7 +64,7 @@ class SampledRun {
 
  private:
   Progress advance_protocol();
-  void count(const ProtocolState& before);
+  void count(const ProtocolState& before, double time);
 
   Protocol protocol_;
   std::optional<double> every_;

@@ -28,7 +28,7 @@ awk '/^```json/ { text = ""; inside = 1; next }
 
 # The shear cell: pressed, and sheared.
 "$quicksand" run shear_cell --no-frames --quiet --out shear_cell
-"$quicksand" render shear_cell --time 6,14 --window=-1,-1,21,22 --colour speed --colour-high 5 --forces --size 1400x860 \
+"$quicksand" render shear_cell --time 6,12.5 --window=-1,-1,21,22 --colour speed --colour-high 5 --forces --size 1400x860 \
   --text-size 28 --titles "pressed by the piston" "sheared by the sliding piston" --out "$pictures/shear_cell.png"
 
 # The panel, by the session that uses all of it.

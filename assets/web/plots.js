@@ -5,7 +5,7 @@ const kFirst = ["active_bond_fraction", "coordination", "depth"];
 // What a plot may be over, and what a scene with a driven intruder shows first.
 const kOver = {time: "time", depth: "depth", intruder_angle: "angle", piston_x: "distance"};
 const kOfDrive = {penetrate: ["resistance", "depth"], vane: ["intruder_torque", "intruder_angle"],
-  slide: ["piston_shear", "piston_x"]};
+  slide: ["shear_force", "piston_x"]};
 const kRoom = {left: 46, right: 8, top: 7, bottom: 18};
 const kMostSteps = 3;  // between the ticks of the ordinate
 const kTickRoom = 45;  // of a tick of the abscissa [px]

@@ -99,7 +99,8 @@ bool possible(const AdiabaticDeposit& sample) {
 bool possible(const DriveResult& found) {
   return found.phase >= 0 && found.drive <= Drive::slide &&
          finite(found.peak.value_or(0), found.peak_at.value_or(0), found.residual.value_or(0),
-                found.mean.value_or(0), found.way, found.normal_load.value_or(0)) &&
+                found.mean.value_or(0), found.way, found.normal_load.value_or(0),
+                found.inertial_number.value_or(0)) &&
          (found.drive == Drive::slide || positive(found.radius)) && found.cleared >= 0;
 }
 

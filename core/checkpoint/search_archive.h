@@ -64,8 +64,9 @@ void describe_search_results(Archive& archive, State& state) {
     a.value("way", found.way);
     a.value("radius", found.radius);
     a.value("cleared", found.cleared);
-    if (a.has("normal_load", found.normal_load.has_value()))
-      a.optional("normal_load", found.normal_load);
+    if (!a.has("normal_load", found.normal_load.has_value())) return;
+    a.optional("normal_load", found.normal_load);
+    a.optional("inertial_number", found.inertial_number);
   });
 }
 

@@ -26,6 +26,8 @@ struct DriveResult {
   std::int64_t cleared = 0;  // grains that made room
   // Of a piston that slides: the force with which it presses, its weight included [F_g].
   std::optional<double> normal_load = {};
+  // ... and speed over height times sqrt(mass of a grain over normal stress), where all of these are known [1].
+  std::optional<double> inertial_number = {};
 
   bool operator==(const DriveResult&) const = default;
 };

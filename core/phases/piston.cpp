@@ -1,4 +1,4 @@
-// The phase "piston": a horizontal wall with mass presses from above. Its force rises linearly in time.
+// The phase "piston": a horizontal wall with mass presses from above. Its force rises or falls linearly in time.
 #include <optional>
 
 #include "core/measures/measures.h"
@@ -24,16 +24,19 @@ class Piston final : public RunningPhaseOf<PistonPhase> {
     World& world = stage.world;
     stage.form_bonds(settings().bonding, settings().bonds);
     if (world.bonds.initial == 0) world.bonds.mark_initial();
-    world.walls.push_back({.point = {0, highest_point(world)},
-                           .normal = {0, -1},
-                           .mass = settings().mass,
-                           .role = WallRole::piston});
+    if (world.walls.empty() || !is_pressing_piston(world.walls.back()))
+      world.walls.push_back(
+          {.point = {0, highest_point(world)}, .normal = {0, -1}, .role = WallRole::piston});
+    world.walls.back().mass = settings().mass;
+    stage.state.memory["force_before"] = world.walls.back().force;
   }
 
   void before_step(Stage& stage) override {
     const double ramp = settings().ramp_time, force = settings().force;
+    const double before = stage.state.memory["force_before"];
     const bool full = ramp == 0 || stage.lasted(ramp);
-    stage.world.walls.back().force = full ? force : force * stage.since_start() / ramp;
+    stage.world.walls.back().force =
+        full ? force : before + (force - before) * stage.since_start() / ramp;
   }
 
   bool finished(Stage& stage) override {

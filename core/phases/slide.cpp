@@ -5,6 +5,7 @@
 #include "core/base/errors.h"
 #include "core/forces/wall_loads.h"
 #include "core/phases/drive.h"
+#include "core/world/extent.h"
 
 namespace quicksand {
 
@@ -30,17 +31,31 @@ class Slide final : public RunningPhaseOf<SlidePhase> {
                .rate = std::abs(phase.speed),
                .load = 0,
                .whole = phase.distance,
-               .window = 0.1} {}
+               .window = phase.window} {}
 
   void begin(Stage& stage) override {
     World& world = stage.world;
+    const std::string where = "phases[" + std::to_string(stage.state.phase) + "]";
     if (piston_in(world) < 0)
-      throw InputError("phases[" + std::to_string(stage.state.phase) + "]",
-                       "needs a piston that presses on the packing, but there is none");
+      throw InputError(where, "needs a piston that presses on the packing, but there is none");
+    if (const double load = normal_load(world); load <= 0)
+      throw InputError(where,
+                       "needs a piston that presses on the packing, but the force of this one, "
+                       "with its weight, is " +
+                           message_number(load) + " F_g");
     stage.form_bonds(settings().bonding, settings().bonds);
     if (world.bonds.initial == 0) world.bonds.mark_initial();
-    stage.state.memory["start"] = piston_of(world).point.x();
-    begin_way(stage, 0);
+    begin_account(stage);
+  }
+
+  // A piston that turns back begins a way of its own.
+  void settings_changed(Stage& stage, const Phase& before) override {
+    RunningPhaseOf::settings_changed(stage, before);
+    const auto* earlier = std::get_if<SlidePhase>(&before.kind);
+    if (!earlier || (earlier->speed > 0) == (settings().speed > 0)) return;
+    stage.state.memory.clear();
+    begin_account(stage);
+    take_unrecorded_time(stage);
   }
 
   void before_step(Stage& stage) override {
@@ -61,8 +76,8 @@ class Slide final : public RunningPhaseOf<SlidePhase> {
   void end(Stage& stage) override {
     World& world = stage.world;
     Wall& piston = piston_of(world);
-    const double weight = world.gravity ? piston.mass * world.gravity->dot(piston.normal) : 0;
-    keep_account(stage, setup_, way_of(stage), {.normal_load = piston.force + weight});
+    keep_account(stage, setup_, way_of(stage),
+                 {.normal_load = normal_load(world), .inertial_number = inertial_number(world)});
     piston.velocity.x() = 0;
   }
 
@@ -73,6 +88,22 @@ class Slide final : public RunningPhaseOf<SlidePhase> {
   // Of sums of a step's ways, relative.
   static constexpr double kRounding = 1e-9;
 
+  static void begin_account(Stage& stage) {
+    stage.state.memory["start"] = piston_of(stage.world).point.x();
+    begin_way(stage, 0);
+  }
+  // With the weight of the piston. [F_g]
+  static double normal_load(const World& world) {
+    const Wall& piston = piston_of(world);
+    return piston.force + (world.gravity ? piston.mass * world.gravity->dot(piston.normal) : 0);
+  }
+  // Shear rate times sqrt(m/P), P the normal stress [da Cruz 2005]. [1]
+  std::optional<double> inertial_number(const World& world) const {
+    const double height = piston_of(world).point.y() - packing_bottom(world);
+    const std::optional<double> width = room_width(world);
+    if (!width || height <= 0) return std::nullopt;
+    return *setup_.rate / height * std::sqrt(*width / normal_load(world));
+  }
   double way_of(const Stage& stage) const {
     return (piston_of(stage.world).point.x() - stage.state.memory.at("start")) *
            setup_.direction.x();

@@ -101,6 +101,7 @@ struct PhaseValues {
     finite("speed", p.speed);
     positive("distance", p.distance);
     not_negative("ramp_time", p.ramp_time);
+    positive("window", p.window);
   }
   void operator()(const PenetratePhase& p) const {
     check_shape(p.shape, where + ".shape");

@@ -133,7 +133,7 @@ struct HealPhase {
 };
 
 // A horizontal piston is laid on top of the packing and presses it down with its weight and a force
-// that rises linearly from 0. Ends at max_time, or when the packing no longer yields: at rest after the
+// that rises linearly from 0. Where the last wall is a piston already, that one is loaded anew, from its present force. Ends at max_time, or when the packing no longer yields: at rest after the
 // ramp. Marks the bonds as initial ones unless some are marked already.
 struct PistonPhase {
   static constexpr std::string_view kName = "piston";
@@ -158,6 +158,7 @@ struct SlidePhase {
   double speed = 0;      // towards +x; not 0 [sqrt(g d)]
   double distance = 1;   // [d]
   double ramp_time = 0;  // in which the speed rises linearly from 0 [sqrt(d/g)]; 0: at once
+  double window = 1;     // of the way, over which the peak is a mean [d]
   bool bonding = false;
   BondingTouch bonds = BondingTouch::first;
   bool operator==(const SlidePhase&) const = default;

@@ -1,6 +1,7 @@
 #include "core/scene/validate.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/errors.h"
 #include "core/scene/check_values.h"
@@ -121,7 +122,19 @@ void check_one_intruder(const Scenario& scenario, std::size_t phase, const std::
 
 void check_slide(const Scenario& scenario, const SlidePhase& slide, std::size_t phase,
                  const std::string& where) {
-  if (slide.speed == 0) throw InputError(where + ".speed", "is 0; the piston would never arrive");
+  const double speed = std::abs(slide.speed);
+  constexpr double kLongest = 1e9;  // as of all times [sqrt(d/g)]
+  if (!(slide.ramp_time / 2 + slide.distance / speed <= kLongest))
+    throw InputError(where + ".speed", "is " + message_number(slide.speed) +
+                                           " sqrt(g d); the piston would not have slid by " +
+                                           message_number(slide.distance) + " d after a time of " +
+                                           message_number(kLongest) + " sqrt(d/g)");
+  const double dt = scenario.phases[phase].dt.value_or(scenario.step.dt);
+  if (speed * dt > slide.distance)
+    throw InputError(where + ".speed", "is " + message_number(slide.speed) +
+                                           " sqrt(g d); with dt = " + message_number(dt) +
+                                           " the piston would slide by more than its distance of " +
+                                           message_number(slide.distance) + " d in one step");
   const auto before = scenario.phases.begin() + static_cast<std::ptrdiff_t>(phase);
   if (std::any_of(scenario.phases.begin(), before, leaves_piston) || !scenario.start_from.empty() ||
       std::ranges::any_of(scenario.walls, is_pressing_piston))

@@ -229,6 +229,8 @@ TEST_F(SearchRun, OfASlideTellsTheRatioOfShearToNormalForceAndReportsIt) {
   ASSERT_EQ(run_program({"report", "out"}, folder_.path()).exit_code, 0);
   EXPECT_NE(text("report.md").find("| slide | "), std::string::npos);
   EXPECT_TRUE(has("plots/slide_load.png"));
+  // The mean over the steps since the sample before, whatever their number.
+  EXPECT_NEAR(parse_json(text("summary.json"))["shear_force"].get<double>(), 0.3 * 32, 1e-5);
 }
 
 TEST_F(SearchRun, OfASlideGoesOnFromAStateWithAPistonOnly) {

@@ -179,6 +179,28 @@ TEST_P(Piston, ThatStaysPressesOn) {
   EXPECT_NEAR(*measure(run.world()).piston_y, kGrains, tolerance::solved());
 }
 
+// As in a staged test: the next load goes onto the plate that stands.
+TEST_P(Piston, OfASecondPhaseIsTheOneThatStandsLoadedAnew) {
+  Scenario scene = pressed_column(GetParam(), staying());
+  PistonPhase heavier = staying();
+  heavier.mass = kMass + 1;
+  heavier.force = 3 * kForce;
+  scene.phases.push_back({heavier});
+  PhaseRun run(scene);
+  run.to_end_of_phase();
+  const std::size_t walls = run.world().walls.size();
+  const double start = run.world().time;
+  ASSERT_EQ(run.protocol.advance(), Progress::running);
+  ASSERT_EQ(run.protocol.advance(), Progress::running);
+  EXPECT_NEAR(run.load(), kMass + 1 + kForce * (1 + 2 * kTimeStep / kRamp),
+              tolerance::solved(kForce))
+      << "from the force that it had";
+  run.to_end_of_phase();
+  EXPECT_EQ(run.world().walls.size(), walls);
+  EXPECT_NEAR(run.load(), kMass + 1 + 3 * kForce, tolerance::solved(kForce));
+  EXPECT_NEAR(run.world().time - start, kRamp + kPiston.rest_time, 2 * kTimeStep);
+}
+
 TEST(PistonPlace, IsTheTopOfAllBodiesIntrudersIncluded) {
   Scenario scene = pressed_column(Method::automatic, kPiston);
   scene.disks.push_back({.position = {1, 4.5}, .radius = 0.7, .role = DiskRole::intruder});

@@ -140,6 +140,28 @@ TEST_P(Slide, WorkIsDissipatedByFriction) {
   EXPECT_NEAR(run.state().drive_results.at(0).mean.value() * 0.4, work, tolerance::solved(kOnTop));
 }
 
+// Speed over height times the square root of mass over normal stress.
+TEST_P(Slide, TellsItsInertialNumber) {
+  const DriveResult found = slide(rollers(GetParam(), 0.3, 10));
+  EXPECT_NEAR(found.inertial_number.value(), 0.5 / 1 * std::sqrt(6 / kOnTop), tolerance::solved());
+}
+
+// Turned back by hand, it has its whole distance to go from there, and its account is of that alone.
+TEST(SlideThatTurnsBack, BeginsAnew) {
+  const Scenario scene = rollers(Method::automatic, 0.3, 10);
+  Protocol run(scene, make_world(scene));
+  finish_phase(run);
+  for (int k = 0; k < 40; ++k) ASSERT_EQ(run.advance(), Progress::running);
+  Scenario turned = scene;
+  std::get<SlidePhase>(turned.phases[1].kind).speed = -0.5;
+  run.change(turned);
+  ASSERT_EQ(finish_phase(run), Progress::phase_ended);
+  const DriveResult& found = run.state().drive_results.at(0);
+  EXPECT_NEAR(measure(run.world()).piston_x.value(), 0.2 - 0.4, tolerance::rounding());
+  EXPECT_NEAR(found.way, 0.4, tolerance::rounding());
+  EXPECT_NEAR(found.mean.value(), 0.3 * kOnTop, tolerance::solved(kOnTop));
+}
+
 // A wall of the scene that presses from above is a piston, too.
 TEST(SlidingWall, MayBeOneOfTheScene) {
   Scenario scene = rollers(Method::automatic, 0.3, 10);
@@ -164,14 +186,30 @@ TEST(Validation, RefusesASlideWithoutAPistonThatStays) {
   std::get<PistonPhase>(removed.phases[0].kind).remove = true;
   Scenario resting = scene;
   std::get<SlidePhase>(resting.phases[1].kind).speed = 0;
+  Scenario slow = scene;
+  std::get<SlidePhase>(slow.phases[1].kind).speed = 1e-300;
+  Scenario hasty = scene;
+  std::get<SlidePhase>(hasty.phases[1].kind).speed = 100;  // 1 d in a step
   Scenario late = scene;
   std::swap(late.phases[0], late.phases[1]);
-  for (const Scenario& spoilt : {removed, resting, late})
+  for (const Scenario& spoilt : {removed, resting, slow, hasty, late})
     EXPECT_THROW(validate(spoilt), InputError);
   // Whoever takes it away by hand is told so when the phase begins.
   World world = make_world(removed);
   Protocol run(removed, world);
   finish_phase(run);
+  EXPECT_THROW(run.advance(), InputError);
+}
+
+TEST(SlidingWall, RefusesAPistonThatPullsAwayWhenItBegins) {
+  Scenario scene = rollers(Method::automatic, 0.3, 0);
+  scene.phases.erase(scene.phases.begin());
+  scene.walls = {{.point = {3, 1},
+                  .normal = {0, -1},
+                  .mass = kPistonWeight,
+                  .force = -3 * kPistonWeight,
+                  .role = WallRole::piston}};
+  Protocol run(scene, make_world(scene));
   EXPECT_THROW(run.advance(), InputError);
 }
 
