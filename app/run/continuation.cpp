@@ -35,8 +35,7 @@ class SetUpBy {
     return with_search({"shape", "density", "x", "depth", "clear", "threshold"},
                        p.threshold.has_value(), "torque");
   }
-  // The account of the way has a direction.
-  Keys operator()(const SlidePhase&) const { return {"speed"}; }
+  Keys operator()(const SlidePhase&) const { return {}; }
 
  private:
   // A search has made use of its first force.

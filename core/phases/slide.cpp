@@ -48,17 +48,9 @@ class Slide final : public RunningPhaseOf<SlidePhase> {
     begin_account(stage);
   }
 
-  // A piston that turns back begins a way of its own.
-  void settings_changed(Stage& stage, const Phase& before) override {
-    RunningPhaseOf::settings_changed(stage, before);
-    const auto* earlier = std::get_if<SlidePhase>(&before.kind);
-    if (!earlier || (earlier->speed > 0) == (settings().speed > 0)) return;
-    stage.state.memory.clear();
-    begin_account(stage);
-    take_unrecorded_time(stage);
-  }
-
   void before_step(Stage& stage) override {
+    // One that is turned back under way begins a way of its own.
+    if (stage.state.memory.at("direction") != setup_.direction.x()) begin_account(stage);
     Wall& piston = piston_of(stage.world);
     piston.velocity.x() =
         ramp_share(stage, settings().ramp_time) * *setup_.rate * setup_.direction.x();
@@ -88,7 +80,9 @@ class Slide final : public RunningPhaseOf<SlidePhase> {
   // Of sums of a step's ways, relative.
   static constexpr double kRounding = 1e-9;
 
-  static void begin_account(Stage& stage) {
+  void begin_account(Stage& stage) const {
+    stage.state.memory = {{"direction", setup_.direction.x()}};
+    take_unrecorded_time(stage);
     stage.state.memory["start"] = piston_of(stage.world).point.x();
     begin_way(stage, 0);
   }
@@ -101,8 +95,9 @@ class Slide final : public RunningPhaseOf<SlidePhase> {
   std::optional<double> inertial_number(const World& world) const {
     const double height = piston_of(world).point.y() - packing_bottom(world);
     const std::optional<double> width = room_width(world);
-    if (!width || height <= 0) return std::nullopt;
-    return *setup_.rate / height * std::sqrt(*width / normal_load(world));
+    const double load = normal_load(world);
+    if (!width || height <= 0 || load <= 0) return std::nullopt;
+    return *setup_.rate / height * std::sqrt(*width / load);
   }
   double way_of(const Stage& stage) const {
     return (piston_of(stage.world).point.x() - stage.state.memory.at("start")) *
