@@ -11,19 +11,32 @@ namespace quicksand {
 
 namespace {
 
+// All as one: the first, with the others told after it.
+[[noreturn]] void throw_together(const std::vector<InputError>& errors) {
+  constexpr std::size_t kMost = 10;
+  std::string told = errors.front().what();
+  for (std::size_t k = 1; k < std::min(kMost, errors.size()); ++k)
+    told += "\n  and " + errors[k].path() + ": " + errors[k].what();
+  if (errors.size() > kMost) told += "\n  and " + std::to_string(errors.size() - kMost) + " more";
+  throw InputError(errors.front().path(), told, errors.front().nearest());
+}
+
 class JsonReader : public Fields {
  public:
   JsonReader(const Json& object, std::string path, std::string whole)
       : object_(&object), path_(std::move(path)), whole_(std::move(whole)) {}
 
-  // After the visit: throws InputError if a key was not asked for.
+  // After the visit: throws InputError if keys were not asked for.
   void refuse_unknown_keys() const {
+    std::vector<InputError> errors;
     for (const auto& [key, value] : object_->items()) {
-      if (std::ranges::find(known_, key) == known_.end()) {
+      if (std::ranges::find(known_, key) != known_.end()) continue;
+      collect(errors, [&] {
         refuse_name(place(shortened(key)),
                     "is not a key of " + (path_.empty() ? whole_ : "this object"), key, known_);
-      }
+      });
     }
+    if (!errors.empty()) throw_together(errors);
   }
 
   const std::vector<std::string>& known() const { return known_; }
@@ -70,13 +83,26 @@ class JsonReader : public Fields {
     }
     refuse_longer_list(*found, most, place(field.name));
     resize(found->size());
+    std::vector<InputError> errors;  // of objects that do not depend on each other
     for (std::size_t i = 0; i < found->size(); ++i) {
-      read_fields((*found)[i], {}, [&](Fields& f) { visit(f, i); },
-                  place(field.name) + "[" + std::to_string(i) + "]");
+      collect(errors, [&] {
+        read_fields((*found)[i], {}, [&](Fields& f) { visit(f, i); },
+                    place(field.name) + "[" + std::to_string(i) + "]");
+      });
     }
+    if (!errors.empty()) throw_together(errors);
   }
 
  private:
+  template <class Read>
+  static void collect(std::vector<InputError>& errors, Read read) {
+    try {
+      read();
+    } catch (const InputError& error) {
+      errors.push_back(error);
+    }
+  }
+
   // The value of a key, or null if it is absent; throws if it is required.
   const Json* find(const Field& field) {
     known_.emplace_back(field.name);

@@ -47,6 +47,26 @@ TEST_F(RefusedInput, DifferencesReplaceNoFileButAPicture) {
   EXPECT_EQ(contents(at("notes.txt")), "mine");
 }
 
+TEST_F(RefusedInput, AllMistakesInAListAreToldAtOnceAndAllUnknownKeysOfAnObject) {
+  const auto refused = [&](const std::string& phases, const std::string& answer) {
+    folder_.write("wrong.json",
+                  R"({"box": {"width": 6, "height": 8}, "phases": [)" + phases + "]}");
+    expect_refused({"check", "wrong.json"}, "wrong.json: " + answer);
+  };
+  refused(R"({"type": "settle", "max_time": "long"}, {"type": "heal"},
+             {"type": "settle", "max_tim": 1, "rest_sped": 2})",
+          "phases[0].max_time: is the text \"long\", must be a number above 0 and at most 1e+09 "
+          "sqrt(d/g)\n"
+          "  and phases[2].max_tim: is not a key of this object; did you mean \"max_time\"?\n"
+          "  and phases[2].rest_sped: is not a key of this object; did you mean \"rest_speed\"?");
+  std::string many = R"({"type": "x"})";
+  for (int k = 1; k < 12; ++k) many += R"(, {"type": "x"})";
+  folder_.write("wrong.json", R"({"box": {"width": 6, "height": 8}, "phases": [)" + many + "]}");
+  const std::string told = quicksand({"check", "wrong.json"}).err;
+  EXPECT_NE(told.find("phases[9]"), std::string::npos);
+  EXPECT_TRUE(told.ends_with("\n  and 2 more\n")) << told;
+}
+
 TEST_F(RefusedInput, ACurrentFolderThatWasRemovedIsTold) {
   const std::string command = "cd " + shell_text(folder_.path()) +
                               " && mkdir gone && cd gone && rmdir ../gone && " QUICKSAND_PROGRAM
