@@ -244,8 +244,11 @@ void check_phase(const Session& session, const Phase& phase, const std::string& 
   const auto* piston = present && now.entered ? std::get_if<PistonPhase>(&present->kind) : nullptr;
   // The phase under way ends, and takes its piston with it.
   const std::size_t leaving = piston && piston->remove ? 1 : 0;
-  const std::string problem = problem_of_beginning(
-      phase, world, {.phase = "this phase", .walls = world.walls.size() - leaving});
+  const std::string problem =
+      problem_of_beginning(phase, world,
+                           {.phase = "this phase",
+                            .walls = world.walls.size() - leaving,
+                            .piston_stands = leaving == 0 && pressing_piston(world) >= 0});
   if (!problem.empty()) throw InputError(place, "cannot begin: the world " + problem);
   scenario.disks.clear();
   scenario.phases.assign(1, phase);

@@ -11,13 +11,14 @@ namespace quicksand {
 
 namespace {
 
+constexpr std::size_t kMostMistakes = 10;  // that are told at once, of one list or object
+
 // All as one: the first, with the others told after it.
 [[noreturn]] void throw_together(const std::vector<InputError>& errors) {
-  constexpr std::size_t kMost = 10;
   std::string told = errors.front().what();
-  for (std::size_t k = 1; k < std::min(kMost, errors.size()); ++k)
+  for (std::size_t k = 1; k < errors.size(); ++k)
     told += "\n  and " + errors[k].path() + ": " + errors[k].what();
-  if (errors.size() > kMost) told += "\n  and " + std::to_string(errors.size() - kMost) + " more";
+  if (errors.size() == kMostMistakes) told += "\n  and there may be more";
   throw InputError(errors.front().path(), told, errors.front().nearest());
 }
 
@@ -30,6 +31,7 @@ class JsonReader : public Fields {
   void refuse_unknown_keys() const {
     std::vector<InputError> errors;
     for (const auto& [key, value] : object_->items()) {
+      if (errors.size() == kMostMistakes) break;
       if (std::ranges::find(known_, key) != known_.end()) continue;
       collect(errors, [&] {
         refuse_name(place(shortened(key)),
@@ -84,7 +86,7 @@ class JsonReader : public Fields {
     refuse_longer_list(*found, most, place(field.name));
     resize(found->size());
     std::vector<InputError> errors;  // of objects that do not depend on each other
-    for (std::size_t i = 0; i < found->size(); ++i) {
+    for (std::size_t i = 0; i < found->size() && errors.size() < kMostMistakes; ++i) {
       collect(errors, [&] {
         read_fields((*found)[i], {}, [&](Fields& f) { visit(f, i); },
                     place(field.name) + "[" + std::to_string(i) + "]");

@@ -47,7 +47,11 @@ void show_actions(PanelFrame& frame) {
       frame.command("pull", {{"first_force", entries.pull_force}});
     }
   }
-  if (act(frame, {"Piston", {}, "Places a piston on the packing and presses it down."},
+  if (act(frame,
+          {"Piston",
+           {},
+           "Places a piston on the packing, or takes the one that stands, presses it down and "
+           "removes it."},
           {"piston force", {}, "Downward, in addition to the piston's weight.", "F_g", true},
           entries.piston_force)) {
     frame.command("piston", {{"mass", 1}, {"force", entries.piston_force}, {"max_time", kLongest}});

@@ -62,17 +62,21 @@ bool needs_intruder(const Phase& phase) {
 
 // validate() could not know what the state holds.
 void require_beginnings(const Scenario& scenario, const World& state) {
-  bool brought = false, left = false;  // an intruder, a piston, by an earlier phase
+  bool brought = false;  // an intruder, by an earlier phase
+  const bool at_first = pressing_piston(state) >= 0;
+  bool stands = at_first;
   for (std::size_t k = 0; k < scenario.phases.size(); ++k) {
     const Phase& phase = scenario.phases[k];
+    // The state's own piston may have been taken away.
+    const std::size_t walls = state.walls.size() - (at_first && !stands ? 1 : 0);
     const std::string problem = problem_of_beginning(phase, state,
                                                      {.phase = "phases[" + std::to_string(k) + "]",
-                                                      .walls = state.walls.size(),
+                                                      .walls = walls,
                                                       .intruder_comes = brought,
-                                                      .piston_comes = left});
+                                                      .piston_stands = stands});
     if (!problem.empty()) throw InputError(scenario.start_from, problem);
     brought = brought || brings_intruder(phase);
-    left = left || leaves_piston(phase);
+    stands = piston_stands_after(phase, stands);
   }
 }
 
@@ -106,9 +110,7 @@ std::string problem_of_beginning(const Phase& phase, const World& world,
   if (needs_intruder(phase) && !has_intruder && !beginning.intruder_comes)
     return "has no intruder, but " + beginning.phase + ", a " + std::string(phase_name(phase)) +
            ", needs one";
-  const auto walls = world.walls.begin();
-  if (std::holds_alternative<SlidePhase>(phase.kind) && !beginning.piston_comes &&
-      std::none_of(walls, walls + static_cast<std::ptrdiff_t>(beginning.walls), is_pressing_piston))
+  if (std::holds_alternative<SlidePhase>(phase.kind) && !beginning.piston_stands)
     return "has no piston that stays, but " + beginning.phase + ", a slide, needs one";
   if (places_from_above(phase))
     if (const std::string wall = wall_in_the_way(world, beginning.walls); !wall.empty())

@@ -54,7 +54,7 @@ struct Beginning {
   std::string phase;            // what messages call it
   std::size_t walls = 0;        // of the world's, the first so many; the others leave before
   bool intruder_comes = false;  // before it
-  bool piston_comes = false;    // before it, and stays
+  bool piston_stands = false;   // by then
 };
 // What of the world a phase cannot begin in, as a sentence about the world: "has a piston in the way of ..."; empty if it
 // can. validate() knows of the scene alone.

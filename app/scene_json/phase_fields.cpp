@@ -148,8 +148,10 @@ constexpr PhaseKind kKinds[] = {
     {HealPhase::kName, "Restores the bonds of touching pairs. No time passes.",
      R"({"command": "heal"})"},
     {PistonPhase::kName,
-     "A wall with mass is placed on the packing and presses it down. If the piston of an earlier "
-     "phase still stands, that one gets this mass, and its force goes over to this one.",
+     "A wall with mass is placed on the packing and presses it down. If the last wall is a piston "
+     "already, of an earlier phase or of walls, that one gets this mass, and its force goes over "
+     "to "
+     "this one.",
      R"({"command": "piston", "mass": 10, "force": 1e4, "max_time": 5})"},
     {PenetratePhase::kName,
      "An intruder of any shape is driven into the packing, at a given speed or by a given force. "

@@ -196,7 +196,8 @@ const Quantity kQuantities[] = {
        return r.shear_time > 0 ? Value(r.shear_impulse / r.shear_time) : Value();
      },
      true},
-    {"piston_x", "d", "how far the piston has slid towards +x since it was placed",
+    {"piston_x", "d",
+     "x of the point that fixes the piston: how far it has slid, of one that a phase placed",
      [](const Row& r) { return or_none(r.sample.piston_x); }},
     {"external_work", "F_g d",
      "work of gravity, forces and prescribed motion since the run began, trials included",

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/forces/wall_loads.h"
-
 namespace quicksand {
 
 SampledRun::SampledRun(const Scenario& scenario, Checkpoint start, std::optional<double> every,
@@ -57,6 +55,16 @@ void SampledRun::sample_every(std::optional<double> every) {
   times_of_ = -1;
 }
 
+namespace {
+
+// Of the present phase, a slide. [F_g sqrt(d/g)]
+double shear_impulse(const ProtocolState& state) {
+  const auto found = state.memory.find(kShearImpulse);
+  return found == state.memory.end() ? 0 : found->second;
+}
+
+}  // namespace
+
 void SampledRun::count(const ProtocolState& before, double time) {
   const ProtocolState& now = protocol_.state();
   const SolveReport& solve = protocol_.last_step().solve;
@@ -69,7 +77,7 @@ void SampledRun::count(const ProtocolState& before, double time) {
   pending.trial = now.search.trial;
   pending.trial_force = now.search.force;
   if (samples_.phase == SlidePhase::kName) {
-    pending.shear_impulse += time * wall_loads(world()).piston_shear.value_or(0);
+    pending.shear_impulse += shear_impulse(now) - (before.entered ? shear_impulse(before) : 0);
     pending.shear_time += time;
   }
   pending.unconverged += now.unconverged_steps - before.unconverged_steps;

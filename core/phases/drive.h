@@ -61,11 +61,14 @@ class DrivePhaseOf : public RunningPhaseOf<Settings> {
     drive_on(stage, setup_, stage.world.intruder(), settings().ramp_time);
   }
 
+  void after_part(Stage& stage) override {
+    if (!settings().threshold)
+      record_load(stage, setup_, resistance(stage), take_unrecorded_time(stage), way(stage));
+  }
+
   bool finished(Stage& stage) override {
     const bool there = way(stage) >= setup_.whole;
     if (settings().threshold) return search_is_over(stage, trials(), there, RestOf::driven);
-    if (const double time = take_unrecorded_time(stage); time > 0)
-      record_load(stage, setup_, resistance(stage), time, way(stage));
     if (there || stage.lasted(settings().max_time)) return true;
     if (setup_.rate || !stage.lasted(settings().ramp_time)) return false;
     return stage.rested(speed(stage) <= settings().rest_speed, settings().rest_time);

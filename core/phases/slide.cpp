@@ -11,15 +11,10 @@ namespace quicksand {
 
 namespace {
 
-// Index of the last piston; -1: there is none.
-int piston_in(const World& world) {
-  for (int k = static_cast<int>(world.walls.size()) - 1; k >= 0; --k)
-    if (is_pressing_piston(world.walls[static_cast<std::size_t>(k)])) return k;
-  return -1;
-}
-
 // Of a world, constant or not, that has one.
-auto& piston_of(auto& world) { return world.walls[static_cast<std::size_t>(piston_in(world))]; }
+auto& piston_of(auto& world) {
+  return world.walls[static_cast<std::size_t>(pressing_piston(world))];
+}
 
 class Slide final : public RunningPhaseOf<SlidePhase> {
  public:
@@ -36,7 +31,7 @@ class Slide final : public RunningPhaseOf<SlidePhase> {
   void begin(Stage& stage) override {
     World& world = stage.world;
     const std::string where = "phases[" + std::to_string(stage.state.phase) + "]";
-    if (piston_in(world) < 0)
+    if (pressing_piston(world) < 0)
       throw InputError(where, "needs a piston that presses on the packing, but there is none");
     if (const double load = normal_load(world); load <= 0)
       throw InputError(where,
@@ -49,28 +44,27 @@ class Slide final : public RunningPhaseOf<SlidePhase> {
   }
 
   void before_step(Stage& stage) override {
-    // One that is turned back under way begins a way of its own.
-    if (stage.state.memory.at("direction") != setup_.direction.x()) begin_account(stage);
+    take_turn(stage);
     Wall& piston = piston_of(stage.world);
     piston.velocity.x() =
         ramp_share(stage, settings().ramp_time) * *setup_.rate * setup_.direction.x();
   }
 
-  bool finished(Stage& stage) override {
-    const double way = way_of(stage);
-    if (const double time = take_unrecorded_time(stage); time > 0) {
-      const Vec2 force = force_on_wall(stage.world, piston_in(stage.world));
-      record_load(stage, setup_, -force.x() * setup_.direction.x(), time, way);
-    }
-    return way >= setup_.whole * (1 - kRounding);
+  void after_part(Stage& stage) override {
+    const double time = take_unrecorded_time(stage);
+    const double force = -force_on_wall(stage.world, pressing_piston(stage.world)).x();
+    stage.state.memory[kShearImpulse] += time * force;
+    record_load(stage, setup_, force * setup_.direction.x(), time, way_of(stage));
   }
 
+  bool finished(Stage& stage) override { return way_of(stage) >= setup_.whole * (1 - kRounding); }
+
   void end(Stage& stage) override {
+    take_turn(stage);
     World& world = stage.world;
-    Wall& piston = piston_of(world);
     keep_account(stage, setup_, way_of(stage),
                  {.normal_load = normal_load(world), .inertial_number = inertial_number(world)});
-    piston.velocity.x() = 0;
+    piston_of(world).velocity.x() = 0;
   }
 
   double progress(const Stage& stage) const override { return way_of(stage) / setup_.whole; }
@@ -80,8 +74,13 @@ class Slide final : public RunningPhaseOf<SlidePhase> {
   // Of sums of a step's ways, relative.
   static constexpr double kRounding = 1e-9;
 
+  // One that is turned back under way begins a way of its own, at full speed where its ramp is over.
+  void take_turn(Stage& stage) const {
+    if (stage.state.memory.at("direction") != setup_.direction.x()) begin_account(stage);
+  }
   void begin_account(Stage& stage) const {
-    stage.state.memory = {{"direction", setup_.direction.x()}};
+    stage.state.memory = {{"direction", setup_.direction.x()},
+                          {kShearImpulse, stage.state.memory[kShearImpulse]}};
     take_unrecorded_time(stage);
     stage.state.memory["start"] = piston_of(stage.world).point.x();
     begin_way(stage, 0);
@@ -91,7 +90,7 @@ class Slide final : public RunningPhaseOf<SlidePhase> {
     const Wall& piston = piston_of(world);
     return piston.force + (world.gravity ? piston.mass * world.gravity->dot(piston.normal) : 0);
   }
-  // Shear rate times sqrt(m/P), P the normal stress [da Cruz 2005]. [1]
+  // Shear rate at full speed times sqrt(m/P), P the normal stress [da Cruz 2005]. [1]
   std::optional<double> inertial_number(const World& world) const {
     const double height = piston_of(world).point.y() - packing_bottom(world);
     const std::optional<double> width = room_width(world);

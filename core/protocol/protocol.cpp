@@ -204,6 +204,7 @@ bool Protocol::try_step(const StepSettings& step, int halvings_left, bool patien
   const double lost = report_.energy.work - report_.energy.change;
   (lost < 0 ? state_.energy_gained : state_.energy_dissipated) += std::abs(lost);
   if (step.nscd) state_.sweep_errors.add(report_.sweeps);
+  running_->after_part(stage_);
   if (report_.converged) return true;
   ++state_.unconverged_steps;
   state_.broken_in_unconverged += report_.bonds_broken;

@@ -52,6 +52,10 @@ struct AdiabaticDeposit {
   bool operator==(const AdiabaticDeposit&) const = default;
 };
 
+// In the memory of a slide: horizontal force of the piston on the bodies, positive towards +x, times time, since the phase
+// began. [F_g sqrt(d/g)]
+inline constexpr const char* kShearImpulse = "shear_impulse";
+
 // Where a protocol stands; with the world, all that a restart needs.
 struct ProtocolState {
   int phase = 0;           // index of the present phase; number of phases when finished

@@ -18,6 +18,8 @@ class RunningPhase {
   virtual void begin(Stage& stage) = 0;
   // Throws InputError where the phase cannot go on from the world as it is.
   virtual void before_step(Stage&) {}
+  // The world has been moved on: by a step, or by each part of one that was halved. The forces are those of the part.
+  virtual void after_part(Stage&) {}
   virtual bool finished(Stage& stage) = 0;
   virtual void end(Stage&) {}
   // Share that is done, as far as it can be known [0..1].

@@ -23,9 +23,10 @@ bool brings_intruder(const Phase& phase) {
          std::holds_alternative<PenetratePhase>(phase.kind) || brings_shaped_intruder(phase);
 }
 
-bool leaves_piston(const Phase& phase) {
+// A piston phase takes the one that stands.
+bool piston_stands_after(const Phase& phase, bool before) {
   const auto* piston = std::get_if<PistonPhase>(&phase.kind);
-  return piston && !piston->remove;
+  return piston ? !piston->remove : before;
 }
 
 bool places_from_above(const Phase& phase) {
@@ -135,10 +136,10 @@ void check_slide(const Scenario& scenario, const SlidePhase& slide, std::size_t 
                                            " sqrt(g d); with dt = " + message_number(dt) +
                                            " the piston would slide by more than its distance of " +
                                            message_number(slide.distance) + " d in one step");
-  const auto before = scenario.phases.begin() + static_cast<std::ptrdiff_t>(phase);
-  if (std::any_of(scenario.phases.begin(), before, leaves_piston) || !scenario.start_from.empty() ||
-      std::ranges::any_of(scenario.walls, is_pressing_piston))
-    return;
+  bool stands =
+      !scenario.start_from.empty() || std::ranges::any_of(scenario.walls, is_pressing_piston);
+  for (std::size_t k = 0; k < phase; ++k) stands = piston_stands_after(scenario.phases[k], stands);
+  if (stands) return;
   throw InputError(where,
                    "slides the piston that presses on the packing, but there is none: give a "
                    "piston phase before it, with \"remove\": false");
@@ -182,15 +183,19 @@ void check_way_down(const Scenario& scenario, std::size_t phase, const std::stri
     if (!is_floor(scenario.walls[k]))
       throw InputError(where, "places bodies from above, but walls[" + std::to_string(k) +
                                   "] may be in their way; with such a phase, list only floors");
+  bool piston_stands = false;
+  std::size_t last_piston = 0;
   for (std::size_t k = 0; k < phase; ++k) {
     if (brings_shaped_intruder(scenario.phases[k]))
       throw InputError(where, "places bodies from above, but the shaped intruder of phases[" +
                                   std::to_string(k) + "] may be in their way");
-    if (leaves_piston(scenario.phases[k]))
-      throw InputError(where, "places bodies from above, but the piston of phases[" +
-                                  std::to_string(k) +
-                                  "] is in their way; set its \"remove\" to true");
+    piston_stands = piston_stands_after(scenario.phases[k], piston_stands);
+    if (std::holds_alternative<PistonPhase>(scenario.phases[k].kind)) last_piston = k;
   }
+  if (piston_stands)
+    throw InputError(where, "places bodies from above, but the piston of phases[" +
+                                std::to_string(last_piston) +
+                                "] is in their way; set its \"remove\" to true");
 }
 
 void check_deposit(const Scenario& scenario, const DepositPhase& deposit,

@@ -17,8 +17,8 @@ void validate(const Scenario& scenario);
 bool brings_intruder(const Phase& phase);
 bool brings_shaped_intruder(const Phase& phase);
 
-// Whether the phase puts in a piston that stays.
-bool leaves_piston(const Phase& phase);
+// Whether a piston stands after the phase, if one stood before it or not.
+bool piston_stands_after(const Phase& phase, bool before);
 
 // Whether the phase places bodies above all others, which come straight down.
 bool places_from_above(const Phase& phase);

@@ -83,6 +83,12 @@ std::string message_name(const World& world, int body) {
   return world.wall(body).role == WallRole::piston ? listed + " (a piston)" : listed;
 }
 
+int pressing_piston(const World& world) {
+  for (int k = static_cast<int>(world.walls.size()) - 1; k >= 0; --k)
+    if (is_pressing_piston(world.walls[static_cast<std::size_t>(k)])) return k;
+  return -1;
+}
+
 void remove_last_wall(World& world) {
   world.walls.pop_back();
   const int body = kWallBase + static_cast<int>(world.walls.size());

@@ -76,6 +76,9 @@ struct World {
 // cohesion, and not both are immovable. Sorted.
 std::vector<Pair> bondable_pairs(const World& world);
 
+// Index of the last wall that presses from above; -1: there is none.
+int pressing_piston(const World& world);
+
 // What messages call a body of a pair, by the scene: body 3, the floor, the left side, walls[0].
 std::string message_name(const World& world, int body);
 

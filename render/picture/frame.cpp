@@ -253,7 +253,8 @@ Frame compose(const World& world, const View& view, const Font& font,
   DrawList& list = frame.list;
   const double text = font.size(), scale_force = plan.content.force_scale;
   draw_world(list, world, view, plan.grains, frame.packing, text, scale_force);
-  if (view.window && is_part(world, *view.window)) draw_frame(list, frame.packing, frames);
+  const bool chosen = view.window || follows_intruder(world, view);
+  if (chosen && is_part(world, view_window(world, view))) draw_frame(list, frame.packing, frames);
   if (frame.detail) {
     draw_world(list, world, view, plan.grains, *frame.detail, text, scale_force);
     draw_detail_frames(list, frame.packing, *frame.detail, frames);

@@ -64,10 +64,13 @@ TEST_F(FilmPage, FollowsTheIntruder) {
                   folder_.path())
           .exit_code,
       0);
-  const View still{.window = WorldRect{{1, 2}, {3, 4}}};
-  View moving = still;
-  moving.follow = true;
-  EXPECT_NE(page({}, moving), page({}, still));
+  View view{.window = WorldRect{{1, 2}, {3, 4}}};
+  view.follow = true;
+  const std::string moving = page({}, view);
+  view.window = WorldRect{{2, 7}, {4, 9}};
+  EXPECT_EQ(page({}, view), moving) << "of a window its size alone counts";
+  view.window = WorldRect{{2, 7}, {4, 10}};
+  EXPECT_NE(page({}, view), moving);
 }
 
 TEST_F(FilmPage, HasTheScalesOfTheRunOrOfEachMoment) {

@@ -140,6 +140,33 @@ TEST_P(Slide, WorkIsDissipatedByFriction) {
   EXPECT_NEAR(run.state().drive_results.at(0).mean.value() * 0.4, work, tolerance::solved(kOnTop));
 }
 
+// Of a step that is made in parts each counts with its own force.
+TEST(SlideInHalvedSteps, DoesTheWorkThatTheBodiesReceive) {
+  Scenario scene = small_collapse(Method::automatic);
+  scene.gravity.reset();
+  scene.step.stop_if_unconverged = true;
+  scene.step.max_halvings = 12;
+  scene.phases = {{DepositPhase{.grains = 40, .interval = 0}},
+                  {PistonPhase{.mass = 30, .force = 2000, .max_time = 2, .remove = false}, 5e-3},
+                  {SlidePhase{.speed = 5, .distance = 3}, 2e-2}};
+  Protocol run(scene, make_world(scene));
+  finish_phase(run);
+  ASSERT_EQ(finish_phase(run), Progress::phase_ended) << run.failure();
+  const std::int64_t halved = run.state().halved_steps;
+  Scenario hasty = scene;  // whose solver gives up early, so that some steps are not solved at once
+  hasty.solver.max_factorisations = 12;
+  run.change(hasty);
+  const double before = run.state().external_work;
+  const double height = run.world().walls.back().point.y();
+  ASSERT_EQ(finish_phase(run), Progress::phase_ended) << run.failure();
+  EXPECT_GT(run.state().halved_steps, halved);
+  const double received = run.state().external_work - before;  // with the work of the normal force
+  const double pressed = 2000 * (height - run.world().walls.back().point.y());
+  const DriveResult& found = run.state().drive_results.at(0);
+  EXPECT_NEAR(found.mean.value() * found.way, received - pressed,
+              tolerance::solved(std::abs(received) + std::abs(pressed)));
+}
+
 // Speed over height times the square root of mass over normal stress.
 TEST_P(Slide, TellsItsInertialNumber) {
   const DriveResult found = slide(rollers(GetParam(), 0.3, 10));
@@ -190,9 +217,11 @@ TEST(Validation, RefusesASlideWithoutAPistonThatStays) {
   std::get<SlidePhase>(slow.phases[1].kind).speed = 1e-300;
   Scenario hasty = scene;
   std::get<SlidePhase>(hasty.phases[1].kind).speed = 100;  // 1 d in a step
+  Scenario taken = scene;  // by a second piston phase, which removes it
+  taken.phases.insert(taken.phases.begin() + 1, {PistonPhase{}});
   Scenario late = scene;
   std::swap(late.phases[0], late.phases[1]);
-  for (const Scenario& spoilt : {removed, resting, slow, hasty, late})
+  for (const Scenario& spoilt : {removed, resting, slow, hasty, late, taken})
     EXPECT_THROW(validate(spoilt), InputError);
   // Whoever takes it away by hand is told so when the phase begins.
   World world = make_world(removed);
