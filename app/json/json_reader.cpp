@@ -30,7 +30,8 @@ class JsonReader : public Fields {
   // After the visit: throws InputError if keys were not asked for.
   void refuse_unknown_keys() const {
     std::vector<InputError> errors;
-    for (const auto& [key, value] : object_->items()) {
+    for (const auto& item : object_->items()) {
+      const std::string& key = item.key();
       if (errors.size() == kMostMistakes) break;
       if (std::ranges::find(known_, key) != known_.end()) continue;
       collect(errors, [&] {
