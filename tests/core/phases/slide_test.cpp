@@ -44,6 +44,15 @@ Scenario rollers(Method method, double friction, double rolling_friction,
   return scene;
 }
 
+// A wall of the scene on top of the rollers.
+Wall plate(double force) {
+  return {.point = {3, 1},
+          .normal = {0, -1},
+          .mass = kPistonWeight,
+          .force = force,
+          .role = WallRole::piston};
+}
+
 DriveResult slide(Protocol& run) {
   EXPECT_EQ(finish_phase(run), Progress::phase_ended) << run.failure();
   EXPECT_EQ(finish_phase(run), Progress::phase_ended) << run.failure();
@@ -193,11 +202,7 @@ TEST(SlideThatTurnsBack, BeginsAnew) {
 TEST(SlidingWall, MayBeOneOfTheScene) {
   Scenario scene = rollers(Method::automatic, 0.3, 10);
   scene.phases.erase(scene.phases.begin());
-  scene.walls = {{.point = {3, 1},
-                  .normal = {0, -1},
-                  .mass = kPistonWeight,
-                  .force = kPistonForce,
-                  .role = WallRole::piston}};
+  scene.walls = {plate(kPistonForce)};
   ASSERT_NO_THROW(validate(scene));
   Protocol run(scene, make_world(scene));
   finish_phase(run);
@@ -233,11 +238,7 @@ TEST(Validation, RefusesASlideWithoutAPistonThatStays) {
 TEST(SlidingWall, RefusesAPistonThatPullsAwayWhenItBegins) {
   Scenario scene = rollers(Method::automatic, 0.3, 0);
   scene.phases.erase(scene.phases.begin());
-  scene.walls = {{.point = {3, 1},
-                  .normal = {0, -1},
-                  .mass = kPistonWeight,
-                  .force = -3 * kPistonWeight,
-                  .role = WallRole::piston}};
+  scene.walls = {plate(-3 * kPistonWeight)};
   Protocol run(scene, make_world(scene));
   EXPECT_THROW(run.advance(), InputError);
 }
