@@ -24,7 +24,8 @@ cd "$work"
 
 echo "the program finds its scenes beside itself"
 unset QUICKSAND_ASSETS
-found=$(prefix/bin/quicksand list scenes | head -1)
+prefix/bin/quicksand list scenes >scenes  # a file, not head, which may close the pipe before all is written
+found=$(head -1 scenes)
 echo "  $found"
 [ "$(realpath "$found")" = "$(realpath prefix/share/quicksand/assets/scenes/cantilever.json)" ]
 prefix/bin/quicksand check prefix/share/quicksand/assets/scenes/chain.json >/dev/null

@@ -36,6 +36,7 @@ dpkg-deb -f "$development" Depends >depends
 expect libeigen3-dev depends
 
 dpkg-deb -x "$program" root
-found=$(root/usr/bin/quicksand list scenes | head -1)
+root/usr/bin/quicksand list scenes >scenes  # a file, not head, which may close the pipe before all is written
+found=$(head -1 scenes)
 [ "$(realpath "$found")" = "$(realpath root/usr/share/quicksand/assets/scenes/cantilever.json)" ]
 ls -l ./*.deb | awk '{ print $9, $5, "bytes" }'
