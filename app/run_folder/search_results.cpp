@@ -43,7 +43,8 @@ Json json_of(const AdiabaticDeposit& sample) {
           {"grains", sample.grains}};
 }
 
-// A vane also tells what strength field practice would compute from its torque, a piston the ratios of shear to normal force.
+// A vane also tells what strength field practice would compute from its torque, a piston that slides the ratios of shear to
+// normal force.
 Json json_of(const DriveResult& found) {
   constexpr const char* kDrives[] = {"penetrate", "vane", "slide"};
   Json json = {{"phase", found.phase},

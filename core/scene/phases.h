@@ -133,8 +133,9 @@ struct HealPhase {
 };
 
 // A horizontal piston is laid on top of the packing and presses it down with its weight and a force
-// that rises linearly from 0. Where the last wall is a piston already, that one is loaded anew, from its present force. Ends at max_time, or when the packing no longer yields: at rest after the
-// ramp. Marks the bonds as initial ones unless some are marked already.
+// that rises linearly from 0. Where the last wall is a piston already, that one is loaded anew, from its
+// present force. Ends at max_time, or when the packing no longer yields: at rest after the ramp. Marks
+// the bonds as initial ones unless some are marked already.
 struct PistonPhase {
   static constexpr std::string_view kName = "piston";
   double mass = 1;           // [grain masses]
