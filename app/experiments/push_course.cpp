@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "app/json/json_reader.h"
 
@@ -11,23 +12,47 @@ namespace quicksand {
 namespace {
 
 constexpr double kHalfWay = 0.5, kFloor = 0.95;  // over the box's height
-constexpr std::array kCounted{"active_bond_fraction", "remaining_bond_fraction",
-                              "intact_active_bond_fraction", "intact_coordination"};
+constexpr std::array kCounted{"active_bond_fraction",         "remaining_bond_fraction",
+                              "channel_active_bond_fraction", "channel_coordination",
+                              "intact_active_bond_fraction",  "intact_coordination"};
 
-// The row in which the intruder's lowest point has first come this deep.
-std::optional<std::size_t> row_at(const RunResults& push, double depth) {
-  if (!push.has_column("depth")) return std::nullopt;
-  const std::vector<double>& depths = push.column("depth");
-  const auto first = std::ranges::find_if(depths, [&](double d) { return d >= depth; });
-  if (first == depths.end()) return std::nullopt;
-  return static_cast<std::size_t>(first - depths.begin());
+// A moment of a push: the row of its series, if it comes to it.
+using Moment = std::function<std::optional<std::size_t>(const RunResults& push)>;
+
+// The first row from `from` on in which a column is at least this.
+std::optional<std::size_t> first_row(const RunResults& push, const char* column, double least,
+                                     std::size_t from = 0) {
+  if (!push.has_column(column)) return std::nullopt;
+  const std::vector<double>& values = push.column(column);
+  for (std::size_t row = from; row < values.size(); ++row)
+    if (values[row] >= least) return row;
+  return std::nullopt;
 }
 
-std::optional<Measured> mean_at(const PaperResults& results, const RunGroup& pushes, double depth,
-                                const char* quantity) {
+// The intruder's lowest point has first come this deep.
+Moment at_depth(double depth) {
+  return [=](const RunResults& push) { return first_row(push, "depth", depth); };
+}
+
+// Behind an intruder that has reached the floor, the channel holds half of the grains that it will hold at rest.
+Moment half_filled(double floor) {
+  return [=](const RunResults& push) -> std::optional<std::size_t> {
+    const auto bottom = first_row(push, "depth", floor);
+    if (!bottom || !push.has_column("channel_grains")) return std::nullopt;
+    return first_row(push, "channel_grains", push.column("channel_grains").back() / 2, *bottom);
+  };
+}
+
+std::optional<std::size_t> at_rest(const RunResults& push) {
+  const std::size_t rows = push.has_column("time") ? push.column("time").size() : 0;
+  return rows == 0 ? std::nullopt : std::optional(rows - 1);
+}
+
+std::optional<Measured> mean_at(const PaperResults& results, const RunGroup& pushes,
+                                const Moment& moment, const char* quantity) {
   std::vector<double> values;
   for (const RunResults* run : results.runs(pushes))
-    if (const auto row = row_at(*run, depth)) {
+    if (const auto row = moment(*run); row && run->has_column(quantity)) {
       const double value = run->column(quantity)[*row];
       if (std::isfinite(value)) values.push_back(value);  // or there is no such region
     }
@@ -38,21 +63,23 @@ Table table_of(const PaperResults& results, const PushCurve& curve, double heigh
   Table table{
       .caption =
           "The same when the intruder's lowest point is half-way down the box, when it is at a "
-          "depth of 0.95 of the box's height, and at rest, when the channel has collapsed.",
-      .columns = {{"push force [F_c]", true}, {"intruder"}}};
+          "depth of 0.95 of the box's height, when behind it the channel has collapsed so far that "
+          "it holds half of the grains that it holds in the end, and at rest.",
+      .columns = {{"push force [F_c]", true}, {"moment"}}};
   for (const char* title :
-       {"active share", "remaining share", "intact: active share", "intact: coordination number"})
+       {"active share", "remaining share", "channel: active share", "channel: coordination number",
+        "intact: active share", "intact: coordination number"})
     table.columns.push_back({title, true});
+  const std::pair<const char*, Moment> moments[] = {
+      {"half-way down", at_depth(kHalfWay * height)},
+      {"at the floor", at_depth(kFloor * height)},
+      {"channel half filled", half_filled(kFloor * height)},
+      {"at rest", at_rest}};
   for (std::size_t k = 0; k < curve.forces.size(); ++k)
-    for (const auto& [where, depth] : {std::pair{"half-way down", kHalfWay * height},
-                                       {"at the floor", kFloor * height},
-                                       {"at rest", HUGE_VAL}}) {
-      std::vector<Cell> row{{number_text(curve.forces[k])}, {where}};
+    for (const auto& [name, moment] : moments) {
+      std::vector<Cell> row{{number_text(curve.forces[k])}, {name}};
       for (const char* quantity : kCounted)
-        row.push_back(cell_of(std::isfinite(depth)
-                                  ? mean_at(results, curve.pushes[k], depth, quantity)
-                                  : results.mean(curve.pushes[k], quantity),
-                              all));
+        row.push_back(cell_of(mean_at(results, curve.pushes[k], moment, quantity), all));
       table.rows.push_back(std::move(row));
     }
   return table;
@@ -98,7 +125,7 @@ Curve at_the_floor(const PaperResults& results, const RunGroup& pushes, const Cu
                    double height) {
   std::vector<double> times;
   for (const RunResults* run : results.runs(pushes))
-    if (const auto row = row_at(*run, kFloor * height))
+    if (const auto row = first_row(*run, "depth", kFloor * height))
       times.push_back(run->column("time")[*row] - run->column("time").front());
   Curve point{.style = course.style};
   const auto time = mean_over(times);

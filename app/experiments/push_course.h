@@ -5,8 +5,8 @@
 
 namespace quicksand {
 
-// A table of bonds and contacts with the intruder half-way down, at the floor, and at rest, and a plot of the active
-// share over time. `height`: of the box [d]; `all`: realizations that there should be.
+// A table of bonds and contacts with the intruder half-way down, at the floor, with the channel half filled, and at
+// rest, and a plot of the active share over time. `height`: of the box [d]; `all`: realizations that there should be.
 void add_push_course(Section& section, const PaperResults& results, const PushCurve& curve,
                      double height, int all);
 

@@ -154,14 +154,16 @@ Measurements measure_state(const StateFile& state, const MeasureChoices& choices
   m.row.phase = state.phase;
   m.choices = choices;
   m.slice = slice;
-  const std::vector<Pair> touching = touching_pairs(world);
+  const std::vector<Pair> touching = touching_pairs(world, choices.contact_gap);
   m.counts = contact_counts(world, count_neighbours(world, touching));
   const std::vector<int> everywhere(static_cast<std::size_t>(world.disks.size()), 0);
   m.regions.push_back({"whole", regions_of(world, touching, everywhere, 1)[0]});
   if (m.row.sample.has_intruder) {
     m.regions.push_back({"channel", m.row.sample.around_intruder.channel});
     m.regions.push_back({"intact", m.row.sample.around_intruder.intact});
-    m.regions.push_back({"kept_bonds", kept_all_bonds(world, touching)});
+    const auto [kept, lost] = by_bonds(world, touching);
+    m.regions.push_back({"kept_bonds", kept});
+    m.regions.push_back({"lost_bonds", lost});
   }
   try {
     m.profile = height_profile(world, touching, slice);
@@ -220,6 +222,7 @@ Json to_json(const Measurements& m) {
              {{"channel_margin", m.choices.channel_margin},
               {"intact_distance", m.choices.intact_distance},
               {"above_begins", m.choices.above_begins},
+              {"contact_gap", json_of(or_none(m.choices.contact_gap))},
               {"slice", m.slice}}}};
   for (const Quantity& quantity : quantities())
     if (!quantity.of_steps)

@@ -32,15 +32,15 @@ double widest_touching_gap(const World& world) {
                    touching_gap(world.intruder_law)});
 }
 
-bool touches(const World& world, Pair pair) {
-  return world.movable(pair) && world.gap(pair) <= touching_gap(world.law(pair));
+bool touches(const World& world, Pair pair, std::optional<double> gap) {
+  return world.movable(pair) && world.gap(pair) <= gap.value_or(touching_gap(world.law(pair)));
 }
 
 }  // namespace
 
-std::vector<Pair> touching_pairs(const World& world) {
-  std::vector<Pair> pairs = pairs_within(world, widest_touching_gap(world));
-  std::erase_if(pairs, [&](Pair pair) { return !touches(world, pair); });
+std::vector<Pair> touching_pairs(const World& world, std::optional<double> gap) {
+  std::vector<Pair> pairs = pairs_within(world, gap.value_or(widest_touching_gap(world)));
+  std::erase_if(pairs, [&](Pair pair) { return !touches(world, pair, gap); });
   return pairs;
 }
 
@@ -184,11 +184,12 @@ Sample measure(const World& world, const MeasureChoices& choices) {
   }
 
   // One search serves all margins of what counts as a contact.
-  const std::vector<Pair> near =
-      pairs_within(world, std::max(widest_touching_gap(world), kContactMargins.back()));
+  const std::vector<Pair> near = pairs_within(
+      world,
+      std::max(choices.contact_gap.value_or(widest_touching_gap(world)), kContactMargins.back()));
   std::vector<Pair> touching;
   std::ranges::copy_if(near, std::back_inserter(touching),
-                       [&](Pair pair) { return touches(world, pair); });
+                       [&](Pair pair) { return touches(world, pair, choices.contact_gap); });
   const ContactCounts counts = contact_counts(world, count_neighbours(world, touching));
   s.coordination = counts.touching;
   s.coordination_loaded = counts.loaded;

@@ -80,21 +80,22 @@ AroundIntruder around_intruder(const World& world, std::span<const Pair> touchin
   return {both[0], both[1]};
 }
 
-Region kept_all_bonds(const World& world, std::span<const Pair> touching) {
-  constexpr int kUnknown = -2;
-  std::vector<int> region(static_cast<std::size_t>(world.disks.size()), kUnknown);
+ByBonds by_bonds(const World& world, std::span<const Pair> touching) {
+  constexpr int kNone = -1, kKept = 0, kLost = 1;
+  std::vector<int> region(static_cast<std::size_t>(world.disks.size()), kNone);
   for (const Bond& bond : world.bonds.list) {
     if (!bond.initial) continue;
     for (const int body : {bond.pair.a, bond.pair.b}) {
       if (!is_disk(body)) continue;
       int& known = region[static_cast<std::size_t>(body)];
       if (bond.state == BondState::broken)
-        known = -1;
-      else if (known == kUnknown)
-        known = 0;
+        known = kLost;
+      else if (known == kNone)
+        known = kKept;
     }
   }
-  return regions_of(world, touching, region, 1)[0];
+  const std::vector<Region> both = regions_of(world, touching, region, 2);
+  return {both[0], both[1]};
 }
 
 }  // namespace quicksand

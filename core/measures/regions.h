@@ -22,7 +22,7 @@ struct MeasureChoices {
   double channel_margin = 0.5;
   // The intact region: grains farther from the trajectory than this. Where it lies, not what became of its
   // bonds, decides, so that a share of active bonds below one can show there; the other definition,
-  // by the bonds, is kept_all_bonds(). In the paper's box at F_c (one specimen, a straight trajectory assumed)
+  // by the bonds, is by_bonds(). In the paper's box at F_c (one specimen, a straight trajectory assumed)
   // at least 0.99 of the initial bonds remain from 6 diameters on and 0.63 at 3 while the intruder is
   // half-way down; with it at the bottom and debris still falling no distance in that box is whole.
   // [widths of the intruder, of a disk its diameter]
@@ -30,6 +30,8 @@ struct MeasureChoices {
   // What is above the intruder has its centre higher than this over the intruder's: 0 its centre, 1 its
   // top, -1 its lowest point. [ways from its centre to its top or, below 0, to its lowest point; radii of a disk]
   double above_begins = 0;
+  // Pairs whose gap is at most this count as contacts; empty: what touching_pairs() says of each law. [d]
+  std::optional<double> contact_gap;
 };
 
 struct Region {
@@ -53,8 +55,12 @@ struct AroundIntruder {
 AroundIntruder around_intruder(const World& world, std::span<const Pair> touching,
                                const MeasureChoices& choices);
 
-// The grains that have initial bonds, all of them still active: intact by definition, wherever they
-// are. What new contacts they made still shows in their share of active bonds and their coordination.
-Region kept_all_bonds(const World& world, std::span<const Pair> touching);
+// The grains that have initial bonds, wherever they are: those whose bonds are all still active, intact by definition,
+// and those that have lost at least one. The new contacts of both show in their share of active bonds and their
+// coordination.
+struct ByBonds {
+  Region kept_all, lost_some;
+};
+ByBonds by_bonds(const World& world, std::span<const Pair> touching);
 
 }  // namespace quicksand

@@ -148,13 +148,20 @@ Command add_measure(CLI::App& program) {
       ->type_name("NUMBER")
       ->check(in_range(between(-kFar, kFar, "radii")))
       ->capture_default_str();
+  command
+      ->add_option(
+          "--contact-gap", options->choices.contact_gap,
+          "pairs up to this gap count as contacts [d]; up to the cohesion range, or 5e-5 d "
+          "without cohesion, if absent")
+      ->type_name("LENGTH")
+      ->check(in_range(between(0, 1, "d")));
   command->footer(
       "Regions: the whole specimen; the channel swept by the intruder; the intact region, far\n"
-      "from its trajectory; and kept_bonds, the grains whose initial bonds all hold. A contact\n"
-      "counts towards a region by the share of its grains in it. The stress of a slice of the\n"
-      "profile is that of the grains with their centre in it, without intruders, over the width\n"
-      "between the sides times the slice's whole thickness: where a slice is not full, as at\n"
-      "the top, it shows too little.\n"
+      "from its trajectory; kept_bonds, the grains whose initial bonds all hold, and lost_bonds,\n"
+      "those that have lost one or more. A contact counts towards a region by the share of its\n"
+      "grains in it. The stress of a slice of the profile is that of the grains with their\n"
+      "centre in it, without intruders, over the width between the sides times the slice's\n"
+      "whole thickness: where a slice is not full, as at the top, it shows too little.\n"
       "DIR receives measures.json, profile.csv, bond_angles.csv, contact_orientations.csv,\n"
       "contact_forces.csv and bond_tensions.csv; with --since, displacements.csv, one row per\n"
       "grain. A profile of more than 10000 slices is left out, and the output says so.\n"

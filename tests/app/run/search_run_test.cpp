@@ -213,7 +213,7 @@ TEST_F(SearchRun, OfAPullRefusesAStateWithoutIntruderBeforeAnythingIsComputed) {
 }
 
 // A grain that cannot roll, so that the piston slides over it: three tenths of what presses.
-const char* const kSheared = R"({
+const char* const kShearSearch = R"({
   "name": "sheared", "gravity": {}, "box": {"width": 4, "height": 3},
   "contact": {"friction": 0.3, "rolling_friction": 10}, "bodies": [{"position": [1, 0.5]}],
   "phases": [
@@ -221,7 +221,7 @@ const char* const kSheared = R"({
     {"type": "slide", "speed": 0.5, "distance": 0.2}]})";
 
 TEST_F(SearchRun, OfASlideTellsTheRatioOfShearToNormalForceAndReportsIt) {
-  ASSERT_EQ(run(kSheared).exit_code, 0);
+  ASSERT_EQ(run(kShearSearch).exit_code, 0);
   const Json slide = parse_json(text("summary.json"))["drives"][0];
   EXPECT_EQ(slide["drive"], "slide");
   EXPECT_EQ(slide["normal_load"], 32);
@@ -253,7 +253,7 @@ TEST_F(SearchRun, OfASlideHasTheMeanShearForceBetweenSamples) {
 }
 
 TEST_F(SearchRun, OfASlideGoesOnFromAStateWithAPistonOnly) {
-  ASSERT_EQ(run(kSheared).exit_code, 0);
+  ASSERT_EQ(run(kShearSearch).exit_code, 0);
   folder_.write("on.json", R"({"gravity": {}, "box": {"width": 4, "height": 3},
     "contact": {"friction": 0.3, "rolling_friction": 10}, "start_from": "out/state.cbor",
     "phases": [{"type": "slide", "speed": -0.5, "distance": 0.2}]})");
@@ -262,7 +262,7 @@ TEST_F(SearchRun, OfASlideGoesOnFromAStateWithAPistonOnly) {
   const Json back = parse_json(contents(folder_.path() / "on/summary.json"));
   EXPECT_NEAR(back["piston_x"].get<double>(), 0, 1e-12) << "back where it was laid";
   const char* const settled = R"(phases=[{"type": "settle", "max_time": 0.1}])";
-  ASSERT_EQ(run(kSheared, {"--set", settled}).exit_code, 0);
+  ASSERT_EQ(run(kShearSearch, {"--set", settled}).exit_code, 0);
   const Outcome outcome = run_program({"run", "on.json", "--out", "none"}, folder_.path());
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_NE(outcome.err.find("has no piston that stays, but phases[0], a slide, needs one"),

@@ -114,13 +114,29 @@ TEST(Regions, GrowAndShrinkWithTheChoices) {
   EXPECT_EQ(grains({.intact_distance = 1}), std::pair(std::int64_t{3}, std::int64_t{7}));
 }
 
-TEST(Regions, ByBondsAreTheGrainsThatKeptAll) {
+TEST(Regions, ByBondsAreTheGrainsThatKeptAllAndThoseThatLostOne) {
   World world = pierced_row();
   world.disks.add({.position = {20, 0}});  // never had a bond: kept none
-  const Region kept = kept_all_bonds(world, touching_pairs(world));
+  const auto [kept, lost] = by_bonds(world, touching_pairs(world));
   EXPECT_EQ(kept.grains, 7) << "all but 3, 4, 5";
   EXPECT_EQ(kept.remaining_bond_fraction, 1);
   EXPECT_EQ(kept.contacts, 6) << "2-3 and 5-6 by a half";
+  EXPECT_EQ(lost.grains, 3);
+  EXPECT_EQ(lost.contacts, 1) << "half of 2-3, half of 5-6";
+  EXPECT_EQ(lost.remaining_bond_fraction, 1 / 3.0) << "of 2-3, 3-4, 4-5 and 5-6";
+}
+
+TEST(Regions, CountPairsUpToTheGapThatIsAskedFor) {
+  World world = pierced_row();
+  for (int i = 7; i < 10; ++i)
+    world.disks.position[i].x() += 1e-3;  // opens 6-7, and keeps its bond
+  const auto ends = [&](std::optional<double> gap) {
+    const Sample s = measure(world, {.intact_distance = 1.4, .contact_gap = gap});
+    return std::tuple(s.contacts, s.around_intruder.intact.contacts, s.active_bond_fraction);
+  };
+  EXPECT_EQ(ends({}), std::tuple(std::int64_t{6}, 3.5, 7 / 6.0))
+      << "6-7 counts by a half, if it does";
+  EXPECT_EQ(ends(2e-3), std::tuple(std::int64_t{7}, 4.0, 1.0));
 }
 
 TEST(Regions, AroundNoIntruderAreEmpty) {
