@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "app/json/json_reader.h"
+#include "app/plot/plot_legend.h"
 #include "app/plot/report_text.h"
 #include "app/plot/typeset_number.h"
 #include "core/base/format.h"
@@ -49,9 +50,12 @@ void Extent::add(double value, const Axis& axis) {
   high = std::max(high, value);
 }
 
-std::string axis_label(const Axis& axis) {
+std::vector<std::string> axis_label(const Axis& axis, double length) {
   const std::string unit = typeset_unit(axis.unit);
-  return gnuplot_text(axis.label + (unit.empty() ? "" : " " + unit));
+  std::vector<std::string> lines =
+      label_lines(axis.label + (unit.empty() ? "" : " " + unit), length);
+  for (std::string& line : lines) line = gnuplot_text(line);
+  return lines;
 }
 
 std::string axis_range(const Axis& axis, const Extent& extent) {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "app/plot/plot.h"
 
@@ -18,8 +19,8 @@ struct Extent {
   void add(double value, const Axis& axis);
 };
 
-// As gnuplot writes it: label and unit.
-std::string axis_label(const Axis& axis);
+// Label and unit as gnuplot reads them, in as many lines as an axis of this length needs [px].
+std::vector<std::string> axis_label(const Axis& axis, double length);
 
 // "[0.9:5.1]". Ends that are not given lie a little outside of what is drawn, so that no point hides on a border.
 std::string axis_range(const Axis& axis, const Extent& extent);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace quicksand {
 
@@ -36,6 +37,22 @@ std::string legend_name(const std::string& name, double width) {
   const double end = std::floor(2 * room / 3);
   const std::string before_end = first_of(name, letters - end);
   return first_of(name, room - end - 1) + "…" + name.substr(before_end.size());
+}
+
+std::vector<std::string> label_lines(const std::string& label, double length) {
+  const double room = std::floor(length / kNarrowLetter);
+  std::vector<std::string> lines{""};
+  std::istringstream words(label);
+  for (std::string word; words >> word;) {
+    std::string& line = lines.back();
+    if (line.empty())
+      line = word;
+    else if (length_of(line) + 1 + length_of(word) <= room)
+      line += " " + word;
+    else
+      lines.push_back(word);
+  }
+  return lines;
 }
 
 PlotLayout plot_layout(const Plot& plot, const std::vector<std::string>& names,

@@ -1,4 +1,5 @@
-// The legend of a plot's script, and what the picture measures with it: the graph is as high with many names as with few.
+// The words of a plot's script and the room that they take: legend, labels, and what the picture measures with them. The
+// graph is as high with many names as with few.
 #pragma once
 
 #include <string>
@@ -20,6 +21,9 @@ struct PlotLayout {
 // A name as a legend of a picture this wide [px] has room for: where it is too long, without its middle, since runs and
 // parameters differ at their ends.
 std::string legend_name(const std::string& name, double width);
+
+// The words of an axis's label in lines that are no longer than the axis [px]; a longer word has its own. At least one.
+std::vector<std::string> label_lines(const std::string& label, double length);
 
 // `names`: what stands in the legend. One that is of the only curve of ours says no more than the axis does.
 // `lines_above`: of names above the graph.

@@ -103,8 +103,16 @@ class Script {
   }
 
   void axis(const std::string& name, const Axis& axis, const Extent& extent) {
-    PlotPieces::Values values{
-        {"axis", name}, {"label", axis_label(axis)}, {"range", axis_range(axis, extent)}};
+    const bool upright = name != "x";
+    const auto label = axis_label(axis, upright ? plot_.graph_height : plot_.width);
+    // gnuplot reserves the room of all lines, but would centre them where one would stand.
+    constexpr double kLine = 1.2;  // [widths of a character]
+    const double further = static_cast<double>(label.size()) - 1;
+    const double aside = name == "y2" ? kLine * further : 0 - kLine * further;
+    PlotPieces::Values values{{"axis", name},
+                              {"label", joined(label, " . \"\\n\" . ")},
+                              {"aside", number_text(upright ? aside : 0)},
+                              {"range", axis_range(axis, extent)}};
     add("axis", values);
     if (axis.logarithmic) add("logarithmic", values);
     switch (tics_of(axis, extent)) {

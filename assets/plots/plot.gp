@@ -23,7 +23,7 @@ ours_5 = "lc rgb '{{colour_5}}'"; filled_5 = "pt 11 ps 1.3"; open_5 = "pt 10 ps 
 ours_6 = "lc rgb '{{colour_6}}'"; filled_6 = "pt 15 ps 1.3"; open_6 = "pt 14 ps 1.3"; dash_6 = "dt (30,7) lw 1.8"
 paper = "lc rgb '#000000'"; fit_dash_1 = "dt (6,4) lw 1.3"; fit_dash_2 = "dt (12,4,2,4) lw 1.3"
 paper_dash_1 = "dt (14,8) lw 1.8"; paper_dash_2 = "dt (3,5) lw 1.8"; paper_dash_3 = "dt (18,5,3,5) lw 1.8"
-paper_line = "lw 1.4 dt (14,8) lc rgb '#000000'"; guide_line = "lw 0.8 dt solid lc rgb '#999999'"
+paper_line = "lw 1.4 dt (20,7,4,7,4,7) lc rgb '#000000'"; guide_line = "lw 0.8 dt solid lc rgb '#999999'"
 paper_band = "fs transparent solid 0.15 noborder fc rgb '#000000'"
 guide_band = "fs transparent solid 0.07 noborder fc rgb '#000000'"
 grey = "textcolor rgb '#444444'"
@@ -44,7 +44,7 @@ set key inside bottom right Left reverse samplen 3 spacing 1.1
 set key at screen 0.5, screen {{top}} top center vertical maxrows {{rows}} Left reverse samplen 3 spacing 1.1
 #% axis
 # Axis {{axis}}
-set {{axis}}label {{label}}
+set {{axis}}label {{label}} offset {{aside}}, 0
 set {{axis}}range {{range}}
 #% plain
 set format {{axis}} '%h'
