@@ -5,7 +5,9 @@
 namespace quicksand {
 namespace {
 
-constexpr std::array<ColouringInfo, 6> kColourings{{
+constexpr std::array<ColouringInfo, 7> kColourings{{
+    {Colouring::automatic, "automatic",
+     "active bonds, or coordination where grains form no bonds with each other", "1"},
     {Colouring::active_bonds, "active_bonds", "number of active bonds of a grain: 0, 1, 2, 3, 4+",
      "1"},
     {Colouring::initial_bonds, "initial_bonds",

@@ -15,6 +15,7 @@ namespace quicksand {
 enum class Theme : std::uint8_t { light, dark };
 
 enum class Colouring : std::uint8_t {
+  automatic,
   active_bonds,
   initial_bonds,
   broken_bonds,
@@ -24,7 +25,7 @@ enum class Colouring : std::uint8_t {
 };
 
 struct ColouringInfo {
-  Colouring colouring = Colouring::active_bonds;
+  Colouring colouring = Colouring::automatic;
   std::string_view name;         // the word of the command line, "active_bonds"
   std::string_view description;  // one line
   std::string_view unit;         // in plain text, "sqrt(g d)"; "1" if none
@@ -60,7 +61,7 @@ struct View {
   int width = 1280;  // of the whole picture [px]
   int height = 720;
   Theme theme = Theme::light;
-  Colouring colouring = Colouring::active_bonds;
+  Colouring colouring = Colouring::automatic;
 
   bool bonds = false;        // lines along the active bonds
   bool forces = false;       // lines along the contacts, as wide as their normal force

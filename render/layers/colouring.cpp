@@ -117,15 +117,22 @@ double paling_under_forces(const View& view) {
   return view.theme == Theme::light ? 0.62 : 0.45;
 }
 
+Colouring colouring_of(const World& world, const View& view) {
+  if (view.colouring != Colouring::automatic) return view.colouring;
+  return world.grain_law.cohesion_force ? Colouring::active_bonds : Colouring::coordination;
+}
+
 namespace {
 
 ColouredGrains in_full_colours(const World& world, const View& view) {
   const Palette& colours = palette(view.theme);
-  switch (view.colouring) {
+  switch (colouring_of(world, view)) {
     case Colouring::active_bonds:
       return by_count(bonds_of_each(world).active, colours.bonds, "Active bonds");
     case Colouring::coordination:
       return by_count(count_neighbours(world).touching, colours.counts, "Contacts");
+    case Colouring::automatic:  // is one of the others
+      return {};
     case Colouring::initial_bonds:
       return by_initial_bonds(world, view);
     case Colouring::broken_bonds:

@@ -40,6 +40,8 @@ struct ColouredGrains {
 
 // Under a network of forces, which must stand out but not alone, grains are paled, and the legend with them.
 double paling_under_forces(const View& view);
+// What `automatic` is in this world.
+Colouring colouring_of(const World& world, const View& view);
 ColouredGrains colour_grains(const World& world, const View& view);
 
 // What a colouring by a value shows of each disk (nd) [its unit]; nothing for the others.

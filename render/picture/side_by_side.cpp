@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "render/key/key.h"
+#include "render/layers/colouring.h"
 #include "render/layers/common_scales.h"
 #include "render/layers/packing.h"
 #include "render/layers/shapes.h"
@@ -16,9 +17,14 @@ namespace {
 
 constexpr double kSame = 1e-9;  // rounding of scales and directions that are the same
 
-// One range of colours and one force for all.
+// One colouring, one range of colours and one force for all.
 View with_common_scales(std::span<const SideBySide> panels) {
-  const View& first = panels.front().view;
+  View first = panels.front().view;
+  const auto by_bonds = std::ranges::find(panels, Colouring::active_bonds, [&](const auto& panel) {
+    return colouring_of(panel.world, first);
+  });
+  first.colouring =
+      colouring_of((by_bonds == panels.end() ? panels.front() : *by_bonds).world, first);
   CommonScales scales(first);
   for (const SideBySide& panel : panels) scales.add(panel.world);
   View view = scales.fixed(first);

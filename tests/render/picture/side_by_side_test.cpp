@@ -7,6 +7,7 @@
 #include <set>
 
 #include "render/base/palette.h"
+#include "render/layers/colouring.h"
 #include "tests/support/render/worlds.h"
 
 namespace quicksand {
@@ -62,6 +63,24 @@ TEST_F(SideBySideTest, TheKeyNamesTheForceOfTheLinesOfAllPanels) {
   const PanelsOverKey like = compose(narrow_, narrow_);
   ASSERT_EQ(scale(like.panels[0]), scale(both.panels[0]));
   EXPECT_EQ(both.key.glyphs(), like.key.glyphs());
+}
+
+// Left to itself, a picture shows bonds where grains can form them, and contacts where they cannot.
+TEST_F(SideBySideTest, PanelsHaveOneColouringThatShowsTheBondsOfAny) {
+  World dry = narrow_;
+  dry.grain_law.cohesion_force.reset();
+  const View automatic;
+  EXPECT_EQ(colouring_of(narrow_, automatic), Colouring::active_bonds);
+  EXPECT_EQ(colouring_of(dry, automatic), Colouring::coordination);
+  EXPECT_EQ(colouring_of(dry, {.colouring = Colouring::speed}), Colouring::speed);
+  const auto key_of = [&](const World& left, const World& right, Colouring colouring) {
+    view_.colouring = colouring;
+    return compose(left, right).key.glyphs();
+  };
+  EXPECT_EQ(key_of(dry, narrow_, Colouring::automatic),
+            key_of(dry, narrow_, Colouring::active_bonds));
+  EXPECT_EQ(key_of(dry, dry, Colouring::automatic), key_of(dry, dry, Colouring::coordination));
+  EXPECT_NE(key_of(dry, dry, Colouring::automatic), key_of(dry, dry, Colouring::active_bonds));
 }
 
 // Lines of the arrow of gravity, its shaft first.
