@@ -75,13 +75,17 @@ class ResumeTest : public ProgramFixture {
       if (!whole.contains(name)) names += "+" + name + " ";
     return names;
   }
-  void stop_in_the_middle(int signal) const {
+  // Once the series has eight rows, or one of this phase.
+  void stop_in_the_middle(int signal, const std::string& phase = "") const {
     Program program(run_into("broken"), folder_.path());
     const auto rows = [&] {
       const std::string text = contents(at("broken/series.csv"));
       return std::count(text.begin(), text.end(), '\n');
     };
-    wait_for("eight rows of the series", [&] { return rows() >= 8; });
+    const auto begun = [&] {
+      return contents(at("broken/series.csv")).find("," + phase + ",") != std::string::npos;
+    };
+    wait_for("the middle", [&] { return phase.empty() ? rows() >= 8 : begun(); });
     program.signal(signal);
     program.wait();
   }
@@ -148,6 +152,26 @@ TEST_F(ResumeTest, AfterCtrlCTheExtraSampleIsDropped) {
   const Outcome resumed = quicksand({"resume", "broken"});
   EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
   EXPECT_EQ(resumed.err.find("starts again"), std::string::npos) << resumed.err;
+  EXPECT_EQ(differences("broken"), "");
+}
+
+// The force on a sliding piston is a mean since the last sample, whose beginning lies before the interruption.
+TEST_F(ResumeTest, AMeanBetweenSamplesIsThatOfBothParts) {
+  folder_.write("small.json", R"({
+    "name": "sheared", "box": {"width": 6, "height": 12}, "contact": {"friction": 0.4},
+    "wall_contact": {"friction": 0.8, "cohesion_force": 1000},
+    "step": {"dt": 1e-3},
+    "phases": [
+      {"type": "deposit", "grains": 30, "interval": 0},
+      {"type": "piston", "mass": 20, "force": 500, "ramp_time": 0.1, "max_time": 0.2, "remove": false},
+      {"type": "slide", "speed": 2, "ramp_time": 0.1, "distance": 2}]
+  })");
+  run_unbroken();
+  ASSERT_NE(contents(at("whole/series.csv")).find("shear_force"), std::string::npos);
+  stop_in_the_middle(SIGINT, "slide");
+  ASSERT_EQ(parse_json(contents(at("broken/summary.json")))["interrupted"], true);
+  const Outcome resumed = quicksand({"resume", "broken"});
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
   EXPECT_EQ(differences("broken"), "");
 }
 
