@@ -53,7 +53,8 @@ Json legend_json(const ColourScale& scale, Theme theme) {
   Json swatches = Json::array();
   for (const Swatch& swatch : scale.swatches)
     swatches.push_back({json_of(swatch.colour), swatch.label});
-  if (scale.no_value) swatches.push_back({json_of(scale.no_value->colour), scale.no_value->label});
+  for (const Swatch& swatch : scale.others)
+    swatches.push_back({json_of(swatch.colour), swatch.label});
   legend["swatches"] = std::move(swatches);
   if (scale.range && scale.map != nullptr) {
     constexpr int kStops = 9;

@@ -54,9 +54,8 @@ void add_colours(Legend& key, const KeyContent& content, bool all) {
   }
   if (content.colours.range)
     group.words.push_back(bar_word(content.font, content.view.theme, content.colours));
-  if (content.colours.no_value) {
-    group.words.push_back(swatch_word(content.font, content.view.theme, *content.colours.no_value));
-  }
+  for (const Swatch& swatch : content.colours.others)
+    group.words.push_back(swatch_word(content.font, content.view.theme, swatch));
   if (all || content.view.expects_intruder || content.world.intruder() >= 0) {
     group.words.push_back(
         swatch_word(content.font, content.view.theme, {colours.intruder, "intruder"}));

@@ -32,8 +32,7 @@ ColouredGrains by_value(const World& world, const View& view, const std::string&
   grains.scale = {.title = title + (view.colours_of_run ? ", range of the whole run" : ""),
                   .swatches = {},
                   .range = range,
-                  .map = &sequential_map,
-                  .no_value = std::nullopt};
+                  .map = &sequential_map};
   for (const double value : values) {
     const double t = (value - range.low) / (range.high - range.low);
     grains.fill.push_back(sequential_map(view.theme, t));
@@ -54,7 +53,7 @@ ColouredGrains by_initial_bonds(const World& world, const View& view) {
                   .swatches = {},
                   .range = Range{0, 1},
                   .map = &damage_map,
-                  .no_value = Swatch{none, "had none"}};
+                  .others = {Swatch{none, "had none"}}};
   for (std::size_t i = 0; i < count.initial.size(); ++i) {
     const bool bonded = count.initial[i] > 0;
     const double left =
@@ -149,8 +148,26 @@ ColouredGrains in_full_colours(const World& world, const View& view) {
 
 }  // namespace
 
+namespace {
+
+// Like walls, which they are for the others.
+void mark_fixed(const World& world, const View& view, ColouredGrains& grains) {
+  const Colour colour = palette(view.theme).wall_body;
+  bool any = false;
+  for (int i = 0; i < world.disks.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (!world.disks.fixed(i) || world.disks.role[k] != DiskRole::grain) continue;
+    grains.fill[k] = colour;
+    any = true;
+  }
+  if (any) grains.scale.others.push_back({colour, "fixed"});
+}
+
+}  // namespace
+
 ColouredGrains colour_grains(const World& world, const View& view) {
   ColouredGrains grains = in_full_colours(world, view);
+  mark_fixed(world, view, grains);
   ColourScale& scale = grains.scale;
   scale.paling = paling_under_forces(view);
   const auto pale = [&](Colour& colour) {
@@ -158,7 +175,7 @@ ColouredGrains colour_grains(const World& world, const View& view) {
   };
   std::ranges::for_each(grains.fill, pale);
   for (Swatch& swatch : scale.swatches) pale(swatch.colour);
-  if (scale.no_value) pale(scale.no_value->colour);
+  for (Swatch& swatch : scale.others) pale(swatch.colour);
   return grains;
 }
 

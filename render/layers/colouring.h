@@ -23,9 +23,10 @@ struct ColourScale {
   std::string title;  // with its unit, in the markup of font.h
   std::vector<Swatch> swatches;
   std::optional<Range> range = std::nullopt;
-  Colour (*map)(Theme, double) = nullptr;         // of the position in the range, 0 to 1, not paled
-  std::optional<Swatch> no_value = std::nullopt;  // grains that have no such quantity
-  double paling = 0;                              // of grains; swatches have it already
+  Colour (*map)(Theme, double) = nullptr;  // of the position in the range, 0 to 1, not paled
+  std::vector<Swatch> others =
+      {};             // of grains that are not on this scale: without such a quantity, or fixed
+  double paling = 0;  // of grains; swatches have it already
 
   // The colour of grains at t in [0, 1] of the range.
   Colour of_map(Theme theme, double t) const {
