@@ -88,6 +88,7 @@ struct View {
   // Arrows that the legend names whether this world has any or not: another panel has, or they come.
   bool names_applied_force = false, names_reaction = false;
   bool names_bonds = false;  // the same of bonds, active and broken, and of tension
+  bool names_fixed = false;  // and of fixed grains
   GravityWord gravity = GravityWord::unless_down;
   // The time-stepping scheme, where pictures must name it; empty: the exact one.
   std::string method = {};

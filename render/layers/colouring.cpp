@@ -150,20 +150,26 @@ ColouredGrains in_full_colours(const World& world, const View& view) {
 
 namespace {
 
+bool is_fixed_grain(const World& world, int disk) {
+  return world.disks.fixed(disk) &&
+         world.disks.role[static_cast<std::size_t>(disk)] == DiskRole::grain;
+}
+
 // Like walls, which they are for the others.
 void mark_fixed(const World& world, const View& view, ColouredGrains& grains) {
   const Colour colour = palette(view.theme).wall_body;
-  bool any = false;
-  for (int i = 0; i < world.disks.size(); ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    if (!world.disks.fixed(i) || world.disks.role[k] != DiskRole::grain) continue;
-    grains.fill[k] = colour;
-    any = true;
-  }
-  if (any) grains.scale.others.push_back({colour, "fixed"});
+  for (int i = 0; i < world.disks.size(); ++i)
+    if (is_fixed_grain(world, i)) grains.fill[static_cast<std::size_t>(i)] = colour;
+  if (view.names_fixed || has_fixed_grains(world)) grains.scale.others.push_back({colour, "fixed"});
 }
 
 }  // namespace
+
+bool has_fixed_grains(const World& world) {
+  for (int i = 0; i < world.disks.size(); ++i)
+    if (is_fixed_grain(world, i)) return true;
+  return false;
+}
 
 ColouredGrains colour_grains(const World& world, const View& view) {
   ColouredGrains grains = in_full_colours(world, view);

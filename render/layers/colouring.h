@@ -41,6 +41,8 @@ struct ColouredGrains {
 
 // Under a network of forces, which must stand out but not alone, grains are paled, and the legend with them.
 double paling_under_forces(const View& view);
+bool has_fixed_grains(const World& world);
+
 // What `automatic` is in this world.
 Colouring colouring_of(const World& world, const View& view);
 ColouredGrains colour_grains(const World& world, const View& view);

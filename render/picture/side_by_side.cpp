@@ -85,6 +85,8 @@ PanelsOverKey compose_side_by_side(std::span<const SideBySide> panels, const Fon
   });
   of_key.names_bonds =
       std::ranges::any_of(panels, [](const SideBySide& panel) { return has_bonds(panel.world); });
+  of_key.names_fixed = std::ranges::any_of(
+      panels, [](const SideBySide& panel) { return has_fixed_grains(panel.world); });
   const auto name_arrows = [&](const auto& scale_of_panel) {
     of_key.names_applied_force = of_key.names_reaction = false;
     for (std::size_t k = 0; k < panels.size(); ++k) {

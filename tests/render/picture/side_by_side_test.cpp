@@ -83,6 +83,13 @@ TEST_F(SideBySideTest, PanelsHaveOneColouringThatShowsTheBondsOfAny) {
   EXPECT_NE(key_of(dry, dry, Colouring::automatic), key_of(dry, dry, Colouring::active_bonds));
 }
 
+TEST_F(SideBySideTest, TheKeyNamesFixedGrainsThatOneOfThePanelsHas) {
+  World held = narrow_;
+  held.disks.add({.position = {4, 5}, .fixed = true});
+  EXPECT_EQ(compose(held, narrow_).key.glyphs(), compose(narrow_, held).key.glyphs());
+  EXPECT_NE(compose(held, narrow_).key.glyphs(), compose(narrow_, narrow_).key.glyphs());
+}
+
 // Lines of the arrow of gravity, its shaft first.
 std::vector<SegmentShape> arrow(const DrawList& list) {
   std::vector<SegmentShape> found;
