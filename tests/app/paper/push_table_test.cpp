@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/experiments/experiments.h"
 #include "tests/support/paper_fixture.h"
 
 namespace quicksand::test {
