@@ -107,8 +107,8 @@ class Script {
     const auto label = axis_label(axis, upright ? plot_.graph_height : plot_.width);
     // gnuplot reserves the room of all lines, but would centre them where one would stand.
     constexpr double kLine = 1.2;  // [widths of a character]
-    const double further = static_cast<double>(label.size()) - 1;
-    const double aside = name == "y2" ? kLine * further : 0 - kLine * further;
+    const auto lines = static_cast<double>(label.size());
+    const double aside = kLine * (name == "y2" ? lines - 1 : 1 - lines);
     PlotPieces::Values values{{"axis", name},
                               {"label", joined(label, " . \"\\n\" . ")},
                               {"aside", number_text(upright ? aside : 0)},

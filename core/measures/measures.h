@@ -23,7 +23,7 @@ Energies energies(const World& world);
 
 // Pairs whose gap is at most the cohesion range of their law, or 5e-5 d without cohesion, at the present
 // positions, whether a step was made or not; sorted. Not those of two immovable bodies, which neither bond nor carry.
-// `gap`: of all pairs instead [d].
+// With `gap` [d], pairs of all laws up to it instead.
 std::vector<Pair> touching_pairs(const World& world, std::optional<double> gap = std::nullopt);
 
 // Counts for each disk (nd): active bonds, broken bonds, initial bonds, touching contacts, loaded

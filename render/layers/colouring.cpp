@@ -81,6 +81,11 @@ std::vector<double> speeds(const World& world) {
   return values;
 }
 
+bool is_fixed_grain(const World& world, int disk) {
+  return world.disks.fixed(disk) &&
+         world.disks.role[static_cast<std::size_t>(disk)] == DiskRole::grain;
+}
+
 }  // namespace
 
 std::vector<double> coloured_values(const World& world, Colouring colouring) {
@@ -116,6 +121,12 @@ double paling_under_forces(const View& view) {
   return view.theme == Theme::light ? 0.62 : 0.45;
 }
 
+bool has_fixed_grains(const World& world) {
+  for (int i = 0; i < world.disks.size(); ++i)
+    if (is_fixed_grain(world, i)) return true;
+  return false;
+}
+
 Colouring colouring_of(const World& world, const View& view) {
   if (view.colouring != Colouring::automatic) return view.colouring;
   return world.grain_law.cohesion_force ? Colouring::active_bonds : Colouring::coordination;
@@ -146,15 +157,6 @@ ColouredGrains in_full_colours(const World& world, const View& view) {
   return {};
 }
 
-}  // namespace
-
-namespace {
-
-bool is_fixed_grain(const World& world, int disk) {
-  return world.disks.fixed(disk) &&
-         world.disks.role[static_cast<std::size_t>(disk)] == DiskRole::grain;
-}
-
 // Like walls, which they are for the others.
 void mark_fixed(const World& world, const View& view, ColouredGrains& grains) {
   const Colour colour = palette(view.theme).wall_body;
@@ -164,12 +166,6 @@ void mark_fixed(const World& world, const View& view, ColouredGrains& grains) {
 }
 
 }  // namespace
-
-bool has_fixed_grains(const World& world) {
-  for (int i = 0; i < world.disks.size(); ++i)
-    if (is_fixed_grain(world, i)) return true;
-  return false;
-}
 
 ColouredGrains colour_grains(const World& world, const View& view) {
   ColouredGrains grains = in_full_colours(world, view);

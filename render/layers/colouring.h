@@ -24,8 +24,8 @@ struct ColourScale {
   std::vector<Swatch> swatches;
   std::optional<Range> range = std::nullopt;
   Colour (*map)(Theme, double) = nullptr;  // of the position in the range, 0 to 1, not paled
-  std::vector<Swatch> others =
-      {};             // of grains that are not on this scale: without such a quantity, or fixed
+  // Of grains that are not on this scale: without such a quantity, or fixed.
+  std::vector<Swatch> others = {};
   double paling = 0;  // of grains; swatches have it already
 
   // The colour of grains at t in [0, 1] of the range.
@@ -41,8 +41,8 @@ struct ColouredGrains {
 
 // Under a network of forces, which must stand out but not alone, grains are paled, and the legend with them.
 double paling_under_forces(const View& view);
-bool has_fixed_grains(const World& world);
 
+bool has_fixed_grains(const World& world);
 // What `automatic` is in this world.
 Colouring colouring_of(const World& world, const View& view);
 ColouredGrains colour_grains(const World& world, const View& view);
