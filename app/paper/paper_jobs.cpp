@@ -65,8 +65,9 @@ PaperScale quick_scale() {
           .shear_distance = 3,
           .shear_tolerance = 0.25,
           .shear_time = 10,
+          .force_tolerance = 0.125,
           .nscd_wait = 8,
-          .nscd_push = 30,
+          .nscd_push = 15,
           .nscd_trial = 3,
           .studies = false};
 }
@@ -166,20 +167,21 @@ PushCurve PaperJobs::push_curve_below_strongest(const RunGroup& samples) {
 
 RunGroup PaperJobs::thresholds(const RunGroup& samples, double distance) {
   constexpr double kFirstForce = 0.1;  // [F_c]
-  constexpr double kTolerance = 0.05;
-  constexpr double kMostTime = 20;  // of a trial [sqrt(d/g)]
-  return add("push", samples.name + ".threshold", &samples, {},
-             {{"phases[0].force_over_cohesion", kFirstForce},
-              {"phases[0].threshold", {{"distance", distance}, {"tolerance", kTolerance}}},
-              {"phases[0].until", "intruder_rest"},
-              {"phases[0].max_time", kMostTime},
-              {"step.dt", scale_.push_step}});
+  constexpr double kMostTime = 20;     // of a trial [sqrt(d/g)]
+  return add(
+      "push", samples.name + ".threshold", &samples, {},
+      {{"phases[0].force_over_cohesion", kFirstForce},
+       {"phases[0].threshold", {{"distance", distance}, {"tolerance", scale_.force_tolerance}}},
+       {"phases[0].until", "intruder_rest"},
+       {"phases[0].max_time", kMostTime},
+       {"step.dt", scale_.push_step}});
 }
 
 RunGroup PaperJobs::pulls(const RunGroup& pushes, double first_force_over_cohesion,
                           double restored) {
   std::string name = pushes.name + ".pull";
-  ParameterValues set{{"phases[1].first_force_over_cohesion", first_force_over_cohesion}};
+  ParameterValues set{{"phases[1].first_force_over_cohesion", first_force_over_cohesion},
+                      {"phases[1].tolerance", scale_.force_tolerance}};
   if (restored < 1) {
     name += "_restored_" + number_text(restored);
     set.insert(set.end(),

@@ -42,11 +42,12 @@ struct PaperScale {
   double shear_distance = 20;     // [d]
   double shear_tolerance = 0.05;  // relative width of the interval of force [1]
   double shear_time = 20;         // of a trial, at most [sqrt(d/g)]
+  double force_tolerance = 0.05;  // of thresholds and pull-out forces: the same [1]
   double interval = 1e-2;         // between the grains of a deposition [sqrt(d/g)]
   // By NSCD, whose sweeps leave a noise above most speeds of rest: the longest time of a phase that waits for rest, twice
   // of the piston's, of a push, in which debris falls through all of the channel, and of a trial [sqrt(d/g)].
   double nscd_wait = 15, nscd_push = 60, nscd_trial = 8;
-  bool studies = true;  // also of what no figure of the paper shows, where none is asked for
+  bool studies = true;  // also what no figure or number of the paper shows, where none is asked for
   // Engaged: by the paper's own method.
   std::optional<NscdSetting> nscd = {};
 };

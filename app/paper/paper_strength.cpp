@@ -137,6 +137,7 @@ StrengthRuns plan_strength(PaperJobs& jobs) {
   runs.loose = jobs.shears(usual, kLooseTop * height, kFirstForce);
   const RunGroup strong = made_with("cohesion_1e6", "contact.cohesion_force", 1e6);
   runs.strong = jobs.shears(strong, kLooseTop * height, kFirstForceStrong);
+  if (!jobs.scale().studies) return runs;
   const RunGroup weak = made_with("cohesion_100", "contact.cohesion_force", 100);
   runs.weak = jobs.shears(weak, kWeakTop * height, kFirstForce);
   return runs;

@@ -11,6 +11,7 @@
 #include "app/plot/typeset_number.h"
 #include "app/run_folder/search_results.h"
 #include "app/run_folder/validation.h"
+#include "app/run_report/run_tables.h"
 #include "app/scene/scene_report.h"
 #include "app/scene_json/scenario_json.h"
 #include "app/series/quantities.h"
@@ -21,23 +22,6 @@
 namespace quicksand {
 
 namespace {
-
-struct Named {
-  const char* key;  // of summary.json
-  const char* text;
-  const char* unit;
-};
-constexpr auto kComputing = std::to_array<Named>(
-    {{"steps", "time steps of this run", "1"},
-     {"wall_seconds", "computing time, pictures included", "s"},
-     {"steps_per_second", "time steps per second (of a resumed run: in its last part)", "1/s"},
-     {"total_factorisations", "factorisations", "1"},
-     {"total_iterations", "solver iterations", "1"},
-     {"worst_residual", "worst residual", "1"},
-     {"unconverged_steps", "steps that did not converge", "1"},
-     {"halved_steps", "steps repeated as two halves", "1"},
-     {"bonds_broken_in_unconverged_steps", "bonds broken in unconverged steps", "1"},
-     {"bond_breaks_withheld", "bond failures withheld in unconverged steps", "1"}});
 
 double number_or(const RunResults& run, const char* key, double otherwise) {
   return run.summary().contains(key) ? run.final_value(key).value_or(otherwise) : otherwise;
@@ -90,115 +74,11 @@ void add_step_errors(std::span<const RunResults> runs, const std::vector<std::st
                              "and deepest overlap that the step leaves."});
 }
 
-std::vector<Column> columns_of(const std::vector<std::string>& first,
-                               const std::vector<std::string>& names) {
-  std::vector<Column> columns;
-  columns.reserve(first.size() + names.size());
-  for (const std::string& title : first) columns.push_back({.title = title});
-  for (const std::string& name : names) columns.push_back({.title = name, .number = true});
-  return columns;
-}
-
-Table final_values(std::span<const RunResults> runs, const std::vector<std::string>& names) {
-  std::vector<Column> columns = columns_of({"quantity", "unit"}, names);
-  columns.push_back({.title = "meaning"});
-  Table table{.columns = columns};
-  for (const Quantity& quantity : quantities()) {
-    // What is counted between samples is no final value; the next table has the sums.
-    if (quantity.of_steps) continue;
-    const std::string unit = typeset_unit(quantity.unit);
-    std::vector<Cell> row{{std::string(quantity.name)}, {unit}};
-    for (const RunResults& run : runs)
-      row.push_back({cell_text(run.summary().value(quantity.name, Json()))});
-    row.push_back({std::string(quantity.help)});
-    table.rows.push_back(std::move(row));
-  }
-  return table;
-}
-
-Table computing(std::span<const RunResults> runs, const std::vector<std::string>& names) {
-  Table table{.columns = columns_of({"", "unit"}, names)};
-  for (const Named& entry : kComputing) {
-    std::vector<Cell> row{{entry.text}, {typeset_unit(entry.unit)}};
-    for (const RunResults& run : runs)
-      row.push_back({cell_text(run.summary().value(entry.key, Json()))});
-    table.rows.push_back(std::move(row));
-  }
-  return table;
-}
-
-// Where the computing time went: seconds, and the share of all.
-std::optional<Table> work_split(std::span<const RunResults> runs,
-                                const std::vector<std::string>& names) {
-  Table table{.caption =
-                  "Where the computing time went. Systems solved for the failure criterion count "
-                  "as solver work.",
-              .columns = columns_of({"work"}, names)};
-  const auto seconds = [](const RunResults& run) {
-    return run.summary().value("work", Json::object()).value("seconds", Json::object());
-  };
-  if (std::ranges::all_of(runs, [&](const RunResults& run) { return seconds(run).empty(); }))
-    return std::nullopt;
-  for (const std::string_view name : kWorkNames) {
-    std::string words(name);
-    std::ranges::replace(words, '_', ' ');
-    std::vector<Cell> row{{words}};
-    for (const RunResults& run : runs) {
-      const Json all = seconds(run);
-      double sum = 0;
-      for (const auto& [key, value] : all.items()) sum += value.get<double>();
-      const double own = all.value(std::string(name), 0.0);
-      row.push_back({typeset(own, 3) + " s (" + typeset(sum > 0 ? 100 * own / sum : 0, 2) + " %)"});
-    }
-    table.rows.push_back(std::move(row));
-  }
-  return table;
-}
-
-// The values of a scene by their paths, bodies left out: they may be many.
-void flatten(const Json& value, const std::string& path,
-             std::map<std::string, std::string>& leaves) {
-  if (path == "bodies" || path == "walls") {
-    leaves[path] = std::to_string(value.size()) + " listed";
-  } else if (value.is_object()) {
-    for (const auto& [key, inside] : value.items()) {
-      flatten(inside, path.empty() ? key : path + "." + key, leaves);
-    }
-  } else if (value.is_array() && !value.empty() && value[0].is_object()) {
-    for (std::size_t i = 0; i < value.size(); ++i) {
-      flatten(value[i], path + "[" + std::to_string(i) + "]", leaves);
-    }
-  } else {
-    leaves[path] = value.is_string() ? value.get<std::string>() : value.dump();
-  }
-}
-
-Table differences(std::span<const RunResults> runs, const std::vector<std::string>& names) {
-  std::vector<std::map<std::string, std::string>> scenes(runs.size());
-  std::map<std::string, int> paths;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    flatten(runs[i].scene(), "", scenes[i]);
-    for (const auto& [path, value] : scenes[i]) ++paths[path];
-  }
-  Table table{.columns = columns_of({"parameter"}, names)};
-  for (const auto& [path, count] : paths) {
-    std::vector<Cell> row{{path}};
-    for (const auto& scene : scenes) {
-      const auto found = scene.find(path);
-      row.push_back({found == scene.end() ? "-" : found->second});
-    }
-    const auto same = [&](const Cell& cell) { return cell.text == row[1].text; };
-    if (!std::ranges::all_of(row.begin() + 1, row.end(), same)) table.rows.push_back(row);
-  }
-  return table;
-}
-
 std::vector<Block> modelled(std::span<const RunResults> runs,
                             const std::vector<std::string>& names) {
   std::vector<Block> blocks;
   if (runs.size() > 1) {
-    Table table = differences(runs, names);
-    table.caption = "Parameters in which the scenes of the runs differ.";
+    Table table = parameter_differences(runs, names);
     if (table.rows.empty()) {
       blocks.emplace_back(Paragraph{"All runs have the same scene with the same parameters."});
     } else {
@@ -353,8 +233,10 @@ Report run_report(std::span<const RunResults> runs, const std::string& from) {
                       "Recorded in a session, whose file lists its commands. Values are those of "
                       "the last sample."});
   } else if (result.blocks.empty()) {
-    result.add(
-        Remark{Remark::Kind::note, "The run ended as its scene prescribes; every step converged."});
+    result.add(Remark{Remark::Kind::note,
+                      runs.size() > 1
+                          ? "The runs ended as their scenes prescribe; every step converged."
+                          : "The run ended as its scene prescribes; every step converged."});
   }
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (runs[i].summary().value("missed_rest", false))

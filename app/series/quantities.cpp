@@ -178,13 +178,17 @@ const Quantity kQuantities[] = {
      [](const Row& r) { return of_fabric(r, &Fabric::direction); }},
     {"floor_load", "F_g", "downward force of the contacts of the last step on the floors",
      [](const Row& r) { return or_none(r.sample.loads.floor); }},
-    {"side_load", "F_g", "... on the side walls, by friction if they are upright",
+    {"side_load", "F_g",
+     "downward force of the contacts of the last step on the side walls, by friction if they are "
+     "upright",
      [](const Row& r) { return or_none(r.sample.loads.side); }},
     {"side_thrust", "F_g",
      "sum over all side walls of the normal force of the contacts of the last step, positive if "
      "bodies press on them: of two opposite walls, twice the thrust on one",
      [](const Row& r) { return or_none(r.sample.loads.side_thrust); }},
-    {"piston_load", "F_g", "... of pistons and of other walls that face down",
+    {"piston_load", "F_g",
+     "sum over pistons and other walls that face down of the normal force of the contacts of the "
+     "last step",
      [](const Row& r) { return or_none(r.sample.loads.piston); }},
     {"piston_shear", "F_g",
      "horizontal force of the same walls on the bodies in the last step, positive towards +x",

@@ -109,6 +109,7 @@ TEST_F(Reproduce, StrengthsAfterThePistonAreMeasuredFirst) {
 TEST_F(Reproduce, StrengthsOfTwoCohesionForcesAreComparedAtTheSameDepth) {
   PaperScale scale = small();
   scale.realizations = 1;
+  scale.studies = true;
   PaperJobs jobs(scale, folder_.path());
   const auto shear = make_shear_experiment();
   shear->plan(jobs);
@@ -137,6 +138,18 @@ TEST_F(Reproduce, StrengthsOfTwoCohesionForcesAreComparedAtTheSameDepth) {
       said.find("grains, 3 d, its mean strength is 100 F_g, and the line for 10⁴ gives 130 F_g"),
       std::string::npos)
       << said;
+}
+
+// The paper compares F_c with its hundredfold, not with its hundredth.
+TEST_F(Reproduce, StrengthsOfWeakBondsAreAStudy) {
+  PaperScale scale = small();
+  for (const bool studies : {false, true}) {
+    scale.studies = studies;
+    PaperJobs jobs(scale, folder_.path());
+    const StrengthRuns runs = plan_strength(jobs);
+    EXPECT_EQ(runs.strong.runs.size(), 2u);
+    EXPECT_EQ(runs.weak.runs.size(), studies ? 2u : 0u);
+  }
 }
 
 // The paper's field line is given as 0.75 ± 0.03 kPa/cm.

@@ -79,9 +79,29 @@ TEST_F(RunReportTest, OfSeveralRunsShowsThemSideBySideWithWhatDiffers) {
   EXPECT_NE(markdown.find("| phases\\[1\\].force | 300.0 | 900.0 |"), std::string::npos)
       << markdown;
   EXPECT_EQ(markdown.find("| seed |"), std::string::npos);
+  EXPECT_NE(markdown.find("| quantity | unit | soft | hard | difference | meaning |"),
+            std::string::npos)
+      << markdown;
+  const auto bonds = [&](const char* run) {
+    return RunResults(at(run)).column("bonds_active").back();
+  };
+  const auto text = [](double value) { return std::to_string(static_cast<int>(value)); };
+  EXPECT_NE(markdown.find("| bonds\\_active |  | " + text(bonds("soft")) + " | " +
+                          text(bonds("hard")) + " | " + text(bonds("hard") - bonds("soft")) + " |"),
+            std::string::npos)
+      << markdown;
   const std::string csv = file("both/plots/bonds.csv");
   EXPECT_NE(csv.find("\"soft\""), std::string::npos);
   EXPECT_NE(csv.find("\"hard\""), std::string::npos);
+}
+
+// These runs have no piston.
+TEST_F(RunReportTest, LeavesOutQuantitiesThatNoRunHas) {
+  ASSERT_EQ(report({"soft", "--out", "alone"}).exit_code, 0);
+  const std::string markdown = file("alone/report.md");
+  EXPECT_NE(markdown.find("| floor\\_load |"), std::string::npos) << markdown;
+  EXPECT_EQ(markdown.find("| piston\\_load |"), std::string::npos);
+  EXPECT_EQ(markdown.find("| difference |"), std::string::npos) << "nothing to compare with";
 }
 
 TEST_F(RunReportTest, TimeHistoriesBeginWithAPhase) {
