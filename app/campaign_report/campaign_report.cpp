@@ -257,10 +257,11 @@ class Writer {
     Plot plot{.name = "plot_" + std::to_string(k + 1),
               .x = {.label = x().label, .unit = x().unit, .logarithmic = x().logarithmic},
               .y = {.label = shown.label, .unit = shown.unit, .logarithmic = shown.logarithmic}};
-    bool some_lack = false;
+    bool some_lack = false, several = false;
     for (const ReportedValue& value : shown.values) {
-      std::map<std::vector<Json>, std::multimap<double, Measured>> curves;  // by what else varies
-      std::vector<const CampaignPoint*> firsts;                             // of the curves
+      // By what else varies, in the order of the axis.
+      std::map<std::vector<Json>, std::multimap<double, const CampaignPoint*>> curves;
+      std::vector<const CampaignPoint*> firsts;  // of the curves
       std::vector<double> numbers;
       for (const CampaignPoint& point : points_) {
         const Json place = value_of(point, x().path);
@@ -272,22 +273,32 @@ class Writer {
           firsts.push_back(&point);
           add_number(numbers, point, curve_paths_);
         }
-        curve->second.emplace(place.get<double>(), *found);
+        curve->second.emplace(place.get<double>(), &point);
       }
-      std::vector<Curve> named;
+      std::vector<Curve> means, runs;
       for (const CampaignPoint* first : firsts) {
-        Curve curve{.kind = Curve::Kind::line_points};
-        for (const auto& [place, found] : curves[values_of(*first, curve_paths_)])
-          add_point(curve, place, found);
+        Curve& mean = means.emplace_back(Curve{.kind = Curve::Kind::line_points});
+        Curve& single =
+            runs.emplace_back(Curve{.kind = Curve::Kind::dots, .role = Curve::Role::fit});
+        for (const auto& [place, point] : curves[values_of(*first, curve_paths_)]) {
+          add_point(mean, place, *measured_at(*point, records_, value));
+          const std::vector<double> values = values_at(*point, records_, value);
+          if (values.size() < 2) continue;  // the mean is the run
+          single.x.insert(single.x.end(), values.size(), place);
+          single.y.insert(single.y.end(), values.begin(), values.end());
+        }
         const std::string others = name_by(*first, curve_paths_);
         // The axis has said what a single curve shows.
         const bool alone =
             shown.values.size() == 1 && (!others.empty() || shown.references.empty());
-        curve.name = alone ? others : label_of(value) + (others.empty() ? "" : ", " + others);
-        named.push_back(std::move(curve));
+        mean.name = alone ? others : label_of(value) + (others.empty() ? "" : ", " + others);
+        several = several || !single.x.empty();
       }
-      if (shown.values.size() == 1) colour_by(named, numbers);
-      std::ranges::move(named, std::back_inserter(plot.curves));
+      if (shown.values.size() == 1) colour_by(means, numbers);
+      for (std::size_t i = 0; i < means.size(); ++i) {
+        plot.curves.push_back(std::move(means[i]));
+        if (!runs[i].x.empty()) plot.curves.push_back(std::move(runs[i]));
+      }
     }
     if (plot.curves.empty()) return;  // over no number, or nothing was found: the table says it
     for (const ReportReference& reference : shown.references)
@@ -296,12 +307,14 @@ class Writer {
                              .role = Curve::Role::paper,
                              .x = reference.x,
                              .y = reference.y});
-    section.add(
-        Figure{std::move(plot), capitalised(shown.label) + " against " + x().label +
-                                    ": means with bars of one standard error." +
-                                    (some_lack ? " Runs without such a number are left out; the "
-                                                 "table gives how many runs each mean is over."
-                                               : "")});
+    section.add(Figure{
+        std::move(plot),
+        capitalised(shown.label) + " against " + x().label + ": " +
+            (several ? "means with bars of one standard error, and single runs (small circles)."
+                     : "single runs.") +
+            (some_lack ? " Runs without such a number are left out; the "
+                         "table gives how many runs each mean is over."
+                       : "")});
   }
 
   Section histories() {

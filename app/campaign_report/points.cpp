@@ -83,14 +83,19 @@ std::vector<CampaignPoint> points_of(std::span<const Job> jobs,
   return points;
 }
 
-std::optional<Measured> measured_at(const CampaignPoint& point, std::span<const RunRecord> records,
-                                    const ReportedValue& value) {
+std::vector<double> values_at(const CampaignPoint& point, std::span<const RunRecord> records,
+                              const ReportedValue& value) {
   std::vector<double> values;
   for (const std::size_t i : point.finished) {
     const Json found = value_at(records[i].summary, value.path);
     if (found.is_number()) values.push_back(value.factor * found.get<double>());
   }
-  return mean_over(values);
+  return values;
+}
+
+std::optional<Measured> measured_at(const CampaignPoint& point, std::span<const RunRecord> records,
+                                    const ReportedValue& value) {
+  return mean_over(values_at(point, records, value));
 }
 
 MeanHistory mean_history(std::span<const RunResults> runs, const ReportHistory& history) {

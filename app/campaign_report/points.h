@@ -23,7 +23,11 @@ struct CampaignPoint {
 // In the order of the jobs.
 std::vector<CampaignPoint> points_of(std::span<const Job> jobs, std::span<const RunRecord> records);
 
-// Over the realizations that have such a number; absent if none has.
+// Of the realizations that have such a number.
+std::vector<double> values_at(const CampaignPoint& point, std::span<const RunRecord> records,
+                              const ReportedValue& value);
+
+// Over them; absent if none has it.
 std::optional<Measured> measured_at(const CampaignPoint& point, std::span<const RunRecord> records,
                                     const ReportedValue& value);
 

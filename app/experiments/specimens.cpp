@@ -27,7 +27,7 @@ Setting denser(const PaperScale& scale) {
 std::vector<Setting> settings(const PaperScale& scale) {
   const double interval = scale.interval;
   const auto every = [](double time) { return "a grain every " + typeset(time); };
-  return {
+  std::vector<Setting> all{
       {"", "reference: " + every(interval) + ", no drop velocity"},
       denser(scale),
       {"adiabatic",
@@ -39,20 +39,24 @@ std::vector<Setting> settings(const PaperScale& scale) {
          {{"factor", 5},
           {"tolerance", 1e-3},
           {"max_interval", (scale.nscd ? 5 : 25) * interval}}}}},
-      {"drop_10", "drop velocity 10 √(gd)", {}, {{"phases[0].drop_velocity", 10}}},
-      {"rolling_0.05", "half the rolling friction", {{"contact.rolling_friction", 0.05}}},
-      {"rolling_0.02", "a fifth of the rolling friction", {{"contact.rolling_friction", 0.02}}},
-      {"polydisperse",
-       "diameters with 35 % standard deviation",
-       {},
-       {{"phases[0].polydispersity.deviation", 0.35}}},
-      {"capture_0.5", "capture radius 0.5 d", {}, {{"phases[0].capture_radius", 0.5}}},
-      {"cohesion_100", "cohesion force 100 F_g", {{"contact.cohesion_force", 100}}},
-      {"ballistic", "no dynamics: grains stick where they touch", {}, {{"phases[0].interval", 0}}}};
+      {"ballistic", "no dynamics: grains stick where they touch", {}, {{"phases[0].interval", 0}}},
+      {"cohesion_100", "cohesion force 100 F_g", {{"contact.cohesion_force", 100}}}};
+  if (!scale.studies) return all;
+  all.insert(
+      all.end(),
+      {{"drop_10", "drop velocity 10 √(gd)", {}, {{"phases[0].drop_velocity", 10}}},
+       {"rolling_0.05", "half the rolling friction", {{"contact.rolling_friction", 0.05}}},
+       {"rolling_0.02", "a fifth of the rolling friction", {{"contact.rolling_friction", 0.02}}},
+       {"polydisperse",
+        "diameters with 35 % standard deviation",
+        {},
+        {{"phases[0].polydispersity.deviation", 0.35}}},
+       {"capture_0.5", "capture radius 0.5 d", {}, {{"phases[0].capture_radius", 0.5}}}});
+  return all;
 }
 
 // Places in the list.
-constexpr std::size_t kAdiabatic = 2, kWeakBonds = 8;
+constexpr std::size_t kAdiabatic = 2, kSticking = 3, kWeakBonds = 4;
 
 class Samples : public PaperExperiment {
  public:
@@ -116,7 +120,7 @@ class Samples : public PaperExperiment {
     find("unperturbed.cohesion_1e2.volume_fraction", kWeakBonds, "volume_fraction");
     find("unperturbed.cohesion_1e2.coordination", kWeakBonds, "coordination");
     // Before it is let go: in a high box it falls in.
-    const RunGroup& sticking = groups_[all.size() - 1];
+    const RunGroup& sticking = groups_[kSticking];
     note(findings, "literature.ballistic.volume_fraction",
          when_deposited(results, sticking, "volume_fraction"));
     note(findings, "literature.ballistic.coordination",

@@ -1,6 +1,6 @@
 // Reads the fields of an object from JSON, strictly: a value of the wrong type or out of its range,
 // a missing required key and an unknown key are refused with an InputError that says where, what,
-// the allowed range with its unit and the nearest valid name.
+// the allowed range with its unit and the nearest valid name. The mistakes of a file, at most ten, are told together.
 #pragma once
 
 #include <string>

@@ -62,13 +62,13 @@ PaperScale quick_scale() {
           .denser_if_quicker = false,
           .shear_depths = {0.2, 0.45, 0.7},
           .grains_per_depth = 1,
-          .shear_distance = 3,
+          .shear_distance = 2,
           .shear_tolerance = 0.25,
-          .shear_time = 10,
+          .shear_time = 8,
           .force_tolerance = 0.125,
           .nscd_wait = 8,
           .nscd_push = 15,
-          .nscd_trial = 3,
+          .nscd_trial = 2.5,
           .studies = false};
 }
 

@@ -47,7 +47,9 @@ struct PaperScale {
   // By NSCD, whose sweeps leave a noise above most speeds of rest: the longest time of a phase that waits for rest, twice
   // of the piston's, of a push, in which debris falls through all of the channel, and of a trial [sqrt(d/g)].
   double nscd_wait = 15, nscd_push = 60, nscd_trial = 8;
-  bool studies = true;  // also what no figure or number of the paper shows, where none is asked for
+  // Also what no figure or number of the paper shows: without figures that are asked for, the studies among them, and
+  // within a figure, specimens and forces that it has beyond the paper.
+  bool studies = true;
   // Engaged: by the paper's own method.
   std::optional<NscdSetting> nscd = {};
 };

@@ -31,10 +31,11 @@ struct Curve {
     line_points,
     steps,  // constant from a point to the next
     band,   // filled from y_low to y_high
-    boxes   // filled between the ends of bars, one a point
+    boxes,  // filled between the ends of bars, one a point
+    dots    // small, without bars and under the rest: single values behind means
   };
-  // Ours is drawn filled and in colour; the paper's black, open or dashed; a fit as a thin dashed line in
-  // the colour of the curve before it.
+  // Ours is drawn filled and in colour; the paper's black, open or dashed; a fit, and what else belongs to the curve
+  // before it, in its colour, lines thin and dashed.
   enum class Role : std::uint8_t { ours, paper, fit };
 
   std::string name{};  // in the legend; empty: not in it

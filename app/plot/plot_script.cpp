@@ -193,17 +193,17 @@ class Script {
     add(axis + "name", values);
   }
 
-  static bool is_area(const Curve& curve) {
-    return curve.kind == Curve::Kind::band || curve.kind == Curve::Kind::boxes;
+  static bool is_background(const Curve& curve) {
+    return curve.kind == Curve::Kind::band || curve.kind == Curve::Kind::boxes ||
+           curve.kind == Curve::Kind::dots;
   }
 
   // Of the plot command.
   std::string elements() {
-    // Bands lie under everything else.
     std::vector<std::string> all;
-    for (const bool band : {true, false})
+    for (const bool background : {true, false})
       for (std::size_t i = 0; i < plot_.curves.size(); ++i)
-        if (is_area(plot_.curves[i]) == band) add_curve(i, all);
+        if (is_background(plot_.curves[i]) == background) add_curve(i, all);
     for (std::size_t i = 0; i < plot_.references.size(); ++i) add_reference(i, all);
     if (all.empty()) all.emplace_back("NaN notitle");
     return joined(all, ", \\\n     ");
@@ -275,8 +275,8 @@ class Script {
     const bool of_points =
         curve.kind == Curve::Kind::points || curve.kind == Curve::Kind::line_points;
     const std::string axes = curve.second_axis && plot_.y2 ? " axes x1y2 " : " ";
-    constexpr std::string_view kKinds[] = {"points", "line", "line_points",
-                                           "steps",  "band", "boxes"};
+    constexpr std::string_view kKinds[] = {"points", "line",  "line_points", "steps",
+                                           "band",   "boxes", "dots"};
     const std::string kind(kKinds[static_cast<int>(curve.kind)]);
     const auto has = [&](double PlotRow::*end) {
       return std::ranges::any_of(rows_[i], [&](const PlotRow& r) { return std::isfinite(r.*end); });

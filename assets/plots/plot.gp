@@ -115,6 +115,8 @@ with steps @{{dash}} {{colour}}
 with filledcurves fs transparent solid 0.2 noborder {{colour}}
 #% boxes
 with boxxyerror fs transparent solid 0.2 noborder {{colour}}
+#% dots
+with points pt 6 ps 0.6 lw 1 {{colour}}
 #% share_x
 data using (pick({{id}}, column(2))):(pick({{id}}, {{place}})) with lines lt nodraw notitle
 #% share_y

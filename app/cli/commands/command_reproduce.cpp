@@ -50,6 +50,7 @@ struct ReproduceArguments {
 
 PaperScale scale_of(const ReproduceArguments& options, std::string_view method) {
   PaperScale scale = options.quick ? quick_scale() : PaperScale{};
+  if (!options.figures.empty()) scale.studies = true;
   const auto checked = [](const char* name, double value, double least, double most,
                           const char* unit) {
     if (value >= least && value <= most) return value;
@@ -353,8 +354,10 @@ Command add_reproduce(CLI::App& program) {
           ->needs(report)
           ->excludes(figures);
   add_threads_option(*command, options->threads, kThreadsOfRuns);
-  command->add_flag("--quick", options->quick,
-                    "a small box, two realizations and both methods; takes minutes");
+  command->add_flag(
+      "--quick", options->quick,
+      "a small box, two realizations and both methods, and without FIGURE only what the "
+      "paper shows; about ten minutes on two cores");
   command->add_flag("--dry-run", options->dry_run, "list the runs");
   command->add_flag("--quiet", options->quiet, "show no progress");
   add_size_options(*command, *options);

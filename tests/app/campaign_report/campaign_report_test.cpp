@@ -52,10 +52,12 @@ TEST_F(CampaignReportTest, HasTheMeansOfItsRealizationsWithTheirErrors) {
   const Outcome outcome = quicksand({"report", "out"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.out, "out/report.html\nout/report.md\n");
+  std::vector<double> loads;
   double sum = 0, squares = 0;
   for (const char* run : {"00000", "00000_1", "00000_2"}) {
     const Json summary = parse_json(contents(at("out/runs/" + std::string(run) + "/summary.json")));
     const double load = 2 * summary["drives"][0]["mean"].get<double>();
+    loads.push_back(load);
     sum += load, squares += load * load;
   }
   const double mean = sum / 3, error = std::sqrt((squares / 3 - mean * mean) / 2);
@@ -63,13 +65,16 @@ TEST_F(CampaignReportTest, HasTheMeansOfItsRealizationsWithTheirErrors) {
   const Report report = campaign_report(at("out"), seconds);
   EXPECT_GT(seconds, 0);
   const auto& plot = std::get<Figure>(report.sections[0].blocks.at(1)).plot;
-  ASSERT_EQ(plot.curves.size(), 3U) << "a curve for each friction, and the reference";
+  ASSERT_EQ(plot.curves.size(), 5U) << "means and runs for each friction, and the reference";
   EXPECT_EQ(plot.curves[0].name, "smooth");
   EXPECT_EQ(plot.curves[0].x, (std::vector<double>{1, 2}));
   EXPECT_NEAR(plot.curves[0].y[0], mean, 1e-9 * mean);
   EXPECT_NEAR(plot.curves[0].y_error[0], error, 1e-6 * error);
-  EXPECT_EQ(plot.curves[2].name, "measured");
-  EXPECT_EQ(plot.curves[2].y, (std::vector<double>{40, 50}));
+  EXPECT_EQ(plot.curves[1].kind, Curve::Kind::dots);
+  EXPECT_EQ(plot.curves[1].x, (std::vector<double>{1, 1, 1, 2, 2, 2}));
+  EXPECT_EQ(std::vector<double>(plot.curves[1].y.begin(), plot.curves[1].y.begin() + 3), loads);
+  EXPECT_EQ(plot.curves[4].name, "measured");
+  EXPECT_EQ(plot.curves[4].y, (std::vector<double>{40, 50}));
   const auto& history = std::get<Figure>(report.sections[1].blocks.at(0)).plot;
   EXPECT_EQ(history.curves.size(), 2U * 4) << "a band and a line for each choice of parameters";
   EXPECT_EQ(history.curves[0].name, "speed 1 √(g d); smooth");
@@ -89,9 +94,9 @@ TEST_F(CampaignReportTest, TellsValuesApartThatDifferInTheirFifthDigit) {
   EXPECT_EQ(table.rows[0][1].text, "0.30001");
   EXPECT_EQ(table.rows[1][1].text, "0.30002");
   const auto& plot = std::get<Figure>(report.sections[0].blocks.at(1)).plot;
-  ASSERT_EQ(plot.curves.size(), 3U) << "a curve for each friction, and the reference";
+  ASSERT_EQ(plot.curves.size(), 5U) << "means and runs for each friction, and the reference";
   EXPECT_EQ(plot.curves[0].name, "specimen 0.30001");
-  EXPECT_EQ(plot.curves[1].name, "specimen 0.30002");
+  EXPECT_EQ(plot.curves[2].name, "specimen 0.30002");
 }
 
 TEST_F(CampaignReportTest, ShowsEachNumberOfThePackingOnAnAxisOfItsOwnWhereNothingIsChosen) {
@@ -188,10 +193,10 @@ TEST_F(CampaignReportTest, JoinsPointsInTheOrderOfTheAxis) {
   const auto& table = std::get<Table>(report.sections[0].blocks[0]);
   EXPECT_EQ(table.rows[0][0].text, "2") << "as in the file";
   const auto& plot = std::get<Figure>(report.sections[0].blocks.at(1)).plot;
-  ASSERT_EQ(plot.curves.size(), 3U);
+  ASSERT_EQ(plot.curves.size(), 5U);
   const auto mean_of = [&](std::size_t row) { return table.rows[row][3].text; };
   for (std::size_t k = 0; k < 2; ++k) {
-    const Curve& curve = plot.curves[k];
+    const Curve& curve = plot.curves[2 * k];
     EXPECT_EQ(curve.x, (std::vector<double>{1, 2, 3}));
     const std::size_t rows[] = {2 + k, k, 4 + k};  // of speed 1, 2, 3
     for (std::size_t i = 0; i < 3; ++i)
@@ -235,7 +240,7 @@ TEST_F(CampaignReportTest, HasOneCurveWhereTheOthersFollowFromTheAxis) {
   double seconds = 0;
   const Report report = campaign_report(at("out"), seconds);
   const auto& plot = std::get<Figure>(report.sections[0].blocks.at(1)).plot;
-  ASSERT_EQ(plot.curves.size(), 2U) << "one, and the reference";
+  ASSERT_EQ(plot.curves.size(), 3U) << "means and runs, and the reference";
   EXPECT_EQ(plot.curves[0].name, "mean");
   EXPECT_EQ(plot.curves[0].x.size(), 2U);
 }

@@ -67,6 +67,22 @@ TEST_F(RefusedInput, AllMistakesInAListAreToldAtOnceAndAllUnknownKeysOfAnObject)
   EXPECT_TRUE(told.ends_with("\n  and there may be more\n")) << told;
 }
 
+// What a phase lacks because the contact law is wrong is no mistake of its own.
+TEST_F(RefusedInput, MistakesOfDifferentObjectsAreToldAtOnceWithoutWhatFollowsFromThem) {
+  folder_.write("wrong.json", R"({"box": {"width": -6, "height": 8},
+    "contact": {"frictoin": 0.3, "rolling_friction": -0.1, "cohesion_force": "1000"},
+    "phases": [{"type": "push", "diameter": 3, "force_over_cohesion": 1},
+               {"type": "puhs", "diametr": 3}]})");
+  expect_refused(
+      {"check", "wrong.json"},
+      "wrong.json: box.width: is -6, must be a number from 0 to 1e+05 d\n"
+      "  and contact.rolling_friction: is -0.1, must be a number from 0 to 100\n"
+      "  and contact.cohesion_force: is the text \"1000\", must be a number from 0 to 1e+12 F_g\n"
+      "  and contact.frictoin: is not a key of this object; did you mean \"friction\"?\n"
+      "  and phases[1].type: is the text \"puhs\", must be one of deposit, settle, push, pull, "
+      "shear, heal, piston, penetrate, vane, slide; did you mean \"push\"?");
+}
+
 TEST_F(RefusedInput, ACurrentFolderThatWasRemovedIsTold) {
   const std::string command = "cd " + shell_text(folder_.path()) +
                               " && mkdir gone && cd gone && rmdir ../gone && " QUICKSAND_PROGRAM

@@ -110,7 +110,7 @@ TEST_F(PlotTest, QuotesAreDrawnWhereverTheyStand) {
 
 TEST_F(PlotTest, EveryKindOfCurveIsDrawn) {
   using enum Curve::Kind;
-  for (const Curve::Kind kind : {points, line, line_points, steps, band}) {
+  for (const Curve::Kind kind : {points, line, line_points, steps, band, dots}) {
     Plot plot{.name = "kind", .title = "kind", .x = {.label = "x"}, .y = {.label = "y"}};
     plot.curves.push_back({.name = "a", .kind = kind, .x = {1, 2, 3}, .y = {1, 3, 2}});
     if (kind == band) plot.curves[0].y_low = {0, 1, 0}, plot.curves[0].y_high = {1, 3, 2};
