@@ -164,8 +164,17 @@ void Console::carry_out(const std::vector<Json>& commands) {
   const std::int64_t first = session_.world().step;
   RunUntil frame;
   frame.steps = session_.steps_per_frame;
-  session_.run(frame);
-  if (computed) computed(session_.world().step - first);
+  const auto tell = [&] {
+    if (computed) computed(session_.world().step - first);
+  };
+  try {
+    session_.run(frame);
+  } catch (...) {  // a phase that is refused, or a recording that finds no room
+    session_.running = false;
+    tell();
+    throw;
+  }
+  tell();
   if (session_.finished() || session_.failed()) session_.running = false;
   if (session_.failed())
     throw CommandFailure("the simulation stopped: " + session_.protocol().failure());

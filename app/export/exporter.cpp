@@ -37,7 +37,9 @@ Exporter::Exporter(const ExportFormat& format, fs::path out, std::size_t states)
 // Those of another number of states would pass for some of these.
 void Exporter::remove_earlier_tables() const {
   std::vector<fs::path> earlier;
-  for (const fs::directory_entry& entry : fs::directory_iterator(out_)) {
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(out_, error)) {
+    if (!entry.is_regular_file(error)) continue;
     const std::string name = entry.path().filename().string();
     for (const DataTable& table : tables()) {
       if (!name.starts_with(table.name)) continue;
@@ -50,7 +52,9 @@ void Exporter::remove_earlier_tables() const {
         earlier.push_back(entry.path());
     }
   }
-  for (const fs::path& file : earlier) fs::remove(file);
+  for (const fs::path& file : earlier)
+    if (!fs::remove(file, error))
+      throw InputError(file.string(), "cannot be replaced: " + error.message());
 }
 
 std::string Exporter::file_name(const DataTable& table) const {

@@ -67,7 +67,7 @@ PaperScale quick_scale() {
           .shear_time = 8,
           .force_tolerance = 0.125,
           .nscd_wait = 8,
-          .nscd_push = 15,
+          .nscd_push = 21,
           .nscd_trial = 2.5,
           .studies = false};
 }

@@ -147,6 +147,12 @@ bool is_of_a_region(const Measurements& m, std::string_view quantity) {
 
 Measurements measure_state(const StateFile& state, const MeasureChoices& choices, double slice) {
   const World& world = state.checkpoint.world;
+  // Else there were more active bonds than contacts.
+  if (const double least = widest_touching_gap(world);
+      choices.contact_gap && *choices.contact_gap < least)
+    throw InputError("--contact-gap", "is " + number_text(*choices.contact_gap) +
+                                          ", must be at least " + number_text(least) +
+                                          " d, up to which grains touch in this state");
   Measurements m;
   m.scene = state.scenario.name;
   m.seed = state.scenario.seed;

@@ -214,6 +214,10 @@ std::vector<std::string> phase_warnings(const Scenario& s, std::size_t k) {
       phase.dt.value_or(s.step.dt) < *shortest)
     warnings.push_back("dt is below " + number(*shortest) +
                        " sqrt(d/g), where the energy criterion never acts (limits.md)");
+  if (const auto* deposit = std::get_if<DepositPhase>(&phase.kind);
+      deposit && s.box.height > 0 && deposit->height > s.box.height)
+    warnings.push_back("deposits higher than box.height, " + number(s.box.height) +
+                       " d, where the pictures end");
   if (!brings_intruder(phase)) return warnings;
   const auto before = std::span(s.phases).first(k);
   if (s.start_from.empty() && s.disks.empty() && std::ranges::none_of(before, [](const Phase& p) {
@@ -231,6 +235,31 @@ std::string gravity_warning(const Scenario& s) {
   if (!s.gravity || std::abs(s.gravity->norm() - 9.81) > 0.1) return {};
   return "is " + number(s.gravity->norm()) +
          " g; its unit is g, so that the Earth's has a magnitude of 1";
+}
+
+std::string law_warning(const ContactLaw& law) {
+  if (law.cohesion_force || law.cohesion_range == ContactLaw{}.cohesion_range) return {};
+  return "cohesion_range has no effect without cohesion_force";
+}
+
+std::string bodies_warning(const Scenario& s) {
+  if (s.box.height == 0) return {};
+  const auto above = std::ranges::count_if(
+      s.disks, [&](const Disk& disk) { return disk.position.y() > s.box.height; });
+  if (above == 0) return {};
+  return std::to_string(above) + " of " + std::to_string(s.disks.size()) +
+         " are above box.height, " + number(s.box.height) + " d, where the pictures end";
+}
+
+// With the key that each is about.
+std::vector<std::pair<const char*, std::string>> key_warnings(const Scenario& s) {
+  std::vector<std::pair<const char*, std::string>> all{{"gravity", gravity_warning(s)},
+                                                       {"contact", law_warning(s.grain_law)},
+                                                       {"bodies", bodies_warning(s)}};
+  if (s.wall_law) all.emplace_back("wall_contact", law_warning(*s.wall_law));
+  if (s.intruder_law) all.emplace_back("intruder_contact", law_warning(*s.intruder_law));
+  std::erase_if(all, [](const auto& warning) { return warning.second.empty(); });
+  return all;
 }
 
 std::string phases_text(const Scenario& s) {
@@ -287,8 +316,8 @@ std::string si_text(const Scenario& s) {
 
 std::vector<std::string> scene_warnings(const Scenario& s) {
   std::vector<std::string> warnings;
-  if (const std::string warning = gravity_warning(s); !warning.empty())
-    warnings.push_back("gravity: " + warning);
+  for (const auto& [key, warning] : key_warnings(s))
+    warnings.push_back(std::string(key) + ": " + warning);
   for (std::size_t k = 0; k < s.phases.size(); ++k)
     for (const std::string& warning : phase_warnings(s, k))
       warnings.push_back("phases[" + std::to_string(k) + "]: " + warning);
@@ -305,8 +334,6 @@ std::string scene_report(const Scenario& s) {
   text += line("box", number(s.box.width) + " x " + number(s.box.height) + " d, sides " +
                           word(scene, "box", "sides") + (s.box.floor ? ", floor at y = 0" : ""));
   text += line("gravity", gravity_text(s));
-  if (const std::string warning = gravity_warning(s); !warning.empty())
-    text += line("", "warning: " + warning);
   if (s.drag)
     text += line("drag", "on a grain: " + number(s.drag->linear) + " F_g/sqrt(g d) v + " +
                              number(s.drag->quadratic) + " F_g/(g d) v^2");
@@ -344,6 +371,8 @@ std::string scene_report(const Scenario& s) {
   if (!s.walls.empty()) {
     text += line("walls", std::to_string(s.walls.size()) + " in addition to the box's");
   }
+  for (const auto& [key, warning] : key_warnings(s))
+    text += line("", "warning: " + std::string(key) + ": " + warning);
   text += line("seed", std::to_string(s.seed));
   text += phases_text(s);
   if (s.physical) text += si_text(s);

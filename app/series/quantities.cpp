@@ -48,8 +48,9 @@ const Quantity kQuantities[] = {
     {"packing_top", "d", "height of the highest grain's top",
      [](const Row& r) -> Value { return r.sample.packing_top; }},
     {"volume_fraction", "1",
-     "share of area filled by grains in the lower 70 % of the packing; with closed or periodic "
-     "sides, and without tilted walls",
+     "share of area filled by bodies, an intruder among them, in the lower 70 % of the packing; "
+     "with "
+     "closed or periodic sides, and without tilted walls",
      [](const Row& r) { return or_none(r.sample.volume_fraction); }},
     {"coordination", "1", "mean number of grains, walls and intruders that touch a grain",
      [](const Row& r) -> Value { return r.sample.coordination; }},
@@ -129,7 +130,7 @@ const Quantity kQuantities[] = {
      [](const Row& r) -> Value { return r.unconverged; }, true},
     {"trial", "1", "number of the trial in this phase, from 1; searches of forces only",
      [](const Row& r) { return of_trial(r, r.trial); }, true},
-    {"trial_force", "F_g", "force of the trial on its body",
+    {"trial_force", "F_g", "force of the trial on its body; of a vane its torque, in F_g d",
      [](const Row& r) { return of_trial(r, r.trial_force); }, true},
     {"bonds_healed", "1", "bonds restored by healing since the beginning",
      [](const Row& r) -> Value { return r.sample.bonds_healed; }},

@@ -87,7 +87,7 @@ int run_serve(const ServeOptions& options) {
   ServedSession live({folder.path, options.pixels}, exchange);
   live.interrupted = [&watch] { return watch.interrupted(); };
   live.begin(opening_command(options.file));
-  prepare_drawing(live.console());
+  if (live.console().session().loaded()) prepare_drawing(live.console());
   {
     const std::string host = !options.host.empty() ? options.host : options.address;
     const Server server({.address = options.address,

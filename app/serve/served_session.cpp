@@ -153,11 +153,13 @@ void ServedSession::perform(ClientId client, const Json& command, const Json& id
   const bool loaded = console_.session().loaded();
   const std::int64_t first = loaded ? console_.session().world().step : 0;
   const bool followed = console_.session().view.follow;
+  console_.session().take_phases_ended_after_steps();  // of an earlier run
   const Answer answer = answer_to(console_, command, "command");
   if (answer.ok) record(command, answer.result);
   theme_chosen_ = theme_chosen_ || command.contains("theme");
   if (!answer.ok && name_of(command) == "run" && loaded)
-    interactions_.add_steps(console_.session().world().step - first);
+    interactions_.add_steps(console_.session().world().step - first,
+                            console_.session().take_phases_ended_after_steps());
   tell_if_full();
   picture_is_old_ = true;
   if (changes_controls(command)) state_is_old_ = plots_are_old_ = true;
@@ -170,7 +172,8 @@ void ServedSession::perform(ClientId client, const Json& command, const Json& id
 // A run that was cut short replays as the steps that it made.
 void ServedSession::record(const Json& command, const Json& result) {
   if (result.value("ended_by", "") == word_of(RunStop::cut_short)) {
-    interactions_.add_steps(result["steps"].get<std::int64_t>());
+    interactions_.add_steps(result["steps"].get<std::int64_t>(),
+                            console_.session().take_phases_ended_after_steps());
   } else {
     interactions_.add(command);
   }
@@ -218,7 +221,7 @@ void ServedSession::compute() {
     state_is_old_ = true;
   }
   const std::int64_t steps = session.world().step - first;
-  interactions_.add_steps(steps);
+  interactions_.add_steps(steps, session.take_phases_ended_after_steps());
   tell_if_full();
   rate_.add(steps, session.protocol());
   if (session.finished() || session.failed()) {

@@ -258,6 +258,9 @@ RunStop Session::run(const RunUntil& until) {
   const std::int64_t first_step = world().step;
   const double first_time = world().time;
   const int first_phase = protocol().state().phase;
+  std::int64_t last_step = first_step;
+  int phase_of_step = first_phase;
+  phases_ended_after_steps_ = 0;
   sampled_run_->protocol().clock().meanwhile = meanwhile;
   while (true) {
     if (finished()) return RunStop::finished;
@@ -270,6 +273,9 @@ RunStop Session::run(const RunUntil& until) {
     if (until.condition && until.condition(*this)) return RunStop::condition;
     if (stop_asked && stop_asked(*this)) return RunStop::cut_short;
     const Progress progress = sampled_run_->advance();
+    const int phase = protocol().state().phase;
+    if (std::exchange(last_step, world().step) != last_step) phase_of_step = phase;
+    phases_ended_after_steps_ = phase - phase_of_step;
     if (progress == Progress::given_up) return RunStop::cut_short;
     failed_ = progress == Progress::failed;
   }

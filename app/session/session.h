@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/json/json_text.h"
@@ -63,6 +64,9 @@ class Session {
 
   // Computes. Does nothing if the scene is finished or failed.
   RunStop run(const RunUntil& until);
+  // Of the last run(), once: phases that ended after its last step, as those do that take none. To run as many steps
+  // again would stop before them.
+  int take_phases_ended_after_steps() { return std::exchange(phases_ended_after_steps_, 0); }
   // Asked after every step; true cuts a run short. May be empty.
   std::function<bool(const Session&)> stop_asked;
   // Called now and then while a step is solved, when the world is still as it was before the step. May change views, not
@@ -145,6 +149,7 @@ class Session {
   std::size_t samples_ = 0;
   std::optional<double> every_;  // between samples, if not as the scene says
   bool by_hand_ = false;         // whether phases were begun by hand
+  int phases_ended_after_steps_ = 0;
   bool failed_ = false;
 };
 

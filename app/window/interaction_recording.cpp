@@ -38,15 +38,16 @@ void InteractionRecording::add(const Json& command) {
   }
 }
 
-void InteractionRecording::add_steps(std::int64_t steps) {
-  if (full_ || steps == 0) return;
+void InteractionRecording::add_steps(std::int64_t steps, int phases_ended_after) {
+  if (full_) return;
   const bool goes_on =
       !empty() && command_in(last_) == "run" && last_.size() == 2 && last_.contains("steps");
-  if (goes_on) {
+  if (steps > 0 && goes_on) {
     last_["steps"] = last_["steps"].get<std::int64_t>() + steps;
-  } else {
+  } else if (steps > 0) {
     append({{"command", "run"}, {"steps", steps}});
   }
+  for (int k = 0; k < phases_ended_after; ++k) append({{"command", "run"}, {"phase_end", true}});
 }
 
 void InteractionRecording::append(Json command) {

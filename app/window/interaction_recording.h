@@ -16,8 +16,8 @@ class InteractionRecording {
   // A command that succeeded. What only concerns a window, such as start and pause, is left out: the
   // steps themselves are in the recording.
   void add(const Json& command);
-  // Steps that were made since the last command.
-  void add_steps(std::int64_t steps);
+  // Steps that were made since the last command, and phases that ended after them without one.
+  void add_steps(std::int64_t steps, int phases_ended_after = 0);
 
   bool empty() const { return last_.is_null(); }
   // From here on nothing is added: so that who commands without end does not take all memory.

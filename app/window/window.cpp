@@ -33,7 +33,7 @@ class Window {
         console_({folder_.path, fs::current_path()}, options.scale) {
     console_.given = [this](const Json& command) { remember(command); };
     console_.computed = [this](std::int64_t steps) {
-      interactions_.add_steps(steps);
+      interactions_.add_steps(steps, console_.session().take_phases_ended_after_steps());
       rate_.add(steps, console_.session().protocol());
     };
     // What is commanded within a step is done right after it.

@@ -190,9 +190,13 @@ std::vector<Slice> height_profile(const World& world, std::span<const Pair> touc
                 {},
                 grains[static_cast<std::size_t>(k)],
                 {}};
+    // There is nothing below the floor or the lowest grain.
+    const bool cut = slice.low < bottom;
+    if (cut) slice.low = bottom;
+    const double height = cut ? slice.high - slice.low : thickness;
     if (world.box.sides != Sides::open)
       slice.volume_fraction = volume_fraction(world, slice.low, slice.high);
-    if (width) slice.stress = stress[static_cast<std::size_t>(k)].over(*width * thickness);
+    if (width) slice.stress = stress[static_cast<std::size_t>(k)].over(*width * height);
     slices.push_back(slice);
   }
   return slices;

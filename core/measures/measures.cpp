@@ -27,16 +27,16 @@ double disk_area_below(double radius, double y) {
   return radius * radius * (std::numbers::pi / 2 + std::asin(h) + h * std::sqrt(1 - h * h));
 }
 
-double widest_touching_gap(const World& world) {
-  return std::max({touching_gap(world.grain_law), touching_gap(world.wall_law),
-                   touching_gap(world.intruder_law)});
-}
-
 bool touches(const World& world, Pair pair, std::optional<double> gap) {
   return world.movable(pair) && world.gap(pair) <= gap.value_or(touching_gap(world.law(pair)));
 }
 
 }  // namespace
+
+double widest_touching_gap(const World& world) {
+  return std::max({touching_gap(world.grain_law), touching_gap(world.wall_law),
+                   touching_gap(world.intruder_law)});
+}
 
 std::vector<Pair> touching_pairs(const World& world, std::optional<double> gap) {
   std::vector<Pair> pairs = pairs_within(world, gap.value_or(widest_touching_gap(world)));
@@ -149,9 +149,9 @@ WeightAbove weight_above_intruder(const World& world, const MeasureChoices& choi
 
 namespace {
 
-// Of the pairs, those within this gap.
+// Of the pairs, those within this gap; `bonds`: the gaps of active bonds, whose range may be wider.
 WithinGap within_gap(const World& world, std::span<const Pair> pairs, double gap,
-                     std::int64_t grains, std::int64_t bonds) {
+                     std::int64_t grains, std::span<const double> bonds) {
   std::int64_t near = 0, ends = 0;
   const auto is_grain = [&](int body) {
     return !is_wall(body) && world.disks.role[world.row(body)] == DiskRole::grain;
@@ -163,7 +163,10 @@ WithinGap within_gap(const World& world, std::span<const Pair> pairs, double gap
   }
   WithinGap found;
   if (grains > 0) found.coordination = static_cast<double>(ends) / static_cast<double>(grains);
-  if (near > 0) found.active_bond_fraction = static_cast<double>(bonds) / static_cast<double>(near);
+  const auto bonded =
+      std::ranges::count_if(bonds, [&](double bond_gap) { return bond_gap <= gap; });
+  if (near > 0)
+    found.active_bond_fraction = static_cast<double>(bonded) / static_cast<double>(near);
   return found;
 }
 
@@ -195,13 +198,15 @@ Sample measure(const World& world, const MeasureChoices& choices) {
   s.coordination_loaded = counts.loaded;
 
   std::int64_t initial_active = 0;
+  std::vector<double> bond_gaps;  // of active ones
   for (const Bond& bond : world.bonds.list) {
     if (bond.state != BondState::active) continue;
     ++s.bonds_active;
+    bond_gaps.push_back(world.gap(bond.pair));
     initial_active += bond.initial ? 1 : 0;
   }
   for (std::size_t k = 0; k < s.within.size(); ++k)
-    s.within[k] = within_gap(world, near, kContactMargins[k], s.grains, s.bonds_active);
+    s.within[k] = within_gap(world, near, kContactMargins[k], s.grains, bond_gaps);
   s.contacts = std::ssize(touching);
   for (const Pair& pair : near) s.max_overlap = std::max(s.max_overlap, -world.gap(pair));
   if (s.contacts > 0)

@@ -26,6 +26,9 @@ Energies energies(const World& world);
 // With `gap` [d], pairs of all laws up to it instead.
 std::vector<Pair> touching_pairs(const World& world, std::optional<double> gap = std::nullopt);
 
+// The largest gap up to which pairs of some law touch. [d]
+double widest_touching_gap(const World& world);
+
 // Counts for each disk (nd): active bonds, broken bonds, initial bonds, touching contacts, loaded
 // contacts (compressed, or an active bond). Walls count as neighbours.
 struct NeighbourCounts {

@@ -1,5 +1,7 @@
 #include "core/scene/check_phases.h"
 
+#include <algorithm>
+
 #include "core/scene/grain_sizes.h"
 #include "core/scene/number_checks.h"
 
@@ -83,6 +85,14 @@ struct PhaseValues {
     trials(p.trials);
     for (std::size_t k = 0; k < p.depths.size(); ++k)
       not_negative(("depths[" + std::to_string(k) + "]").c_str(), p.depths[k]);
+    // Grains of one depth are drawn once, and their strengths are one mean.
+    for (std::size_t k = 0; k < p.depths.size(); ++k) {
+      const auto first = std::ranges::find(p.depths, p.depths[k]);
+      if (first - p.depths.begin() < static_cast<std::ptrdiff_t>(k))
+        throw InputError(where + ".depths[" + std::to_string(k) + "]",
+                         "is the same as an earlier one; for more grains there, raise "
+                         "grains_per_depth");
+    }
     positive("grains_per_depth", static_cast<double>(p.grains_per_depth));
     positive("distance", p.distance);
   }

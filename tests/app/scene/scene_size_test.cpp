@@ -88,6 +88,24 @@ TEST(SceneReport, WarnsOfWhatIsAllowedAndHardlyMeant) {
                                      "those of the first"});
 }
 
+TEST(SceneReport, WarnsOfWhatHasNoEffectAndOfWhatNoPictureShows) {
+  const Scenario scene = scenario_from_json(parse_json(
+      R"({"name": "a", "box": {"width": 10, "height": 10}, "gravity": {},
+          "contact": {"friction": 0.3, "cohesion_range": 0.1},
+          "bodies": [{"position": [5, 25]}, {"position": [5, 5]}],
+          "phases": [{"type": "deposit", "height": 30, "interval": 0.1},
+                     {"type": "deposit", "height": 10, "interval": 0.1}]})"));
+  const std::vector<std::string> warnings{
+      "contact: cohesion_range has no effect without cohesion_force",
+      "bodies: 1 of 2 are above box.height, 10 d, where the pictures end",
+      "phases[0]: deposits higher than box.height, 10 d, where the pictures end"};
+  EXPECT_EQ(scene_warnings(scene), warnings);
+  const std::string report = scene_report(scene);
+  for (const char* words : {"warning: contact: cohesion_range has", "warning: bodies: 1 of 2 are",
+                            "warning: deposits higher than box.height"})
+    EXPECT_NE(report.find(words), std::string::npos) << report;
+}
+
 TEST(SceneReport, AThresholdIsSoughtInTrialsAndNothingIsReleased) {
   const std::string report = scene_report(scenario_from_json(parse_json(
       R"({"name": "a", "box": {"width": 10}, "gravity": {}, "phases": [

@@ -37,6 +37,14 @@ TEST_F(ServeProgram, TriesTheRecordingBeforeItServes) {
   }
 }
 
+TEST_F(ServeProgram, ASessionMayLeaveTheSceneToThePage) {
+  folder_.write("session.json", R"({"commands": [{"command": "print", "text": "hello"}]})");
+  Program program({"serve", "session.json", "--port", "0"}, folder_.path());
+  wait_for("the address", [&] { return !contents(folder_.path() / ".stdout").empty(); });
+  program.signal(SIGINT);
+  EXPECT_EQ(program.wait().exit_code, 130);
+}
+
 TEST_F(ServeProgram, ASessionThatFailsIsToldWithFileLineAndCommand) {
   folder_.write("session.json",
                 "{\"commands\": [\n{\"command\": \"load\", \"scene\": \"chain\"},\n"

@@ -208,6 +208,27 @@ TEST(ServedSession, ARecordingThatIsAskedForInMidSliceReplays) {
   EXPECT_EQ(replay.exit_code, 0) << replay.err;
 }
 
+// A deposit without dynamics is there at once; so is one that follows the last step.
+TEST(ServedSession, PhasesThatTakeNoStepReplay) {
+  const TemporaryFolder folder;
+  Exchange exchange;
+  ServedSession served({folder.path()}, exchange);
+  served.begin(parse_json(R"({"command": "load", "scene": {"name": "two", "gravity": {},
+    "box": {"width": 8, "height": 8}, "contact": {"friction": 0.3, "cohesion_force": 100},
+    "bodies": [{"position": [4, 0.5]}], "step": {"dt": 1e-2},
+    "phases": [{"type": "settle", "max_time": 0.05, "until_rest": false}, {"type": "heal"},
+               {"type": "deposit", "grains": 5, "interval": 0}]}})"));
+  served.begin({{"command", "pace"}, {"steps_per_frame", 4}});
+  served.begin({{"command", "start"}});
+  for (int turn = 0; turn < 4; ++turn) served.take_turn();
+  Session& session = served.console().session();
+  EXPECT_TRUE(session.finished());
+  EXPECT_EQ(session.world().disks.size(), 6U);
+  folder.write("by_hand.json", served.recording());
+  const Outcome replay = run_program({"session", "by_hand.json", "--quiet"}, folder.path());
+  EXPECT_EQ(replay.exit_code, 0) << replay.err;
+}
+
 TEST(ServedSession, WalksThroughARunWithTheSameCommandsAsTheWindow) {
   const TemporaryFolder folder;
   ASSERT_EQ(run_program({"run", "chain", "--no-frames", "--out", "run", "--quiet"}, folder.path())

@@ -100,6 +100,21 @@ TEST(InteractionRecording, KeepsStepsTogetherAndOnlyTheLastForceBetweenThem) {
   EXPECT_EQ(session["commands"][3]["hash"], world_hash_text(World{}));
 }
 
+// Those that take no step: to run as many steps again stops before them.
+TEST(InteractionRecording, EndsPhasesThatTookNoStepByTheirOwnCommands) {
+  InteractionRecording recording;
+  recording.add_steps(3);
+  recording.add_steps(2, 2);
+  recording.add_steps(0, 1);
+  recording.add_steps(4);
+  const Json commands = Json::parse(recording.session(World{}))["commands"];
+  ASSERT_EQ(commands.size(), 6U);
+  EXPECT_EQ(commands[0], (Json{{"command", "run"}, {"steps", 5}}));
+  for (int k = 1; k < 4; ++k)
+    EXPECT_EQ(commands[k], (Json{{"command", "run"}, {"phase_end", true}}));
+  EXPECT_EQ(commands[4], (Json{{"command", "run"}, {"steps", 4}}));
+}
+
 // What is in it replays: later commands and steps would act on another world.
 TEST(InteractionRecording, EndsWhereItIsFull) {
   InteractionRecording recording;

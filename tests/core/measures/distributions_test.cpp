@@ -179,13 +179,14 @@ TEST(HeightProfile, OfASquareLatticeIsTheSameInEverySlice) {
   EXPECT_EQ(slices[1].grains.active_bond_fraction, 1);
 }
 
-TEST(HeightProfile, WithoutAFloorBeginsBelowTheLowestGrain) {
+TEST(HeightProfile, BeginsAtTheLowestGrainOrAtTheFloor) {
   Scenario scene = empty_scene(Method::automatic);
   scene.disks = {{.position = {0, -3.2}}, {.position = {0, 3.2}}};
   const World world = make_world(scene);
   const std::vector<Slice> slices = height_profile(world, touching_pairs(world), 2);
   ASSERT_EQ(slices.size(), 4U);
-  EXPECT_EQ(slices.front().low, -4);
+  EXPECT_EQ(slices.front().low, -3.7);
+  EXPECT_EQ(slices.front().high, -2);
   EXPECT_EQ(slices.back().high, 4);
   EXPECT_EQ(slices.front().grains.grains, 1);
   EXPECT_FALSE(slices.front().volume_fraction.has_value()) << "the box has no width";

@@ -47,6 +47,19 @@ TEST(ContactCounts, AWiderGapCountsMoreNeighboursAndASmallerShareOfBonds) {
   EXPECT_DOUBLE_EQ(*sample.within[1].active_bond_fraction, 1.0 / 3);
 }
 
+// Bonds that reach farther than the margin do not count within it.
+TEST(ContactCounts, NoMarginHoldsMoreActiveBondsThanPairs) {
+  Scenario scene = empty_scene(Method::automatic);
+  scene.grain_law = paper_law(10);
+  scene.grain_law.cohesion_range = 0.1;
+  scene.initial_bonds = InitialBonds::touching;
+  for (const double x : {0.0, 1.0, 2.05}) scene.disks.push_back({.position = {x, 0}});
+  const Sample sample = measure(make_world(scene));
+  EXPECT_EQ(sample.bonds_active, 2);
+  EXPECT_EQ(*sample.within[0].active_bond_fraction, 1);
+  EXPECT_EQ(*sample.within[1].active_bond_fraction, 1);
+}
+
 // Four in a row, their bonds active, torn and torn, and one alone; the last pair is not compressed.
 TEST(ContactCounts, TellTouchingFromLoadedAndBonded) {
   Scenario scene = empty_scene(Method::automatic);

@@ -79,6 +79,8 @@ TEST(Validation, RefusesPhasesOfImpossibleNumbers) {
   EXPECT_EQ(of(PushPhase{.diameter = -3}), "phases[0].diameter");
   EXPECT_EQ(of(PullPhase{}), "phases[0].first_force");
   EXPECT_EQ(of(ShearPhase{.trials = {.first_force = 1}, .depths = {1, -1}}), "phases[0].depths[1]");
+  EXPECT_EQ(of(ShearPhase{.trials = {.first_force = 1}, .depths = {1, 2, 1}}),
+            "phases[0].depths[2]");
   EXPECT_EQ(of(HealPhase{.waited = 1, .healing_time = 0}), "phases[0].healing_time");
   EXPECT_EQ(of(PistonPhase{.mass = 0}), "phases[0].mass");
   EXPECT_EQ(of(PenetratePhase{.shape = PlateIntruder{.width = 1, .thickness = 2}}),
