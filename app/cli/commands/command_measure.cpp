@@ -62,20 +62,21 @@ StateFile measured_state(const MeasureArguments& options) {
   return read_state(of_run ? RunFolder{options.state}.state() : options.state);
 }
 
-World earlier_world(const MeasureArguments& options) {
+StateFile earlier_state(const MeasureArguments& options) {
   const std::string& since = *options.since;
   double time = 0;
   const char* end = since.data() + since.size();
   const auto [stop, error] = std::from_chars(since.data(), end, time);
-  if (error != std::errc() || stop != end) return read_state(since).checkpoint.world;
+  if (error != std::errc() || stop != end) return read_state(since);
   if (!is_folder(options.state))
     throw InputError("--since " + since,
                      "is a time, which needs the folder of a run; give the earlier STATE.cbor");
-  return state_at(options.state, "--since", time).checkpoint.world;
+  return state_at(options.state, "--since", time);
 }
 
-Changes changes_since(const MeasureArguments& options, const World& now) {
-  const World before = earlier_world(options);
+Changes changes_since(const MeasureArguments& options, const StateFile& state) {
+  const StateFile earlier = earlier_state(options);
+  const World &before = earlier.checkpoint.world, &now = state.checkpoint.world;
   const std::string where = "--since " + *options.since;
   if (!same_specimen(before, now))
     throw InputError(where,
@@ -85,6 +86,13 @@ Changes changes_since(const MeasureArguments& options, const World& now) {
     throw InputError(where, "is later, at " + message_number(before.time) +
                                 " sqrt(d/g), than the measured state, at " +
                                 message_number(now.time));
+  // A scene that starts from a state may have another seed than that of its specimen.
+  if (earlier.scenario.seed != state.scenario.seed)
+    std::fprintf(stderr,
+                 "warning: %s: has the seed %s and the measured state %s; unless one started from "
+                 "the other, these are two specimens\n",
+                 where.c_str(), std::to_string(earlier.scenario.seed).c_str(),
+                 std::to_string(state.scenario.seed).c_str());
   return changes_between(before, now);
 }
 
@@ -92,7 +100,7 @@ int measure_and_report(const MeasureArguments& options) {
   const StateFile state = measured_state(options);
   check_regions(options, state.checkpoint.world);
   Measurements m = measure_state(state, options.choices, options.slice);
-  if (options.since) m.changes = changes_since(options, state.checkpoint.world);
+  if (options.since) m.changes = changes_since(options, state);
   if (!options.out.empty()) write_measurements(options.out, m);
   const std::string text = options.json ? to_json(m).dump(2) + "\n" : text_of(m);
   std::fputs(text.c_str(), stdout);
