@@ -4,9 +4,9 @@
 #include <cctype>
 #include <cmath>
 #include <map>
-#include <set>
 
 #include "app/campaign_report/campaign_remarks.h"
+#include "app/campaign_report/curve_looks.h"
 #include "app/campaign_report/points.h"
 #include "app/plot/typeset_number.h"
 #include "app/run_folder/run_folder.h"
@@ -234,16 +234,6 @@ class Writer {
     return text;
   }
 
-  // Of curves that three values or more of one number tell apart, in its order.
-  void colour_by(std::vector<Curve>& curves, const std::vector<double>& values) const {
-    std::set<double> all(values.begin(), values.end());
-    if (curves.size() < 3 || values.size() != curves.size() || all.size() != curves.size()) return;
-    const std::vector<Colour> colours = ordered_colours(curves.size());
-    for (std::size_t k = 0; k < curves.size(); ++k)
-      curves[k].colour =
-          colours[static_cast<std::size_t>(std::distance(all.begin(), all.find(values[k])))];
-  }
-
   // The number by which these parameters tell a point, if it is one.
   void add_number(std::vector<double>& values, const CampaignPoint& point,
                   const std::vector<std::string>& paths) const {
@@ -331,6 +321,7 @@ class Writer {
       const ReportHistory& history = campaign_.report.histories[k];
       Plot plot = empty_plot(history, k);
       std::vector<Curve> means;
+      std::vector<const CampaignPoint*> shown;
       std::vector<double> numbers;
       bool some_lack = false;
       for (std::size_t p = 0; p < points_.size(); ++p) {
@@ -343,9 +334,11 @@ class Writer {
           some_lack = true;
         }
         add_number(numbers, points_[p], told);
+        shown.push_back(&points_[p]);
         means.push_back(std::move(mean));
       }
       colour_by(means, numbers);
+      style_by_two(means, shown, told);
       for (Curve& mean : means) add_with_band(plot, std::move(mean));
       section.add(Figure{
           std::move(plot),

@@ -171,6 +171,7 @@ struct Apply {
               : k == body)
         bodies.push_back(k);
     if (bodies.empty()) throw InputError(place + ".inside", "no grain has its centre there");
+    if (!inside) refuse_held(world, place);
     for (const int k : bodies) console.session().apply(k, force, torque);
     if (inside && console.print)
       console.print((!torque  ? "a force on "
@@ -179,6 +180,18 @@ struct Apply {
                     (bodies.size() == 1 ? "" : std::string("each of ")) +
                     count_text(std::ssize(bodies), "grain"));
     return {{"bodies", bodies.size()}};
+  }
+
+  // A force that moves nothing would pass for one that the packing resists.
+  void refuse_held(const World& world, const std::string& place) const {
+    const Vec3& inverse_mass = world.disks.inverse_mass[static_cast<int>(body)];
+    const auto refuse = [&](const char* key, const char* moved) {
+      throw InputError(place + "." + key, "does not " + std::string(moved) + " body " +
+                                              std::to_string(body) +
+                                              ", which is fixed or driven at a given velocity");
+    };
+    if (force && !force->isZero() && inverse_mass.head<2>().isZero()) refuse("force", "move");
+    if (torque && *torque != 0 && inverse_mass.z() == 0) refuse("torque", "turn");
   }
 };
 

@@ -25,7 +25,12 @@ struct TimePlot {
   bool per_step = false;  // sums since the last sample, which are not equally long apart
   bool has_tolerance = false;
   std::size_t compared = 1;
+  const char* remark = "";  // behind every caption
 };
+
+constexpr const char* kOfSingleSteps =
+    " Forces are those of the step before each sample, so that how high their peaks are depends on "
+    "the time step and on the interval between samples.";
 
 std::vector<TimePlot> time_plots() {
   return {
@@ -56,12 +61,14 @@ std::vector<TimePlot> time_plots() {
        .y = {.label = "mean stress", .unit = "F_g/d"},
        .histories = {{"stress_yy", "vertical"},
                      {"stress_xx", "horizontal"},
-                     {"stress_xy", "shear"}}},
+                     {"stress_xy", "shear"}},
+       .remark = kOfSingleSteps},
       {.name = "loads",
        .caption = "Downward force of the contacts on the floor and on the sides, and normal force "
                   "on the piston.",
        .y = {.label = "force on the walls", .unit = "F_g"},
-       .histories = {{"floor_load", "floor"}, {"side_load", "sides"}, {"piston_load", "piston"}}},
+       .histories = {{"floor_load", "floor"}, {"side_load", "sides"}, {"piston_load", "piston"}},
+       .remark = kOfSingleSteps},
       {.name = "kinetic_energy",
        .caption = "Kinetic energy of all disks and shaped bodies, of translation and of rotation.",
        .y = {.label = "kinetic energy", .unit = "F_g d", .logarithmic = true},
@@ -306,7 +313,7 @@ std::vector<Figure> run_figures(std::span<const RunResults> runs, const std::str
       caption.front() =
           static_cast<char>(std::toupper(static_cast<unsigned char>(caption.front())));
     }
-    figures.push_back({std::move(plot), caption});
+    figures.push_back({std::move(plot), caption + described.remark});
   };
   for (const TimePlot& described : time_plots()) {
     const std::span<const TimeHistory> histories = described.histories;

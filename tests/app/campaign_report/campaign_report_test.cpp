@@ -78,6 +78,11 @@ TEST_F(CampaignReportTest, HasTheMeansOfItsRealizationsWithTheirErrors) {
   const auto& history = std::get<Figure>(report.sections[1].blocks.at(0)).plot;
   EXPECT_EQ(history.curves.size(), 2U * 4) << "a band and a line for each choice of parameters";
   EXPECT_EQ(history.curves[0].name, "speed 1 √(g d); smooth");
+  for (const std::size_t k :
+       {0U, 2U, 4U, 6U}) {  // a colour for each speed, a dash for each specimen
+    EXPECT_EQ(history.curves[k].colour, ordered_colours(2)[k / 4]);
+    EXPECT_EQ(history.curves[k].style, k / 2 % 2);
+  }
   EXPECT_EQ(std::get<Table>(report.sections[0].blocks[0]).columns[0].title, "speed [√(g d)]");
   EXPECT_EQ(std::get<Table>(report.sections[0].blocks[0]).columns[1].title, "specimen");
 }

@@ -50,5 +50,18 @@ TEST_F(SessionTest, ATorqueNeedsNoForce) {
       << neither.err;
 }
 
+// The upper grain is fixed: a force on it would seem to be resisted by the packing.
+TEST_F(SessionTest, AForceOnABodyThatItCannotMoveIsRefused) {
+  for (const char* given : {R"("force": [0, -1])", R"("torque": 1)"}) {
+    const Outcome held =
+        play({load(), std::string(R"({"command": "apply", "body": 0, )") + given + "}"});
+    EXPECT_EQ(held.exit_code, 1);
+    EXPECT_NE(held.err.find("body 0, which is fixed or driven at a given velocity"),
+              std::string::npos)
+        << held.err;
+  }
+  EXPECT_EQ(play({load(), R"({"command": "apply", "body": 0, "force": [0, 0]})"}).exit_code, 0);
+}
+
 }  // namespace
 }  // namespace quicksand::test
