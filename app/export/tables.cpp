@@ -1,5 +1,6 @@
 #include "app/export/tables.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
@@ -71,7 +72,7 @@ constexpr DataColumn kDiskColumns[] = {
      [](const E& e, int row, int) -> double { return e.counts.active[row]; }},
     {"broken_bonds", "1", "bonds that broke and were not healed", integer, 1,
      [](const E& e, int row, int) -> double { return e.counts.broken[row]; }},
-    {"initial_bonds", "1", "initial bonds, active or broken", integer, 1,
+    {"initial_bonds", "1", "initial bonds with disks and walls, active or broken", integer, 1,
      [](const E& e, int row, int) -> double { return e.counts.initial[row]; }},
 };
 
@@ -96,7 +97,11 @@ constexpr DataColumn kContactColumns[] = {
        if (bond == nullptr) return 0.0;
        return bond->state == BondState::active ? 1.0 : 2.0;
      }},
-    {"initial", "1", "1: the bond is an initial bond", integer, 1,
+    {"initial", "1",
+     "1: the bond is an initial bond; broken ones of pairs that are apart have no row, so shares "
+     "of "
+     "initial bonds follow from the table of states",
+     integer, 1,
      [](const E& e, int row, int) {
        const Bond* bond = link(e, row).bond;
        return bond != nullptr && bond->initial ? 1.0 : 0.0;
@@ -162,6 +167,15 @@ constexpr DataColumn kStateColumns[] = {
      [](const E& e, int, int k) { return k == 0 ? e.world.box.width : e.world.box.height; }},
     {"periodic", "1", "1: the sides of the box are periodic", integer, 1,
      [](const E& e, int, int) { return e.world.box.sides == Sides::periodic ? 1.0 : 0.0; }},
+    {"initial_bonds", "1", "initial bonds, active or broken, whether their pairs touch or not",
+     integer, 1, [](const E& e, int, int) { return static_cast<double>(e.world.bonds.initial); }},
+    {"initial_bonds_active", "1", "those of them that are active: over them, the remaining share",
+     integer, 1,
+     [](const E& e, int, int) {
+       return static_cast<double>(std::ranges::count_if(e.world.bonds.list, [](const Bond& bond) {
+         return bond.initial && bond.state == BondState::active;
+       }));
+     }},
 };
 
 constexpr DataTable kTables[] = {
