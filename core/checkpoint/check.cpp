@@ -174,6 +174,9 @@ const char* inconsistency(const Checkpoint& checkpoint) {
   if (!possible(errors.residual) || !possible(errors.bond_gap) || !possible(errors.penetration))
     return "invalid distribution of errors";
   if (!possible(protocol.search)) return "invalid search";
+  if (is_of_force(protocol.search.kind) &&
+      protocol.search.base->disks.size() != checkpoint.world.disks.size())
+    return "the search is of other bodies";
   if (!all_possible(protocol.critical_forces) || !all_possible(protocol.adiabatic_deposits) ||
       !all_possible(protocol.drive_results))
     return "a result of a search is invalid";

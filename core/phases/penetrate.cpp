@@ -43,6 +43,10 @@ class Penetrate final : public DrivePhaseOf<PenetratePhase> {
       begin_search_on(stage, SearchKind::penetrate, world.intruder(), settings().force);
   }
 
+  bool can_go_on(const Stage& stage) const override {
+    return stage.world.intruder() >= 0 && stage.state.memory.contains("surface");
+  }
+
  private:
   // Of the lowest point below the surface as it was. [d]
   double way(const Stage& stage) const override {

@@ -31,6 +31,11 @@ class Piston final : public RunningPhaseOf<PistonPhase> {
     stage.state.memory["force_before"] = world.walls.back().force;
   }
 
+  bool can_go_on(const Stage& stage) const override {
+    const std::vector<Wall>& walls = stage.world.walls;
+    return !walls.empty() && is_pressing_piston(walls.back());
+  }
+
   void before_step(Stage& stage) override {
     const double ramp = settings().ramp_time, force = settings().force;
     const double before = stage.state.memory["force_before"];

@@ -39,6 +39,11 @@ class Push final : public RunningPhaseOf<PushPhase> {
     begin_search_on(stage, SearchKind::push, intruder, settings().force);
   }
 
+  bool can_go_on(const Stage& stage) const override {
+    const auto& role = stage.world.disks.role;
+    return !role.empty() && role.back() == DiskRole::intruder;
+  }
+
   void before_step(Stage& stage) override {
     if (settings().threshold) begin_force_trial(stage, {0, -1, 0});
   }

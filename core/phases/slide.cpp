@@ -43,6 +43,12 @@ class Slide final : public RunningPhaseOf<SlidePhase> {
     begin_account(stage);
   }
 
+  bool can_go_on(const Stage& stage) const override {
+    const auto& memory = stage.state.memory;
+    return pressing_piston(stage.world) >= 0 && memory.contains("direction") &&
+           memory.contains("start");
+  }
+
   void before_step(Stage& stage) override {
     take_turn(stage);
     Wall& piston = piston_of(stage.world);

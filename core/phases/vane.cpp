@@ -38,6 +38,10 @@ class Vane final : public DrivePhaseOf<VanePhase> {
     if (settings().threshold) begin_search_on(stage, SearchKind::vane, intruder, settings().torque);
   }
 
+  bool can_go_on(const Stage& stage) const override {
+    return stage.world.intruder() >= 0 && stage.state.memory.contains("start");
+  }
+
  private:
   double way(const Stage& stage) const override {
     return stage.world.disks.angle[stage.world.intruder()] - stage.state.memory.at("start");

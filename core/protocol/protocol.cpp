@@ -15,7 +15,14 @@ namespace quicksand {
 Protocol::Protocol(const Scenario& scenario, World world, const ProtocolState& state)
     : scenario_(scenario), world_(std::move(world)), state_(state), stage_{world_, state_} {
   take_up();
-  if (!running_ || !state_.entered || running_->searches_for() == state_.search.kind) return;
+  if (!running_ || !state_.entered) return;
+  if (running_->searches_for() == state_.search.kind) {
+    if (!running_->can_go_on(stage_))
+      throw InputError("phases[" + std::to_string(state_.phase) + "]",
+                       "cannot go on in this state, which lacks what the phase has made, such as "
+                       "its intruder or its piston");
+    return;
+  }
   if (state_.search.base) return_to_base(stage_);
   state_.entered = false;
 }

@@ -15,6 +15,8 @@ class RunningPhase {
   virtual ~RunningPhase() = default;
 
   virtual SearchKind searches_for() const { return SearchKind::none; }
+  // Entered in a state that was read from a file: whether what begin() made is there.
+  virtual bool can_go_on(const Stage&) const { return true; }
   virtual void begin(Stage& stage) = 0;
   // Throws InputError where the phase cannot go on from the world as it is.
   virtual void before_step(Stage&) {}
