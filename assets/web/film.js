@@ -63,7 +63,7 @@ const timeline = new Timeline(by_id("timeline"), commands);
 timeline.go_on.remove();
 by_id("timeline").hidden = false;
 timeline.set_run(run);
-await show(0);
+await show(frames.length - 1);
 document.title = `${frame.scene}, ${short(run.sample_times.at(-1))} √(d/g)`;
 setInterval(play_frame, 1000 / kPicturesASecond);
 // For those who look into the page, tests among them.

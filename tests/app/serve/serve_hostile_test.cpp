@@ -91,7 +91,7 @@ TEST(ServeHostile, ForcesOnRegionsAreRecordedOneByOne) {
     const Json answer = page.ask(region);
     EXPECT_EQ(answer["ok"], true) << answer;
   }
-  EXPECT_EQ(page.ask({{"command", "apply"}, {"body", 0}, {"force", {1, 0}}})["ok"], true);
+  EXPECT_EQ(page.ask({{"command", "apply"}, {"body", 1}, {"force", {1, 0}}})["ok"], true);
   EXPECT_EQ(page.ask(region)["ok"], true);
   const Json commands = Json::parse(server.stop().recording())["commands"];
   EXPECT_EQ(commands.size(), 1 + 3 + 1 + 1 + 1U) << commands;

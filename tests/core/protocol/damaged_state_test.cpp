@@ -31,7 +31,8 @@ const std::vector<Phase>& phases_that_make_bodies() {
   static const std::vector<Phase> phases{
       {PushPhase{.force = 10}},
       {PenetratePhase{.speed = 1, .depth = 1}},
-      {VanePhase{.shape = VaneIntruder{.radius = 1}, .depth = 1, .clear = true, .angular_velocity = 1}},
+      {VanePhase{
+          .shape = VaneIntruder{.radius = 1}, .depth = 1, .clear = true, .angular_velocity = 1}},
       {PistonPhase{.mass = 10, .force = 10}}};
   return phases;
 }
