@@ -1,23 +1,17 @@
 #include "app/run_report/run_report.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 #include <numeric>
-#include <optional>
 
-#include "app/json/json_reader.h"
 #include "app/plot/typeset_number.h"
 #include "app/run_folder/search_results.h"
 #include "app/run_folder/validation.h"
 #include "app/run_report/run_tables.h"
 #include "app/scene/scene_report.h"
 #include "app/scene_json/scenario_json.h"
-#include "app/series/quantities.h"
 #include "core/base/errors.h"
 #include "core/base/format.h"
-#include "core/problem/work_clock.h"
 
 namespace quicksand {
 
